@@ -26,7 +26,7 @@ typedef struct {
 enum { TS_MOST_PARTS = 1024 };
 enum { TS_TRUTH_PACKET = 16 };
 
-/* Of all threads. */
+/* What all threads have cast so far, and how long that took. */
 typedef struct {
 	u64 rays, nanoseconds;
 } ts_truth_costs;

@@ -6,10 +6,9 @@ typedef struct {
 	ts_lanes3 w, normal;
 } found;
 
-static inline ts_v2 lattice_of(const ts_point_batch *from, const ts_lanes3 *corner, u32 i)
+static inline ts_v2 lattice_of(const ts_point_batch *from, ts_v3 p, u32 i)
 {
-	return ts_k_lattice(ts_lane3(&from->origin, i), ts_lane3(&from->u, i), ts_lane3(&from->v, i), from->scale[i],
-	                    ts_lane3(corner, i));
+	return ts_k_lattice(ts_lane3(&from->origin, i), ts_lane3(&from->u, i), ts_lane3(&from->v, i), from->scale[i], p);
 }
 
 /* ts_k_lattice_weights, and the triangle's normal. */
@@ -17,8 +16,8 @@ TS_WIDE static void weigh(found *restrict to, const ts_point_batch *restrict fro
 {
 	u32 n = ts_whole_lanes(from->n);
 	for (u32 i = 0; i < n; i++) {
-		ts_v3 a = ts_lane3(&from->a, i), b = ts_lane3(&from->b, i), c = ts_lane3(&from->c, i);
-		ts_v2 p = lattice_of(from, &from->a, i), q = lattice_of(from, &from->b, i), r = lattice_of(from, &from->c, i);
+		ts_v3 a = ts_lane3(&from->corner[0], i), b = ts_lane3(&from->corner[1], i), c = ts_lane3(&from->corner[2], i);
+		ts_v2 p = lattice_of(from, a, i), q = lattice_of(from, b, i), r = lattice_of(from, c, i);
 		ts_set_lane3(&to->w, i, ts_k_weights_around(p, q, r, from->x[i], from->y[i]));
 		ts_set_lane3(&to->normal, i, ts_cross(ts_sub(b, a), ts_sub(c, a)));
 	}
@@ -46,13 +45,10 @@ void ts_points_add(ts_point_batch *batch, ts_surface_bins *bins, const ts_points
 {
 	u32 i = batch->n++, triangle = from->pieces[point->piece].triangle;
 	const ts_align *frame = &from->frames[point->piece];
-	const ts_triangle *t = &from->scene.triangles[triangle];
 	batch->triangle[i] = triangle;
 	batch->x[i] = point->x;
 	batch->y[i] = point->y;
-	ts_set_lane3(&batch->a, i, ts_load3(from->scene.vertices[t->vertex[0]].position));
-	ts_set_lane3(&batch->b, i, ts_load3(from->scene.vertices[t->vertex[1]].position));
-	ts_set_lane3(&batch->c, i, ts_load3(from->scene.vertices[t->vertex[2]].position));
+	ts_set_corners(batch->corner, i, &from->scene, triangle);
 	ts_set_lane3(&batch->origin, i, ts_load3(frame->c));
 	ts_set_lane3(&batch->u, i, ts_load3(frame->u));
 	ts_set_lane3(&batch->v, i, ts_load3(frame->v));

@@ -9,7 +9,7 @@ typedef struct {
 	u32 n;
 	u32 triangle[TS_ABREAST];
 	i32 x[TS_ABREAST], y[TS_ABREAST];
-	ts_lanes3 a, b, c;      /* corners of the triangle */
+	ts_lanes3 corner[3];    /* corners of the triangle */
 	ts_lanes3 origin, u, v; /* of the lattice */
 	f32 scale[TS_ABREAST];
 	ts_lanes3 centre, viewer;

@@ -4,19 +4,9 @@
 #include "../../wide.h"
 
 typedef struct {
-	ts_lanes3 a, b, c;
+	ts_lanes3 at[3];
 	u32 found[TS_ABREAST]; /* 0: a plane may clip, or the pixel is on an edge or outside */
 } corners;
-
-static void copy_corners(corners *to, const ts_arrays *scene, const ts_fragment_batch *of)
-{
-	for (u32 i = 0; i < of->n; i++) {
-		const ts_triangle *t = &scene->triangles[of->triangle[i]];
-		ts_set_lane3(&to->a, i, ts_load3(scene->vertices[t->vertex[0]].position));
-		ts_set_lane3(&to->b, i, ts_load3(scene->vertices[t->vertex[1]].position));
-		ts_set_lane3(&to->c, i, ts_load3(scene->vertices[t->vertex[2]].position));
-	}
-}
 
 /* A snapped corner, from the pixel's middle. */
 typedef struct {
@@ -46,7 +36,7 @@ static inline double edge(snapped a, snapped b) { return a.x * b.y - a.y * b.x; 
 TS_WIDE static void find_weights(ts_fragment_batch *restrict to, corners *restrict from, ts_camera_k view, u32 n)
 {
 	for (u32 i = 0; i < n; i++) {
-		ts_v3 a = ts_lane3(&from->a, i), b = ts_lane3(&from->b, i), c = ts_lane3(&from->c, i);
+		ts_v3 a = ts_lane3(&from->at[0], i), b = ts_lane3(&from->at[1], i), c = ts_lane3(&from->at[2], i);
 		snapped p = snap(&view, a, to->x[i], to->y[i]), q = snap(&view, b, to->x[i], to->y[i]);
 		snapped r = snap(&view, c, to->x[i], to->y[i]);
 		double e0 = edge(q, r), e1 = edge(r, p), e2 = edge(p, q), twice = e0 + e1 + e2;
@@ -88,7 +78,7 @@ void ts_fragments_find(ts_fragment_batch *batch, const ts_arrays *scene, const t
 {
 	corners c;
 	u32 n = ts_whole_lanes(batch->n);
-	copy_corners(&c, scene, batch);
+	for (u32 i = 0; i < batch->n; i++) ts_set_corners(c.at, i, scene, batch->triangle[i]);
 	find_weights(batch, &c, *view, n);
 	for (u32 i = 0; i < batch->n; i++)
 		if (c.found[i] == 0) find_alone(batch, i, scene, view);

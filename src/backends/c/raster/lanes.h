@@ -1,7 +1,7 @@
 /* Values of many items side by side, and choices that loops for vectors can make. */
 #ifndef TS_BACKENDS_LANES_H
 #define TS_BACKENDS_LANES_H
-#include "../../../kernels/base/vec.h"
+#include "../../../kernels/base/scene.h"
 
 enum { TS_LANES = 16, TS_ABREAST = 64 };
 
@@ -19,6 +19,13 @@ static inline void ts_set_lane3(ts_lanes3 *to, u32 i, ts_v3 v)
 	to->x[i] = v.x;
 	to->y[i] = v.y;
 	to->z[i] = v.z;
+}
+
+/* Copies where corners a, b and c of a triangle are. */
+static inline void ts_set_corners(ts_lanes3 corner[3], u32 i, const ts_arrays *scene, u32 triangle)
+{
+	const u32 *vertex = scene->triangles[triangle].vertex;
+	for (u32 k = 0; k < 3; k++) ts_set_lane3(&corner[k], i, ts_load3(scene->vertices[vertex[k]].position));
 }
 
 /* p where `which`, a number that loops of vectors can hold, is 1. */

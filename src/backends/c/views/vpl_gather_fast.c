@@ -5,8 +5,9 @@
 #include "../../../kernels/views/vpl_gather.h"
 #include "../../fast.h"
 #include "../../wide.h"
+#include "../raster/lanes.h"
 
-enum { LOT = 64, PIXELS_A_CHUNK = 64, MOST_TEXELS = 64 }; /* a side of maps whose directions are made before */
+enum { LOT = TS_ABREAST, PIXELS_A_CHUNK = 64, MOST_TEXELS = 64 }; /* a side of maps whose directions are made before */
 
 typedef struct {
 	ts_vpl_gather_args args;
@@ -24,13 +25,15 @@ typedef struct {
 /* Draws of a pixel: the number of views before, its place in the list, the view; and by form and texel of its map. */
 typedef struct {
 	u32 n, rank[LOT], at[LOT], view[LOT], texel[LOT];
-	f32 way[3][LOT], from[3][LOT], form[LOT];
+	ts_lanes3 way, from;
+	f32 form[LOT];
 } drawn;
 
 /* Those of them that send light towards the pixel, and what their maps show there. */
 typedef struct {
 	u32 n, which[LOT], reaches[LOT];
-	f32 way[3][LOT], light[3][LOT], centre[3][LOT], direction[3][LOT], depth[LOT];
+	ts_lanes3 way, light, centre, direction;
+	f32 depth[LOT];
 } asked;
 
 /* ts_k_drawn_view up to the rank. */
@@ -68,11 +71,8 @@ static void load_lights(drawn *d, const ts_vpl_gather_args *args, ts_v3 p)
 {
 	for (u32 i = 0; i < d->n; i++) {
 		const ts_vpl *light = &args->lights[d->view[i]];
-		ts_v3 way = ts_sub(p, ts_load3(light->position));
-		d->way[0][i] = way.x;
-		d->way[1][i] = way.y;
-		d->way[2][i] = way.z;
-		for (u32 k = 0; k < 3; k++) d->from[k][i] = light->normal[k];
+		ts_set_lane3(&d->way, i, ts_sub(p, ts_load3(light->position)));
+		ts_set_lane3(&d->from, i, ts_load3(light->normal));
 	}
 }
 
@@ -80,8 +80,7 @@ static void load_lights(drawn *d, const ts_vpl_gather_args *args, ts_v3 p)
 TS_WIDE static void weigh_lights(drawn *restrict d, ts_v3 n, f32 least, u32 px)
 {
 	for (u32 i = 0; i < LOT; i++) {
-		ts_v3 way = ts_v3_make(d->way[0][i], d->way[1][i], d->way[2][i]);
-		ts_v3 from = ts_v3_make(d->from[0][i], d->from[1][i], d->from[2][i]);
+		ts_v3 way = ts_lane3(&d->way, i), from = ts_lane3(&d->from, i);
 		ts_v3 direction = ts_normalize(way);
 		f32 nowhere = ts_max(ts_max(ts_abs(from.x), ts_abs(from.y)), ts_abs(from.z));
 		f32 cosine = ts_dot(direction, from);
@@ -114,14 +113,10 @@ static void load_maps(asked *a, const drawn *d, const job *j)
 		u32 from = a->which[i], view = d->view[from], texel = d->texel[from], leaf = args->leaves[view];
 		ts_v3 direction = j->directions != NULL ? j->directions[texel] : ts_k_paraboloid_direction(texel, args->n);
 		a->depth[i] = ts_u2f(args->depths[leaf * n_texels + texel]);
-		a->direction[0][i] = direction.x;
-		a->direction[1][i] = direction.y;
-		a->direction[2][i] = direction.z;
-		for (u32 k = 0; k < 3; k++) {
-			a->way[k][i] = d->way[k][from];
-			a->light[k][i] = args->lights[view].position[k];
-			a->centre[k][i] = args->nodes[leaf].centre[k];
-		}
+		ts_set_lane3(&a->direction, i, direction);
+		ts_set_lane3(&a->way, i, ts_lane3(&d->way, from));
+		ts_set_lane3(&a->light, i, ts_load3(args->lights[view].position));
+		ts_set_lane3(&a->centre, i, ts_load3(args->nodes[leaf].centre));
 	}
 }
 
@@ -129,12 +124,9 @@ static void load_maps(asked *a, const drawn *d, const job *j)
 TS_WIDE static void reach_lights(asked *restrict a, ts_vpl_gather_args args, ts_v3 n)
 {
 	for (u32 i = 0; i < LOT; i++) {
-		ts_v3 way = ts_v3_make(a->way[0][i], a->way[1][i], a->way[2][i]);
-		ts_v3 light = ts_v3_make(a->light[0][i], a->light[1][i], a->light[2][i]);
-		ts_v3 centre = ts_v3_make(a->centre[0][i], a->centre[1][i], a->centre[2][i]);
-		ts_v3 direction = ts_v3_make(a->direction[0][i], a->direction[1][i], a->direction[2][i]);
-		ts_v3 q = ts_mad(centre, direction, a->depth[i]);
-		f32 reach = ts_length(ts_sub(q, light)) + ts_k_vpl_slack(&args, way, n);
+		ts_v3 way = ts_lane3(&a->way, i);
+		ts_v3 q = ts_mad(ts_lane3(&a->centre, i), ts_lane3(&a->direction, i), a->depth[i]);
+		f32 reach = ts_length(ts_sub(q, ts_lane3(&a->light, i))) + ts_k_vpl_slack(&args, way, n);
 		a->reaches[i] = ts_length(way) <= reach ? 1u : 0u;
 	}
 }

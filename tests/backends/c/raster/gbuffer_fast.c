@@ -17,10 +17,9 @@ static void check(const ts_run *run, u32 n_triangles)
 	args.scene = ts_run_arrays(run);
 	memset(plain, 0x55, sizeof plain);
 	memset(fast, 0x55, sizeof fast);
-	u32 n = 1 + below(PIXELS), threads = 1 + below(4);
-	ts_c_launch(TS_KERNEL_gbuffer, &args, n, 1);
-	args.pixels = fast;
-	assert_true(ts_c_fast_gbuffer(&args, n, threads));
+	ts_gbuffer_args other = args;
+	other.pixels = fast;
+	launch_both(TS_KERNEL_gbuffer, ts_c_fast_gbuffer, &args, &other, 1 + below(PIXELS));
 	assert_memory_equal(plain, fast, sizeof plain);
 }
 

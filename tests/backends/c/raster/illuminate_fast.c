@@ -45,7 +45,7 @@ static void check(const ts_run *run, u32 n_triangles)
 	static input in;
 	static f32 plain[TEXELS * 8], fast[TEXELS * 8];
 	(void)n_triangles;
-	u32 start = n_random, threads = 1 + below(4);
+	u32 start = n_random;
 	ts_illuminate_args args = {.scene = ts_run_arrays(run), .cubes = in.cubes, .depth_triangle = in.keys};
 	random_input(&in, &args.scene);
 	u32 n = below(4) == 0 ? below(in.n_texels + 1) : in.n_texels;
@@ -54,10 +54,10 @@ static void check(const ts_run *run, u32 n_triangles)
 	memset(plain, 0x55, sizeof plain);
 	memset(fast, 0x55, sizeof fast);
 	args.mip = plain;
-	ts_c_launch(TS_KERNEL_illuminate, &args, n, 1);
-	args.mip = fast;
-	assert_true(ts_c_fast_illuminate(&args, n, threads));
-	if (memcmp(plain, fast, sizeof plain) != 0) fail_msg("random %u: %u texels, %u threads", start, n, threads);
+	ts_illuminate_args other = args;
+	other.mip = fast;
+	launch_both(TS_KERNEL_illuminate, ts_c_fast_illuminate, &args, &other, n);
+	if (memcmp(plain, fast, sizeof plain) != 0) fail_msg("random %u: %u texels", start, n);
 }
 
 static void test_equal(void **state)

@@ -44,16 +44,16 @@ static void check(const ts_run *run, u32 n_triangles)
 	if (below(2) == 0) args.lit = in.lit, args.lamps = in.lamps;
 	bool shown = below(2) == 0;
 	args.samples = EYE_SAMPLES;
-	u32 n = 1 + below(PIXELS), threads = 1 + below(4);
 	memset(&plain, 0x55, sizeof plain);
 	memset(&fast, 0x55, sizeof fast);
 	args.radiance = plain.radiance;
 	args.srgb = shown ? plain.srgb : NULL;
-	ts_c_launch(TS_KERNEL_image, &args, n, 1);
-	args.radiance = fast.radiance;
-	args.srgb = shown ? fast.srgb : NULL;
-	assert_true(ts_c_fast_image(&args, n, threads));
-	if (memcmp(&plain, &fast, sizeof plain) != 0) fail_msg("random %u: %u pixels, %u threads", start, n, threads);
+	ts_image_args other = args;
+	other.radiance = fast.radiance;
+	other.srgb = shown ? fast.srgb : NULL;
+	u32 n = 1 + below(PIXELS);
+	launch_both(TS_KERNEL_image, ts_c_fast_image, &args, &other, n);
+	if (memcmp(&plain, &fast, sizeof plain) != 0) fail_msg("random %u: %u pixels", start, n);
 }
 
 static void test_equal(void **state)

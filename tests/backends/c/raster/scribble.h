@@ -20,6 +20,13 @@ static inline void scribble(u64 *keys, u32 n_keys, u32 n_triangles)
 	}
 }
 
+/* Runs the kernel by some arguments, and its fast path by others that differ in where the output goes. */
+static inline void launch_both(ts_kernel kernel, ts_fast_path *path, const void *plain, const void *fast, u32 n)
+{
+	ts_c_launch(kernel, plain, n, 1);
+	assert_true(path(fast, n, 1 + below(4)));
+}
+
 /* Calls `check` with a run that has drawn what the eye sees, so many times. */
 static inline void with_run(void (*check)(const ts_run *, u32 n_triangles), u32 times)
 {
