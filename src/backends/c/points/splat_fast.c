@@ -426,9 +426,11 @@ static bool splat(const ts_splat_args *args, u32 threads)
 	made = made && ask(&j, threads);
 	worker *workers = made ? make_workers(&j, threads) : NULL;
 	made = workers != NULL && j.order != NULL && j.faces != NULL;
-	ts_asked_close(&j.asked, args->texels, threads);
-	if (made) splat_all(&j, workers, threads);
-	ts_asked_open(&j.asked, args->texels, threads);
+	if (made) {
+		ts_asked_close(&j.asked, args->texels, threads);
+		splat_all(&j, workers, threads);
+		ts_asked_open(&j.asked, args->texels, threads);
+	}
 	ts_asked_clear(&j.asked);
 	free(workers);
 	free(j.order);
