@@ -11,8 +11,52 @@ static inline u32 ts_all3(bool x, bool y, bool z)
 	return z ? r : 0u;
 }
 
-/* ts_k_closest_on_triangle without branches: the first region that holds p of a, b, the edge ab, c, the edges ac and
- * bc, the inside. */
+/* A point from `from` on, by so much of `by` as `part` is of `whole`. */
+typedef struct {
+	ts_v3 from, by;
+	f32 part, whole;
+} ts_along;
+
+static inline ts_along ts_choose_along(u32 first, ts_along a, ts_along b)
+{
+	return (ts_along){ts_choose_lane(first, a.from, b.from), ts_choose_lane(first, a.by, b.by),
+	                  first != 0u ? a.part : b.part, first != 0u ? a.whole : b.whole};
+}
+
+/* Of the sides ab and ac with a point less a: d1, d2; less b: d3, d4; less c: d5, d6. */
+typedef struct {
+	f32 d1, d2, d3, d4, d5, d6;
+} ts_side_dots;
+
+/* The first region that holds the point of a, b, the edge ab, c, the edges ac and bc, the inside. One division for
+ * whatever edge holds the point, and one more inside. Whatever the six numbers are, it is on the triangle. */
+static inline ts_v3 ts_closest_by_dots(ts_side_dots d, ts_v3 a, ts_v3 b, ts_v3 c, ts_v3 ab, ts_v3 ac)
+{
+	f32 va = ts_flush(ts_diff_of_products(d.d3, d.d6, d.d5, d.d4));
+	f32 vb = ts_flush(ts_diff_of_products(d.d5, d.d2, d.d1, d.d6));
+	f32 vc = ts_flush(ts_diff_of_products(d.d1, d.d4, d.d3, d.d2));
+	f32 bc = d.d4 - d.d3;
+	f32 cb = d.d5 - d.d6;
+	f32 s = va + vb;
+	s = s + vc;
+	u32 on_bc = ts_all3(va <= 0.0f, bc >= 0.0f, cb >= 0.0f);
+	u32 on_ac = ts_all3(vb <= 0.0f, d.d2 >= 0.0f, d.d6 <= 0.0f);
+	u32 on_ab = ts_all3(vc <= 0.0f, d.d1 >= 0.0f, d.d3 <= 0.0f);
+	ts_along at = {a, ab, vb, s};
+	at = ts_choose_along(on_bc, (ts_along){b, ts_sub(c, b), bc, bc + cb}, at);
+	at = ts_choose_along(on_ac, (ts_along){a, ac, d.d2, d.d2 - d.d6}, at);
+	at = ts_choose_along(on_ab, (ts_along){a, ab, d.d1, d.d1 - d.d3}, at);
+	ts_v3 edge = ts_mad(at.from, at.by, ts_k_ratio(at.part, at.whole));
+	ts_v3 r = ts_mad(edge, ac, ts_k_ratio(vc, s));
+	r = ts_choose_lane(on_bc, edge, r);
+	r = ts_choose_lane(on_ac, edge, r);
+	r = ts_choose_lane(ts_all3(d.d6 >= 0.0f, d.d5 <= d.d6, true), c, r);
+	r = ts_choose_lane(on_ab, edge, r);
+	r = ts_choose_lane(ts_all3(d.d3 >= 0.0f, d.d4 <= d.d3, true), b, r);
+	return ts_choose_lane(ts_all3(d.d1 <= 0.0f, d.d2 <= 0.0f, true), a, r);
+}
+
+/* ts_k_closest_on_triangle without branches. */
 static inline ts_v3 ts_closest_lane(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_v3 ab = ts_sub(b, a);
@@ -20,29 +64,13 @@ static inline ts_v3 ts_closest_lane(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 	ts_v3 ap = ts_sub(p, a);
 	ts_v3 bp = ts_sub(p, b);
 	ts_v3 cp = ts_sub(p, c);
-	f32 d1 = ts_dot(ab, ap);
-	f32 d2 = ts_dot(ac, ap);
-	f32 d3 = ts_dot(ab, bp);
-	f32 d4 = ts_dot(ac, bp);
-	f32 d5 = ts_dot(ab, cp);
-	f32 d6 = ts_dot(ac, cp);
-	f32 va = ts_flush(ts_diff_of_products(d3, d6, d5, d4));
-	f32 vb = ts_flush(ts_diff_of_products(d5, d2, d1, d6));
-	f32 vc = ts_flush(ts_diff_of_products(d1, d4, d3, d2));
-	f32 bc = d4 - d3;
-	f32 cb = d5 - d6;
-	f32 s = va + vb;
-	s = s + vc;
-	u32 on_bc = ts_all3(va <= 0.0f, bc >= 0.0f, cb >= 0.0f);
-	u32 on_ac = ts_all3(vb <= 0.0f, d2 >= 0.0f, d6 <= 0.0f);
-	u32 on_ab = ts_all3(vc <= 0.0f, d1 >= 0.0f, d3 <= 0.0f);
-	ts_v3 r = ts_mad(ts_mad(a, ab, ts_k_ratio(vb, s)), ac, ts_k_ratio(vc, s));
-	r = ts_choose_lane(on_bc, ts_mad(b, ts_sub(c, b), ts_k_ratio(bc, bc + cb)), r);
-	r = ts_choose_lane(on_ac, ts_mad(a, ac, ts_k_ratio(d2, d2 - d6)), r);
-	r = ts_choose_lane(ts_all3(d6 >= 0.0f, d5 <= d6, true), c, r);
-	r = ts_choose_lane(on_ab, ts_mad(a, ab, ts_k_ratio(d1, d1 - d3)), r);
-	r = ts_choose_lane(ts_all3(d3 >= 0.0f, d4 <= d3, true), b, r);
-	return ts_choose_lane(ts_all3(d1 <= 0.0f, d2 <= 0.0f, true), a, r);
+	ts_side_dots d = {.d1 = ts_dot(ab, ap),
+	                  .d2 = ts_dot(ac, ap),
+	                  .d3 = ts_dot(ab, bp),
+	                  .d4 = ts_dot(ac, bp),
+	                  .d5 = ts_dot(ab, cp),
+	                  .d6 = ts_dot(ac, cp)};
+	return ts_closest_by_dots(d, a, b, c, ab, ac);
 }
 
 #endif

@@ -2,34 +2,21 @@
 #include "density_eye.h"
 #include "../../wide.h"
 #include "closest_lanes.h"
+#include "density_bound.h"
 
-enum { LANES = 16, TRIANGLES = 128, COORDINATES = 9 };
+enum { LANES = 16 };
 
-/* Triangles, one after another; what their cubes told so far; and what that makes. */
+/* What densities of a part come to. */
 typedef struct {
-	u32 n;
-	f32 corner[COORDINATES][TRIANGLES];
-	f32 shortest[TRIANGLES], densest[TRIANGLES];
-	u32 any[TRIANGLES];
-	f32 density[TRIANGLES];
-	u32 limited[TRIANGLES], large[TRIANGLES]; /* 1: the densest cube limits; there are too many samples for a piece */
-} part;
-
-static inline ts_v3 corner_of(const part *p, u32 k, u32 i)
-{
-	return ts_v3_make(p->corner[3 * k][i], p->corner[3 * k + 1][i], p->corner[3 * k + 2][i]);
-}
+	f32 density[TS_PART];
+	u32 limited[TS_PART], large[TS_PART]; /* 1: the densest cube limits; there are too many samples for a piece */
+} densities;
 
 /* Those that a cube may see: what it tells of each. There is room for lanes beyond the last. */
 typedef struct {
-	u32 n, triangle[TRIANGLES + LANES];
-	f32 way[TRIANGLES + LANES], need[TRIANGLES + LANES];
+	u32 n, triangle[TS_PART + LANES];
+	f32 way[TS_PART + LANES], need[TS_PART + LANES];
 } seen;
-
-typedef struct {
-	ts_v3 eye, centre;
-	f32 radius, least, half_size;
-} cube;
 
 /* A step of ts_k_path_length: the point of the ball that light comes by, and whether its way meets the ball. */
 typedef struct {
@@ -37,7 +24,7 @@ typedef struct {
 	u32 meets;
 } step;
 
-static inline step step_of(const cube *r, ts_v3 t)
+static inline step step_of(const ts_density_cube *r, ts_v3 t)
 {
 	ts_v3 near = ts_k_closest_on_segment(r->centre, t, r->eye);
 	ts_v3 out = ts_sub(near, r->centre);
@@ -46,12 +33,12 @@ static inline step step_of(const cube *r, ts_v3 t)
 	return (step){ts_choose_lane(meets, near, ts_mad(r->centre, out, r->radius / distance)), meets};
 }
 
-TS_WIDE static void measure(seen *restrict to, const part *restrict of, cube r)
+TS_WIDE static void measure(seen *restrict to, const ts_density_part *restrict of, ts_density_cube r)
 {
 	u32 n = (to->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {
 		u32 at = to->triangle[i];
-		ts_v3 a = corner_of(of, 0, at), b = corner_of(of, 1, at), c = corner_of(of, 2, at);
+		ts_v3 a = ts_part_corner(of, 0, at), b = ts_part_corner(of, 1, at), c = ts_part_corner(of, 2, at);
 		ts_v3 t = ts_closest_lane(r.centre, a, b, c);
 		f32 to_triangle = ts_length(ts_sub(t, r.centre));
 		t = ts_closest_lane(step_of(&r, t).by, a, b, c);
@@ -63,7 +50,7 @@ TS_WIDE static void measure(seen *restrict to, const part *restrict of, cube r)
 	}
 }
 
-static void take(part *p, u32 lane, const ts_density_args *args, u32 triangle)
+static void take(ts_density_part *p, u32 lane, const ts_density_args *args, u32 triangle)
 {
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	const ts_v3 corner[3] = {t.a, t.b, t.c};
@@ -72,21 +59,21 @@ static void take(part *p, u32 lane, const ts_density_args *args, u32 triangle)
 		p->corner[3 * k + 1][lane] = corner[k].y;
 		p->corner[3 * k + 2][lane] = corner[k].z;
 	}
-	p->any[lane] = 0;
-	p->shortest[lane] = p->densest[lane] = 0.0f;
 }
 
+/* Of those that cube r may count for. */
 static void find_seen(seen *s, const u64 *words, u32 n_words, u32 r, u32 n)
 {
 	s->n = 0;
-	for (u32 i = 0; i < n; i++) {
+	for (u32 k = 0; k < n; k++) {
+		u32 i = s->triangle[k];
 		s->triangle[s->n] = i;
 		s->n += ts_k_cube_bits(words + (u64)i * n_words, r) != 0;
 	}
 	for (u32 i = s->n; i % LANES != 0; i++) s->triangle[i] = 0;
 }
 
-static void merge(part *p, const seen *s)
+static void merge(ts_density_part *p, const seen *s)
 {
 	for (u32 k = 0; k < s->n; k++) {
 		u32 i = s->triangle[k];
@@ -96,56 +83,59 @@ static void merge(part *p, const seen *s)
 	}
 }
 
-static cube cube_of(const ts_density_args *args, u32 r)
+static ts_density_cube cube_of(const ts_density_args *args, u32 r)
 {
 	const ts_face *of = &args->cubes[r];
-	return (cube){.eye = ts_load3(args->view->eye),
-	              .centre = ts_load3(of->centre),
-	              .radius = of->radius,
-	              .least = ts_flush(of->radius * 0.0009765625f),
-	              .half_size = (f32)of->n * 0.5f};
+	return (ts_density_cube){.eye = ts_load3(args->view->eye),
+	                         .centre = ts_load3(of->centre),
+	                         .radius = of->radius,
+	                         .least = ts_flush(of->radius * 0.0009765625f),
+	                         .half_size = (f32)of->n * 0.5f};
 }
 
 /* As the end of ts_k_density, and the start of ts_k_split. */
-TS_WIDE static void finish(part *restrict p, f32 wanted, u32 cap)
+TS_WIDE static void finish(densities *restrict to, const ts_density_part *restrict p, f32 wanted, u32 cap)
 {
 	for (u32 i = 0; i < p->n; i++) {
-		ts_v3 a = corner_of(p, 0, i), b = corner_of(p, 1, i), c = corner_of(p, 2, i);
+		ts_v3 a = ts_part_corner(p, 0, i), b = ts_part_corner(p, 1, i), c = ts_part_corner(p, 2, i);
 		f32 s = p->any[i] != 0u ? wanted / p->shortest[i] : 0.0f, length;
 		u32 limited = p->densest[i] < s ? cap : 0u;
 		s = ts_put(limited != 0u ? p->densest[i] : s);
 		(void)ts_k_longest_edge(a, b, c, &length);
 		u32 wide = length * s > TS_MOST_WIDTH ? 1u : 0u;
-		p->large[i] = (ts_k_area(a, b, c) * s) * s > TS_SPLIT_SAMPLES ? 1u : wide;
-		p->limited[i] = limited;
-		p->density[i] = s;
+		to->large[i] = (ts_k_area(a, b, c) * s) * s > TS_SPLIT_SAMPLES ? 1u : wide;
+		to->limited[i] = limited;
+		to->density[i] = s;
 	}
 }
 
 /* As the end of ts_k_split_count_item. Returns 1 where the densest cube limits. */
-static u32 put(const ts_density_args *args, const part *p, u32 lane, u32 triangle)
+static u32 put(const ts_density_args *args, const densities *d, u32 lane, u32 triangle)
 {
-	args->whole[triangle] = p->density[lane];
-	args->offset[triangle] = p->density[lane] > 0.0f ? 1 : 0;
-	if (p->large[lane] != 0) args->offset[triangle] = ts_k_split(args, triangle, false);
-	return p->limited[lane];
+	args->whole[triangle] = d->density[lane];
+	args->offset[triangle] = d->density[lane] > 0.0f ? 1 : 0;
+	if (d->large[lane] != 0) args->offset[triangle] = ts_k_split(args, triangle, false);
+	return d->limited[lane];
 }
 
 static void count_part(const ts_density_args *args, u32 first, u32 n)
 {
-	part p = {.n = n};
+	ts_density_part p = {.n = n};
+	densities d;
 	seen s;
 	i64 n_limited = 0;
 	const u64 *words = args->bits + (u64)first * args->n_words;
 	for (u32 i = 0; i < n; i++) take(&p, i, args, first + i);
+	ts_density_begin(&p);
 	for (u32 r = 0; r < args->n_cubes; r++) {
-		find_seen(&s, words, args->n_words, r, n);
+		ts_density_cube cube = cube_of(args, r);
+		find_seen(&s, words, args->n_words, r, ts_density_may_count(s.triangle, &p, &cube));
 		if (s.n == 0) continue;
-		measure(&s, &p, cube_of(args, r));
+		measure(&s, &p, cube);
 		merge(&p, &s);
 	}
-	finish(&p, args->rho * args->view->focal, args->cap != 0 ? 1 : 0);
-	for (u32 i = 0; i < n; i++) n_limited += put(args, &p, i, first + i);
+	finish(&d, &p, args->rho * args->view->focal, args->cap != 0 ? 1 : 0);
+	for (u32 i = 0; i < n; i++) n_limited += put(args, &d, i, first + i);
 	ts_add_i64(args->n_limited, n_limited);
 }
 
@@ -164,8 +154,8 @@ bool ts_c_eye_density(const ts_density_args *args, u32 n, u32 threads)
 {
 	if (!applies(args)) return false;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-	for (i64 first = 0; first < (i64)n; first += TRIANGLES) {
-		count_part(args, (u32)first, (i64)n - first < TRIANGLES ? (u32)((i64)n - first) : TRIANGLES);
+	for (i64 first = 0; first < (i64)n; first += TS_PART) {
+		count_part(args, (u32)first, (i64)n - first < TS_PART ? (u32)((i64)n - first) : TS_PART);
 	}
 	return true;
 }
