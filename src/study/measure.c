@@ -278,6 +278,16 @@ void ts_measure_keep_memory(void)
 #endif
 }
 
+void ts_measure_touch_memory(u64 bytes)
+{
+	const size_t page = 4096;
+	volatile u8 *memory = malloc((size_t)bytes);
+	if (memory == NULL) return;
+	ts_memory_large_pages((void *)memory, (size_t)bytes);
+	for (size_t i = 0; i < (size_t)bytes; i += page) memory[i] = 0;
+	free((void *)memory);
+}
+
 void ts_measure_return_memory(void)
 {
 #if defined(__GLIBC__)

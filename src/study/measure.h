@@ -61,6 +61,8 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
  * frame, and what that leaves the others, whichever thread freed it. Fresh pages cost up to a third of a large frame to
  * touch. */
 void ts_measure_keep_memory(void);
+/* Touches so many bytes of what is free, so that the next frame has no fresh pages though others had its memory. */
+void ts_measure_touch_memory(u64 bytes);
 /* Returns what is free to the system, for the price of fresh pages in the next frame. What Embree leaves lies between
  * the frames' buffers, and would grow for dozens of frames. */
 void ts_measure_return_memory(void);

@@ -52,6 +52,7 @@ static ts_status measure_frame(double *values, void *of)
 	ts_status status = set->wants_points && frame->whole.method == NULL ? count(frame) : TS_OK;
 	if (status != TS_OK) return status;
 	frame->last = (ts_measure){.pictures = NULL};
+	ts_measure_touch_memory(frame->bytes);
 	status = ts_measure_run(&frame->last, frame->method, set->scene, &set->params, &set->how, take, frame);
 	for (u32 k = 0; k < frame->last.n_timings; k++) values[k] = frame->last.timings[k].seconds;
 	values[TS_SPEED_WHOLE] = frame->last.seconds;
@@ -100,6 +101,7 @@ static ts_status open_frames(ts_speed_set *set, const ts_speed_scene *of, const 
 		if (status != TS_OK) return status;
 		bool fits = ts_measure_estimate(&estimate, &frame->method, 1, 0, set->scene, &set->params) == TS_OK;
 		if (!fits) return TS_SKIPPED;
+		frame->bytes = estimate.run;
 	}
 	return status;
 }

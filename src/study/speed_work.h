@@ -63,6 +63,7 @@ typedef struct {
 	ts_measure last, whole; /* whole: of a run before the others, with all counters */
 	double casts;           /* the last value of the last run */
 	ts_speed_row row;
+	u64 bytes; /* that a run takes */
 } ts_speed_frame;
 
 enum { TS_SPEED_METHODS = 4 };
