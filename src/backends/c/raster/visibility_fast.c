@@ -78,8 +78,29 @@ static bool is_outside(const extent *e, u32 axis, f32 sign, f32 near)
 	return e->least[x] > ahead || -e->most[x] > ahead || e->least[y] > ahead || -e->most[y] > ahead || near > ahead;
 }
 
-/* Corners from a cube's centre; which triangles the cube may show at all, as ts_k_may_show has it. */
-TS_WIDE static void turn_to_cube(sight *restrict to, const batch *restrict b, u32 n, ts_v3 centre, u32 object)
+/* No plane of the face's frustum has a triangle outside. */
+static bool is_inside(const extent *e, u32 axis, f32 sign, f32 near)
+{
+	u32 x = (axis + 1) % AXES, y = (axis + 2) % AXES;
+	f32 ahead = sign > 0.0f ? e->least[axis] : -e->most[axis];
+	return e->most[x] <= ahead && -e->least[x] <= ahead && e->most[y] <= ahead && -e->least[y] <= ahead &&
+	       near <= ahead;
+}
+
+/* Which triangles the cube may show at all, as ts_k_may_show has it: by those faces. */
+TS_WIDE static void find_shown(sight *restrict to, const batch *restrict b, u32 n, ts_v3 centre, u32 object, u32 faces)
+{
+	for (u32 i = 0; i < n; i++) {
+		ts_v3 a = ts_v3_make(centre.x - b->corner[0][i], centre.y - b->corner[1][i], centre.z - b->corner[2][i]);
+		f32 towards = ts_flush(ts_dot(ts_v3_make(b->normal[0][i], b->normal[1][i], b->normal[2][i]), a));
+		u32 facing = (towards > 0.0f ? 1u : 0u) | b->two_sided[i];
+		to->shown[i] = facing & (b->object[i] != object ? 1u : 0u) & (b->degenerate[i] ^ 1u);
+		to->faces[i] = to->shown[i] * faces;
+	}
+}
+
+/* Corners from a cube's centre. */
+TS_WIDE static void turn_to_cube(sight *restrict to, const batch *restrict b, u32 n, ts_v3 centre)
 {
 	for (u32 i = 0; i < n; i++) {
 		for (u32 k = 0; k < 3 * AXES; k += AXES) {
@@ -87,11 +108,6 @@ TS_WIDE static void turn_to_cube(sight *restrict to, const batch *restrict b, u3
 			to->corner[k + 1][i] = b->corner[k + 1][i] - centre.y;
 			to->corner[k + 2][i] = b->corner[k + 2][i] - centre.z;
 		}
-		ts_v3 a = ts_v3_make(centre.x - b->corner[0][i], centre.y - b->corner[1][i], centre.z - b->corner[2][i]);
-		f32 towards = ts_flush(ts_dot(ts_v3_make(b->normal[0][i], b->normal[1][i], b->normal[2][i]), a));
-		u32 facing = (towards > 0.0f ? 1u : 0u) | b->two_sided[i];
-		to->shown[i] = facing & (b->object[i] != object ? 1u : 0u) & (b->degenerate[i] ^ 1u);
-		to->faces[i] = 0;
 	}
 }
 
@@ -117,11 +133,17 @@ TS_WIDE static void look(sight *restrict to, u32 n, u32 axis, f32 sign, f32 near
 
 static void see(sight *s, const batch *b, const ts_face *cube)
 {
+	static const f32 sign[2] = {1.0f, -1.0f};
 	extent e = extent_from(&b->all, cube->centre);
-	turn_to_cube(s, b, b->n, ts_load3(cube->centre), cube->object);
+	u32 all = 0, some = 0;
 	for (u32 face = 0; face < 6; face++) {
-		f32 sign = face % 2 == 0 ? 1.0f : -1.0f;
-		if (!is_outside(&e, face / 2, sign, cube->near)) look(s, b->n, face / 2, sign, cube->near, 1u << face);
+		if (is_outside(&e, face / 2, sign[face % 2], cube->near)) continue;
+		*(is_inside(&e, face / 2, sign[face % 2], cube->near) ? &all : &some) |= 1u << face;
+	}
+	find_shown(s, b, b->n, ts_load3(cube->centre), cube->object, all);
+	if (some != 0) turn_to_cube(s, b, b->n, ts_load3(cube->centre));
+	for (u32 face = 0; face < 6; face++) {
+		if ((some >> face & 1) != 0) look(s, b->n, face / 2, sign[face % 2], cube->near, 1u << face);
 	}
 }
 
