@@ -18,6 +18,9 @@ enum { MOST_CUBES = 10, MANY_CUBES = 16, PART_ROWS = 1024, PART_POINTS = 16384, 
 /* Clusters are in order of distance, in bins that have one exponent and the first bits of the fraction. */
 enum { BIN_SHIFT = 20, BINS = 1 << (31 - BIN_SHIFT) };
 
+/* Rows whose bits are fetched before they are asked for: those of one are a cache line or more from the next. */
+enum { AHEAD = 24 };
+
 /* Points that are worth a block. */
 enum { MANY = POINTS / 2 };
 
@@ -213,6 +216,11 @@ typedef struct {
 
 static u64 cluster_end(const job *j, u64 begin) { return begin + CLUSTER < j->live.n ? begin + CLUSTER : j->live.n; }
 
+static const u64 *words_of(const job *j, u64 row)
+{
+	return j->args->bits + (u64)j->live.triangle[row] * j->args->n_words;
+}
+
 /* ts_k_cube_bits of MOST_CUBES cubes from that one on, six bits each. */
 static u64 bits_from(const u64 *words, u32 n_words, u32 cube)
 {
@@ -225,8 +233,8 @@ static u64 bits_from(const u64 *words, u32 n_words, u32 cube)
 static void find_faces(const job *j, worker *w, const task *t)
 {
 	for (u64 i = 0; i < j->live.n; i++) {
-		const u64 *words = j->args->bits + (u64)j->live.triangle[i] * j->args->n_words;
-		u64 bits = bits_from(words, j->args->n_words, t->first);
+		if (i + AHEAD < j->live.n) __builtin_prefetch(words_of(j, i + AHEAD) + t->first * 6 / 64);
+		u64 bits = bits_from(words_of(j, i), j->args->n_words, t->first);
 		for (u32 k = 0; k < t->n; k++, bits >>= 6) w->faces[k][i] = (u8)(bits & 63);
 	}
 	w->found = *t;
