@@ -29,7 +29,9 @@ typedef struct {
 } ts_side_dots;
 
 /* The first region that holds the point of a, b, the edge ab, c, the edges ac and bc, the inside. One division for
- * whatever edge holds the point, and one more inside. Whatever the six numbers are, it is on the triangle. */
+ * whatever edge holds the point, and one more inside. Whatever the six numbers are, the result is on the triangle: by
+ * cases of sign and order, where no test holds none of va, vb and vc is negative. Rounding keeps that, since products
+ * and differences are rounded monotonely: a rounded sign is the true one, or 0. */
 static inline ts_v3 ts_closest_by_dots(ts_side_dots d, ts_v3 a, ts_v3 b, ts_v3 c, ts_v3 ab, ts_v3 ac)
 {
 	f32 va = ts_flush(ts_diff_of_products(d.d3, d.d6, d.d5, d.d4));
