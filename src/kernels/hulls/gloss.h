@@ -114,7 +114,7 @@ TS_FN void ts_k_gloss_hull_item(const ts_gloss_hull_args *args, u64 i)
 		ts_sg light = ts_k_hull_lobe(&args->of, box, &shares, channel);
 		ts_sg both = ts_k_sg_product(&light, &at.lobe);
 		ts_v3 sent = ts_k_gloss_reflected(&at, &both);
-		specular[channel] = channel == 0u ? sent.x : channel == 1u ? sent.y : sent.z;
+		specular[channel] = ts_put(channel == 0u ? sent.x : channel == 1u ? sent.y : sent.z);
 	}
 }
 

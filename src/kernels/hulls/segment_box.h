@@ -58,8 +58,8 @@ TS_FN void ts_k_segment_box_item(const ts_segment_box_args *args, u64 i)
 	box->low[1] = least[1];
 	box->high[0] = ~least[2];
 	box->high[1] = ~least[3];
-	box->nearest = ts_u2f(least[4]);
-	box->farthest = ts_u2f(~least[5]);
+	box->nearest = ts_put(ts_u2f(least[4]));
+	box->farthest = ts_put(ts_u2f(~least[5]));
 	box->label = (u32)i;
 	box->pad = 0u;
 }

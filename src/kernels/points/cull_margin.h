@@ -16,7 +16,7 @@ TS_FN void ts_k_cull_margin_item(const ts_cull_margin_args *args, u64 i)
 	i32 threshold = ts_k_cull_threshold(ts_k_cull_pixels(&args->cull, i));
 	i32 apart = ts_k_cull_chance(&args->cull, i) - threshold;
 	bool chance = args->cull.enabled != 0u && threshold > 0;
-	args->margin[i] = chance ? (f32)(apart < 0 ? -apart : apart) * 0.000000059604644775390625f : 1.0f;
+	args->margin[i] = ts_put(chance ? (f32)(apart < 0 ? -apart : apart) * 0.000000059604644775390625f : 1.0f);
 }
 
 #endif

@@ -92,7 +92,7 @@ TS_FN void ts_k_point_write(const ts_points_args *args, const ts_flight *point, 
 {
 	TS_GLOBAL ts_point *out = ts_at(args->points, at);
 	ts_store3(out->centre, point->centre);
-	out->length = point->length;
+	out->length = ts_put(point->length);
 	out->piece = (u32)point->piece;
 	out->flags = point->flags;
 	out->pad[0] = 0u;

@@ -32,7 +32,7 @@ TS_FN void ts_k_lattice_align(TS_GLOBAL const ts_piece *piece, f32 s, TS_GLOBAL 
 	ts_store3(out->c, c);
 	ts_store3(out->u, u);
 	ts_store3(out->v, v);
-	out->s = s;
+	out->s = ts_put(s);
 	out->pad0 = 0u;
 	out->pad1 = 0u;
 	out->pad2[0] = 0u;

@@ -63,7 +63,7 @@ TS_FN void ts_k_octree_root_item(const ts_octree_root_args *args, u64 i)
 	args->root->side = ts_put(side);
 }
 
-TS_FN f32 ts_k_voxel_side(TS_GLOBAL const ts_root *root, u32 level) { return root->side / (f32)(1 << level); }
+TS_FN f32 ts_k_voxel_side(TS_GLOBAL const ts_root *root, u32 level) { return root->side / (f32)(1u << level); }
 
 TS_FN ts_v3 ts_k_voxel_middle(TS_GLOBAL const ts_root *root, u32 level, ts_i3 voxel)
 {
@@ -77,7 +77,7 @@ TS_FN ts_v3 ts_k_voxel_middle(TS_GLOBAL const ts_root *root, u32 level, ts_i3 vo
 /* A place to the nearest point of the lattice, in [0, 2^(levels + 8)], at most 2^19. */
 TS_FN ts_i3 ts_k_root_place(TS_GLOBAL const ts_root *root, u32 levels, ts_v3 p)
 {
-	i32 most = TS_VOXEL << levels;
+	i32 most = (i32)((u32)TS_VOXEL << levels);
 	f32 scale = (f32)most / root->side;
 	ts_v3 q = ts_scale(ts_sub(p, ts_load3(root->lower)), scale);
 	return ts_i3_make(ts_min_i32(ts_max_i32(ts_fix(q.x, 0, 20), 0), most),
@@ -88,7 +88,7 @@ TS_FN ts_i3 ts_k_root_place(TS_GLOBAL const ts_root *root, u32 levels, ts_v3 p)
 /* The leaf voxel that holds a place. */
 TS_FN ts_i3 ts_k_voxel_of(TS_GLOBAL const ts_root *root, u32 levels, ts_v3 p)
 {
-	i32 last = (1 << levels) - 1;
+	i32 last = (i32)(1u << levels) - 1;
 	ts_i3 q = ts_k_root_place(root, levels, p);
 	return ts_i3_make(ts_min_i32(q.x >> TS_VOXEL_BITS, last), ts_min_i32(q.y >> TS_VOXEL_BITS, last),
 	                  ts_min_i32(q.z >> TS_VOXEL_BITS, last));

@@ -73,6 +73,9 @@ TS_FN void ts_k_cone_least_item(const ts_cone_args *args, u64 i)
 }
 
 /* map over nodes */
-TS_FN void ts_k_cone_item(const ts_cone_args *args, u64 i) { args->cones[i].cosine = ts_k_of_ordered(args->least[i]); }
+TS_FN void ts_k_cone_item(const ts_cone_args *args, u64 i)
+{
+	args->cones[i].cosine = ts_put(ts_k_of_ordered(args->least[i]));
+}
 
 #endif

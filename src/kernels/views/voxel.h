@@ -241,7 +241,7 @@ TS_FN void ts_k_voxel_item(const ts_voxel_args *args, u64 i)
 	ts_i3 a = ts_k_root_place(args->root, args->levels, t.a);
 	ts_i3 b = ts_k_root_place(args->root, args->levels, t.b);
 	ts_i3 c = ts_k_root_place(args->root, args->levels, t.c);
-	ts_touch touch = ts_k_touch(a, b, c, (1 << args->levels) - 1);
+	ts_touch touch = ts_k_touch(a, b, c, (i32)(1u << args->levels) - 1);
 	for (i64 y = touch.box[1].first; y <= touch.box[1].last; y++) {
 		ts_range row = ts_k_touch_row(&touch, y);
 		for (i64 x = row.first; x <= row.last; x++) {

@@ -47,7 +47,7 @@
 	ARG(VALUE, f32, bias_plane, none) /* radii of a node */
 TS_ARGS(ts_vpl_gather_args);
 
-TS_FN f32 ts_k_leaf_side(const ts_vpl_gather_args *args) { return args->root->side / (f32)(1 << args->levels); }
+TS_FN f32 ts_k_leaf_side(const ts_vpl_gather_args *args) { return args->root->side / (f32)(1u << args->levels); }
 TS_FN f32 ts_k_leaf_diagonal(const ts_vpl_gather_args *args)
 {
 	return ts_k_leaf_side(args) * 1.73205077648162841796875f;

@@ -20,7 +20,7 @@ TS_ARGS(ts_vpl_gather_margin_args);
 TS_FN f32 ts_k_side_margin(const ts_vpl_gather_args *args, f32 coordinate, f32 lower)
 {
 	f32 nodes = (f32)(1u << args->level);
-	f32 half_step = 0.5f / (f32)(TS_VOXEL << args->levels);
+	f32 half_step = 0.5f / (f32)((u32)TS_VOXEL << args->levels);
 	f32 share = (coordinate - lower) / args->root->side;
 	f32 at = (share + half_step) * nodes;
 	i32 side = ts_floor_i32(at + 0.5f);
