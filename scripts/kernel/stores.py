@@ -1,0 +1,86 @@
+"""Which floats are stored that have not passed ts_put (rule 12): a float is settled if it has, if it is a literal, was read from
+what is stored, is the lesser or greater of such, or comes from a function or a variable that holds nothing else."""
+from pycparser import c_ast
+
+from . import tree as T
+
+CHOOSE = {"ts_min", "ts_max"}
+PUTS = {"ts_put", "ts_flush"}  # the same function
+
+
+def is_plain(literal):
+	"""Neither -0 nor a number that ts_put makes 0."""
+	if isinstance(literal, c_ast.UnaryOp):
+		return is_plain(literal.expr) and float(literal.expr.value.rstrip("fF")) != 0
+	value = float(literal.value.rstrip("fF"))
+	return value == 0 or value >= 2.0**-100
+
+
+class Values(c_ast.NodeVisitor):
+	"""What each variable of a function is given, and what the function returns. A variable whose address is taken may be given
+	anything: None."""
+
+	def __init__(self, function):
+		self.given, self.returned = {}, []
+		self.visit(function.node.body)
+		for parameter in function.node.decl.type.args.params if function.node.decl.type.args else []:
+			self.given.setdefault(parameter.name, []).append(None)
+
+	def give(self, name, value):
+		self.given.setdefault(name, []).append(value)
+
+	def visit_Decl(self, node):
+		if node.init is not None:
+			self.give(node.name, node.init)
+			self.visit(node.init)
+
+	def visit_Assignment(self, node):
+		if isinstance(node.lvalue, c_ast.ID):
+			self.give(node.lvalue.name, node.rvalue if node.op == "=" else None)
+		self.generic_visit(node)
+
+	def visit_UnaryOp(self, node):
+		if node.op == "&" and isinstance(node.expr, c_ast.ID):
+			self.give(node.expr.name, None)
+		self.generic_visit(node)
+
+	def visit_Return(self, node):
+		self.returned.append(node.expr)
+		self.generic_visit(node)
+
+
+class Stores:
+	def __init__(self, tree):
+		self.tree = tree
+		self.values = {name: Values(function) for name, function in tree.functions.items()}
+		self.settles = dict.fromkeys(PUTS, True)
+
+	def function_settles(self, name):
+		if name not in self.settles:
+			returned = self.values[name].returned if name in self.values else [None]
+			self.settles[name] = bool(returned) and all(self.is_settled(name, value) for value in returned)
+		return self.settles[name]
+
+	def is_settled(self, function, node, within=()):
+		if node is None:
+			return False
+		if T.is_literal(node):
+			return is_plain(node)
+		if isinstance(node, c_ast.TernaryOp):
+			return self.is_settled(function, node.iftrue, within) and self.is_settled(function, node.iffalse, within)
+		if isinstance(node, c_ast.Cast):
+			return self.tree.type_of(node.expr).name in T.INTEGERS
+		if isinstance(node, c_ast.FuncCall):
+			return self.call_is_settled(function, node, within)
+		if isinstance(node, c_ast.ID) and not self.tree.type_of(node).shared:
+			return node.name in within or self.variable_is_settled(function, node.name, (*within, node.name))
+		return self.tree.type_of(node).shared
+
+	def call_is_settled(self, function, node, within):
+		if node.name.name in CHOOSE:
+			return all(self.is_settled(function, argument, within) for argument in node.args.exprs)
+		return self.function_settles(node.name.name)
+
+	def variable_is_settled(self, function, name, within):
+		given = self.values[function].given.get(name, [None])
+		return all(self.is_settled(function, value, within) for value in given)
