@@ -1,4 +1,6 @@
 """The rules of the numeric contract (reference/CONTRACT.md) that the kernels' tree shows."""
+from itertools import repeat
+
 from pycparser import c_ast
 
 from . import tree as T
@@ -37,11 +39,12 @@ def takes(to, of, node):
 
 
 class Rules(c_ast.NodeVisitor):
-	"""Of one function."""
+	"""Of one function, or of constants outside functions: None."""
 
-	def __init__(self, tree, function, stores):
+	def __init__(self, tree, stores, function, node):
 		self.tree, self.function, self.stores, self.faults = tree, function, stores, []
-		self.visit(function.node.body)
+		self.name = function.name if function else None
+		self.visit(node)
 
 	def fault(self, node, reason):
 		self.faults.append((T.place(node.coord.file), node.coord.line, reason))
@@ -49,21 +52,26 @@ class Rules(c_ast.NodeVisitor):
 	def type_of(self, node):
 		return self.tree.type_of(node)
 
+	def members(self, kind):
+		return repeat(kind.of) if kind.kind == "array" else self.tree.structs[kind.name].values()
+
 	def taken(self, to, node, at):
+		if isinstance(node, c_ast.InitList):
+			for kind, each in zip(self.members(to), node.exprs):
+				self.taken(kind, each, at)
+			return
 		reason = takes(to, self.type_of(node), node)
 		if reason:
 			self.fault(at, reason)
 
 	def visit_Decl(self, node):
-		if node.storage:
-			self.fault(node, f"no variable of a function is {node.storage[0]}")
 		if node.init is not None:
 			self.taken(self.tree.declaration(node.type), node.init, node)
 			self.visit(node.init)
 
 	def visit_FuncCall(self, node):
 		name = node.name.name
-		if name == self.function.name:
+		if name == self.name:
 			self.fault(node, "no function calls itself")
 		arguments = node.args.exprs if node.args else []
 		for to, argument in zip(self.tree.names[0][name].with_, arguments):
@@ -85,9 +93,9 @@ class Rules(c_ast.NodeVisitor):
 
 	def visit_Cast(self, node):
 		to, of = self.type_of(node), self.type_of(node.expr)
-		if is_float(of) and not is_float(to) and self.function.name not in TRUNCATES:
+		if is_float(of) and not is_float(to) and self.name not in TRUNCATES:
 			self.fault(node, f"({to.name}) of a float needs a proved range: use ts_f2i, ts_floor_i32 or ts_fix")
-		if to.kind == "pointer" and not is_null(node) and self.function.name not in POINTS_ANEW:
+		if to.kind == "pointer" and not is_null(node) and self.name not in POINTS_ANEW:
 			self.fault(node, "a pointer is not cast")
 		self.visit(node.expr)
 
@@ -114,11 +122,13 @@ class Rules(c_ast.NodeVisitor):
 			self.fault(node, f"{node.op} of a float: write the operation")
 		if node.op == "=":
 			self.taken(to, node.rvalue, node)
-		if is_float(to) and to.shared and not self.stores.is_settled(self.function.name, node.rvalue):
+		if is_float(to) and to.shared and not self.stores.is_settled(self.name, node.rvalue):
 			self.fault(node, "a float is stored that has not passed ts_put")
 		self.generic_visit(node)
 
 
 def faults(tree):
 	stores = Stores(tree)
-	return sum((Rules(tree, function, stores).faults for function in tree.functions.values()), [])
+	rules = [Rules(tree, stores, function, function.node.body) for function in tree.functions.values()]
+	rules += [Rules(tree, stores, None, constant) for constant in tree.constants.values()]
+	return sum((each.faults for each in rules), [])

@@ -52,10 +52,10 @@ def preprocessed(paths):
 
 
 class Tree:
-	"""functions: by name, in the order of the text; structs: members by name; type_of(expression)."""
+	"""functions and constants: by name, in the order of the text; structs: members by name; type_of(expression)."""
 
 	def __init__(self, paths=(ALL,)):
-		self.functions, self.structs, self.declared = {}, {}, {}
+		self.functions, self.constants, self.structs, self.declared = {}, {}, {}, {}
 		self.names = [{}]
 		self.types = {}
 		try:
@@ -75,11 +75,17 @@ class Tree:
 		elif isinstance(node, c_ast.FuncDef):
 			self.add_function(node)
 		elif isinstance(node, c_ast.Decl):
-			kind = self.names[0][node.name] = self.declaration(node.type)
-			if kind.kind != "function" and not is_constant(kind):
-				self.refuse(node, f"{node.name} is outside functions and not constant")
+			self.add_constant(node)
 		else:
 			self.refuse(node, f"no {type(node).__name__} is in the language")
+
+	def add_constant(self, node):
+		kind = self.names[0][node.name] = self.declaration(node.type)
+		if kind.kind != "function" and not is_constant(kind):
+			self.refuse(node, f"{node.name} is outside functions and not constant")
+		if node.init is not None:
+			self.expression(node.init)
+			self.constants[node.name] = node
 
 	def add_function(self, node):
 		kind = self.declaration(node.decl.type)
@@ -137,6 +143,8 @@ class Tree:
 			self.names.pop()
 		elif isinstance(node, c_ast.Decl):
 			self.names[-1][node.name] = self.declaration(node.type)
+			if node.storage:
+				self.refuse(node, f"no variable of a function is {node.storage[0]}")
 			if node.init is not None:
 				self.expression(node.init)
 		elif isinstance(node, (c_ast.Goto, c_ast.Label, c_ast.DoWhile)):
