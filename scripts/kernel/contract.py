@@ -3,6 +3,7 @@ from itertools import repeat
 
 from pycparser import c_ast
 
+from . import literals
 from . import tree as T
 from .stores import Stores
 
@@ -21,12 +22,20 @@ def is_integer(kind):
 	return kind.kind == "scalar" and kind.name in T.INTEGERS
 
 
-def is_null(node):
-	return isinstance(node, c_ast.Cast) and isinstance(node.expr, c_ast.Constant) and node.expr.value == "0"
+def takes_pointer(to, of):
+	if of.kind not in ("pointer", "array") or to.of.kind == of.of.kind == "pointer":
+		return None
+	if to.of.shared != of.of.shared:
+		return "what items share and what is an item's own are not in one memory: TS_GLOBAL says which"
+	if to.of.name != of.of.name:
+		return f"a pointer to {of.of.name} becomes one to {to.of.name}"
+	return "what is constant becomes writable" if of.of.const and not to.of.const else None
 
 
 def takes(to, of, node):
 	"""Why a value is not taken as it is; None if it is."""
+	if to.kind == "pointer":
+		return takes_pointer(to, of)
 	if T.is_literal(node) and is_integer(of):
 		return "an integer becomes a float: write the literal as a float" if is_float(to) else None
 	if to.kind != "scalar" or of.kind != "scalar" or to.name == of.name:
@@ -56,13 +65,26 @@ class Rules(c_ast.NodeVisitor):
 		return repeat(kind.of) if kind.kind == "array" else self.tree.structs[kind.name].values()
 
 	def taken(self, to, node, at):
+		if isinstance(node, c_ast.InitList) != (to.kind == "array"):
+			if to.kind != "struct":
+				self.fault(at, "braces stand about each struct and array, and about nothing else")
+				return
 		if isinstance(node, c_ast.InitList):
+			if to.name in self.stores.whole and self.holds_floats(to):
+				self.fault(at, f"{to.name} is stored whole: set its members one by one, by ts_put")
 			for kind, each in zip(self.members(to), node.exprs):
 				self.taken(kind, each, at)
 			return
-		reason = takes(to, self.type_of(node), node)
+		self.converted(to, self.type_of(node), node, at)
+
+	def converted(self, to, of, node, at):
+		reason = takes(to, of, node)
 		if reason:
 			self.fault(at, reason)
+
+	def truth(self, node):
+		if node is not None and self.type_of(node).name != "bool":
+			self.fault(node, f"{self.type_of(node).name} is no truth value: compare it")
 
 	def visit_Decl(self, node):
 		if node.init is not None:
@@ -91,40 +113,85 @@ class Rules(c_ast.NodeVisitor):
 			self.taken(self.function.type.of, node.expr, node)
 		self.generic_visit(node)
 
-	def visit_Cast(self, node):
-		to, of = self.type_of(node), self.type_of(node.expr)
-		if is_float(of) and not is_float(to) and self.name not in TRUNCATES:
-			self.fault(node, f"({to.name}) of a float needs a proved range: use ts_f2i, ts_floor_i32 or ts_fix")
-		if to.kind == "pointer" and not is_null(node) and self.name not in POINTS_ANEW:
-			self.fault(node, "a pointer is not cast")
-		self.visit(node.expr)
-
-	def visit_BinaryOp(self, node):
-		left, right = self.type_of(node.left), self.type_of(node.right)
-		floats = is_float(left) or is_float(right)
-		if floats and not (is_float(left) and is_float(right)):
-			self.fault(node, f"{left.name} {node.op} {right.name}: write the cast, or the literal as a float")
-		if floats and node.op not in FLOAT_OPERATORS:
-			self.fault(node, f"{node.op} is no operation of floats")
-		if node.op == "<<" and left.name not in ("u32", "u64"):
-			self.fault(node, "a signed number is shifted: shift an unsigned one")
+	def visit_If(self, node):
+		self.truth(node.cond)
 		self.generic_visit(node)
 
+	visit_While = visit_For = visit_If
+
+	def visit_TernaryOp(self, node):
+		yes, no = self.type_of(node.iftrue), self.type_of(node.iffalse)
+		self.truth(node.cond)
+		if is_float(yes) != is_float(no):
+			self.fault(node, f"one of {yes.name} and {no.name}: write the cast, or the literal as a float")
+		self.generic_visit(node)
+
+	def visit_Cast(self, node):
+		to, of = self.type_of(node), self.type_of(node.expr)
+		self.visit(node.expr)
+		if to.kind == "scalar" and to.name == "void":
+			return
+		if is_float(of) and not is_float(to) and self.name not in TRUNCATES:
+			self.fault(node, f"({to.name}) of a float needs a proved range: use ts_f2i, ts_floor_i32 or ts_fix")
+		if "pointer" in (to.kind, of.kind) and of.kind != "null" and self.name not in POINTS_ANEW:
+			self.fault(node, "a pointer is not cast")
+
+	def visit_BinaryOp(self, node):
+		if node.op in ("&&", "||"):
+			self.truth(node.left)
+			self.truth(node.right)
+		else:
+			self.operation(node, node.op, self.type_of(node.left), self.type_of(node.right))
+		self.generic_visit(node)
+
+	def operation(self, node, op, left, right):
+		floats = is_float(left) or is_float(right)
+		if floats and not (is_float(left) and is_float(right)):
+			self.fault(node, f"{left.name} {op} {right.name}: write the cast, or the literal as a float")
+		if floats and op not in FLOAT_OPERATORS:
+			self.fault(node, f"{op} is no operation of floats")
+		if op == "<<" and left.name not in ("u32", "u64"):
+			self.fault(node, "a signed number is shifted: shift an unsigned one")
+		if left.kind == "pointer" and op not in ("+", "-", "==", "!="):
+			self.fault(node, f"{op} is no operation of pointers")
+
 	def visit_UnaryOp(self, node):
-		if node.op in ("++", "--", "p++", "p--") and is_float(self.type_of(node.expr)):
+		if node.op == "!":
+			self.truth(node.expr)
+		if node.op in ("++", "--", "p++", "p--", "~") and is_float(self.type_of(node.expr)):
 			self.fault(node, f"{node.op.strip('p')} is no operation of floats")
-		if node.op != "sizeof":
-			self.visit(node.expr)
+		self.visit(node.expr)
+
+	def visit_Constant(self, node):
+		if node.type in ("float", "double"):
+			reason = literals.fault(node.value)
+			if reason:
+				self.fault(node, reason)
 
 	def visit_Assignment(self, node):
 		to = self.type_of(node.lvalue)
-		if is_float(to) and node.op != "=":
-			self.fault(node, f"{node.op} of a float: write the operation")
 		if node.op == "=":
 			self.taken(to, node.rvalue, node)
-		if is_float(to) and to.shared and not self.stores.is_settled(self.name, node.rvalue):
+		else:
+			self.changed(node, to)
+		if is_float(to) and self.stores.is_stored(node.lvalue) and not self.stores.is_settled(self.name, node.rvalue):
 			self.fault(node, "a float is stored that has not passed ts_put")
 		self.generic_visit(node)
+
+	def changed(self, node, to):
+		"""By an operation: as if that were written out."""
+		by = self.type_of(node.rvalue)
+		if is_float(to):
+			self.fault(node, f"{node.op} of a float: write the operation")
+		elif to.kind == "scalar":
+			self.operation(node, node.op[:-1], to, by)
+			if node.op not in ("<<=", ">>="):
+				self.converted(to, by, node.rvalue, node)
+
+	def holds_floats(self, kind):
+		if kind.kind == "struct":
+			return any(self.holds_floats(member) for member in self.tree.structs[kind.name].values())
+		return self.holds_floats(kind.of) if kind.kind == "array" else is_float(kind)
 
 
 def faults(tree):

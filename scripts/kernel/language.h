@@ -11,7 +11,7 @@ typedef unsigned long u64;
 typedef unsigned char u8;
 typedef _Bool bool;
 extern const bool false, true;
-#define NULL ((void *)0)
+#define NULL ts_null
 
 #define TS_FN static inline
 #define TS_CALL static

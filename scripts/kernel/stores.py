@@ -11,9 +11,19 @@ PUTS = {"ts_put", "ts_flush"}  # the same function
 def is_plain(literal):
 	"""Neither -0 nor a number that ts_put makes 0."""
 	if isinstance(literal, c_ast.UnaryOp):
-		return is_plain(literal.expr) and float(literal.expr.value.rstrip("fF")) != 0
-	value = float(literal.value.rstrip("fF"))
-	return value == 0 or value >= 2.0**-100
+		return is_plain(literal.expr) and value_of(literal.expr) != 0
+	return value_of(literal) == 0 or value_of(literal) >= 2.0**-100
+
+
+def value_of(literal):
+	is_real = literal.type in ("float", "double")
+	return float(literal.value.rstrip("fFlL")) if is_real else int(literal.value.rstrip("uUlL"), 0)
+
+
+def literals(node):
+	if T.is_literal(node):
+		return [node]
+	return [each for child in T.children(node) for each in literals(child)]
 
 
 class Values(c_ast.NodeVisitor):
@@ -49,14 +59,42 @@ class Values(c_ast.NodeVisitor):
 		self.generic_visit(node)
 
 
+class Whole(c_ast.NodeVisitor):
+	"""The structs of which one item's own becomes a stored one, so that all their members pass ts_put where they are set."""
+
+	def __init__(self, tree):
+		self.tree, self.names = tree, set()
+		for function in tree.functions.values():
+			self.visit(function.node.body)
+
+	def visit_Assignment(self, node):
+		to, of = self.tree.type_of(node.lvalue), self.tree.type_of(node.rvalue)
+		if to.kind == "struct" and to.shared and not of.shared:
+			self.names.add(to.name)
+		self.generic_visit(node)
+
+
 class Stores:
 	def __init__(self, tree):
 		self.tree = tree
+		self.whole = Whole(tree).names
 		self.values = {name: Values(function) for name, function in tree.functions.items()}
 		self.settles = dict.fromkeys(PUTS, True)
 
+	def is_stored(self, lvalue):
+		"""Whether what is assigned is stored, or will be."""
+		if self.tree.type_of(lvalue).shared:
+			return True
+		while isinstance(lvalue, (c_ast.ArrayRef, c_ast.StructRef)):
+			of = self.tree.type_of(lvalue.name)
+			if isinstance(lvalue, c_ast.StructRef) and (of.of if lvalue.type == "->" else of).name in self.whole:
+				return True
+			lvalue = lvalue.name
+		return False
+
 	def function_settles(self, name):
 		if name not in self.settles:
+			self.settles[name] = False  # if it calls itself
 			returned = self.values[name].returned if name in self.values else [None]
 			self.settles[name] = bool(returned) and all(self.is_settled(name, value) for value in returned)
 		return self.settles[name]
@@ -66,15 +104,28 @@ class Stores:
 			return False
 		if T.is_literal(node):
 			return is_plain(node)
+		if isinstance(node, c_ast.Assignment):
+			return self.is_settled(function, node.rvalue, within)
 		if isinstance(node, c_ast.TernaryOp):
 			return self.is_settled(function, node.iftrue, within) and self.is_settled(function, node.iffalse, within)
 		if isinstance(node, c_ast.Cast):
-			return self.tree.type_of(node.expr).name in T.INTEGERS
+			return self.tree.type_of(node.expr).name in T.INTEGERS | {"bool"}
 		if isinstance(node, c_ast.FuncCall):
 			return self.call_is_settled(function, node, within)
+		if self.is_constant(function, node):
+			return True
 		if isinstance(node, c_ast.ID) and not self.tree.type_of(node).shared:
 			return node.name in within or self.variable_is_settled(function, node.name, (*within, node.name))
 		return self.tree.type_of(node).shared
+
+	def is_constant(self, function, node):
+		"""Of one outside functions, all of whose literals are plain."""
+		while isinstance(node, (c_ast.ArrayRef, c_ast.StructRef)):
+			node = node.name
+		if not isinstance(node, c_ast.ID) or node.name in self.values[function].given:
+			return False
+		constant = self.tree.constants.get(node.name)
+		return constant is not None and all(is_plain(each) for each in literals(constant.init))
 
 	def call_is_settled(self, function, node, within):
 		if node.name.name in CHOOSE:

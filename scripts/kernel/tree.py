@@ -6,10 +6,11 @@ from collections import namedtuple
 from pycparser import c_ast, c_parser
 
 HERE = os.path.dirname(__file__)
+LANGUAGE = os.path.join(HERE, "language.h")
 ALL = "src/backends/kernels.h"
 SHARED = "volatile"  # how language.h marks what items share
 
-# kind: scalar, struct, pointer, array, function or list (of an initializer); of: what a pointer or an array is to, what a
+# kind: scalar, struct, pointer, null, array, function or list (of an initializer); of: what a pointer or an array is to, what a
 # function returns; with: a function's parameters; shared: by items; const: is not written.
 Type = namedtuple("Type", "kind name of with_ shared const", defaults=(None, None, (), False, False))
 Function = namedtuple("Function", "name node type path line")
@@ -33,6 +34,18 @@ def scalar(name):
 	return Type("scalar", name)
 
 
+def marked(kind, shared, const):
+	"""Of an array, each element."""
+	if kind.kind == "array":
+		return kind._replace(of=marked(kind.of, shared, const))
+	return kind._replace(shared=kind.shared or shared, const=kind.const or const)
+
+
+def decayed(kind):
+	"""As a parameter."""
+	return Type("pointer", "pointer", kind.of) if kind.kind == "array" else kind
+
+
 def is_constant(kind):
 	return is_constant(kind.of) if kind.kind == "array" else kind.const
 
@@ -47,8 +60,12 @@ def is_literal(node):
 
 def preprocessed(paths):
 	text = "".join(f'#include "{os.path.abspath(path)}"\n' for path in paths)
-	flags = ["-E", "-nostdinc", "-undef", "-Iinclude", "-include", os.path.join(HERE, "language.h"), "-x", "c", "-"]
-	return subprocess.run(["gcc", *flags], input=text, stdout=subprocess.PIPE, text=True, check=True).stdout
+	flags = ["-E", "-nostdinc", "-undef", "-std=c11", "-Iinclude", "-include", LANGUAGE, "-x", "c", "-"]
+	done = subprocess.run(["gcc", *flags], input=text, capture_output=True, text=True, errors="replace", check=False)
+	if done.returncode != 0:
+		path, line, _, reason = (done.stderr.split("\n")[0] + ":::").split(":", 3)
+		raise Refused(place(path), int(line) if line.isdigit() else 0, reason.strip(" :"))
+	return done.stdout
 
 
 class Tree:
@@ -56,8 +73,7 @@ class Tree:
 
 	def __init__(self, paths=(ALL,)):
 		self.functions, self.constants, self.structs, self.declared = {}, {}, {}, {}
-		self.names = [{}]
-		self.types = {}
+		self.names, self.types, self.near = [{}], {}, None
 		try:
 			self.file = c_parser.CParser().parse(preprocessed(paths), "kernels")
 		except c_parser.ParseError as error:
@@ -80,7 +96,12 @@ class Tree:
 			self.refuse(node, f"no {type(node).__name__} is in the language")
 
 	def add_constant(self, node):
-		kind = self.names[0][node.name] = self.declaration(node.type)
+		kind = self.declaration(node.type)
+		if node.name is None:
+			return
+		self.names[0][node.name] = kind
+		if kind.kind == "function" and node.coord.file != LANGUAGE:
+			self.refuse(node, f"{node.name}() is declared without its body")
 		if kind.kind != "function" and not is_constant(kind):
 			self.refuse(node, f"{node.name} is outside functions and not constant")
 		if node.init is not None:
@@ -98,23 +119,51 @@ class Tree:
 		self.functions[node.decl.name] = Function(node.decl.name, node, kind, path, node.coord.line)
 
 	def refuse(self, node, reason):
-		raise Refused(place(node.coord.file), node.coord.line, reason)
+		at = node.coord or self.near
+		raise Refused(place(at.file), at.line, reason)
 
 	def declaration(self, node, name=None):
 		if isinstance(node, c_ast.TypeDecl):
-			return self.named(node, name)._replace(shared=SHARED in node.quals, const="const" in node.quals)
+			return marked(self.named(node, name), SHARED in node.quals, "const" in node.quals)
 		if isinstance(node, c_ast.PtrDecl):
-			return Type("pointer", "pointer", self.declaration(node.type))
+			if SHARED in node.quals:
+				self.refuse(node, "TS_GLOBAL stands before what a pointer is to")
+			to = self.declaration(node.type)
+			if to.kind == "function" or to.name == "void":
+				self.refuse(node, f"no pointer is to {'a function' if to.kind == 'function' else 'void'}")
+			return Type("pointer", "pointer", to)
 		if isinstance(node, c_ast.ArrayDecl):
+			self.length(node)
 			return Type("array", "array", self.declaration(node.type))
 		if isinstance(node, c_ast.FuncDecl):
 			parameters = node.args.params if node.args else []
-			return Type("function", "function", self.declaration(node.type), tuple(self.declaration(p.type) for p in parameters))
+			if any(isinstance(p, c_ast.ID) for p in parameters):
+				self.refuse(node, "parameters are declared in their list")
+			kinds = tuple(decayed(self.held(p)) for p in parameters)
+			return Type("function", "function", self.declaration(node.type), tuple(kind for kind in kinds if kind.name != "void"))
 		if isinstance(node, (c_ast.Typename, c_ast.Decl)):
 			return self.declaration(node.type)
 		if isinstance(node, c_ast.Enum):
 			return self.enumeration(node)
 		return self.refuse(node, "no such declaration is in the language")
+
+	def held(self, node):
+		"""The type of a variable, parameter or member, which are an item's own."""
+		kind = self.declaration(node.type)
+		if kind.kind != "array" and kind.shared:
+			self.refuse(node, "TS_GLOBAL stands before what a pointer is to")
+		return kind
+
+	def length(self, node):
+		if node.dim is not None and not self.is_known(node.dim):
+			self.refuse(node, "an array's length is known before the kernel runs")
+
+	def is_known(self, node):
+		if isinstance(node, c_ast.ID):
+			return self.of_ID(node) == I32 and node.name in self.names[0]
+		if isinstance(node, c_ast.BinaryOp):
+			return self.is_known(node.left) and self.is_known(node.right)
+		return isinstance(node, c_ast.Constant) and node.type not in ("float", "double", "string")
 
 	def enumeration(self, node):
 		for each in node.values.enumerators if node.values else []:
@@ -126,23 +175,24 @@ class Tree:
 		if isinstance(of, c_ast.Enum):
 			return self.enumeration(of)
 		if isinstance(of, c_ast.Struct) and of.decls:
-			self.structs[name] = {member.name: self.declaration(member.type) for member in of.decls}
+			self.structs[name] = {member.name: self.held(member) for member in of.decls}
 			return Type("struct", name)
 		word = " ".join(of.names) if isinstance(of, c_ast.IdentifierType) else None
 		if name in SCALARS or word in SCALARS:
 			return scalar(name if name in SCALARS else word)
 		if word in self.declared:
 			return self.declared[word]
-		where = of if of.coord else node
-		return self.refuse(where, f"`{word or 'union'}` is no type of the kernels: f32, i32, u32, i64, u64, u8, bool and structs are")
+		known = "f32, i32, u32, i64, u64, u8, bool and structs are"
+		return self.refuse(of if of.coord else node, f"`{word or 'union'}` is no type of the kernels: {known}")
 
 	def statement(self, node):
+		self.near = node.coord or self.near
 		if isinstance(node, (c_ast.Compound, c_ast.For)):
 			self.names.append({})
 			self.statements(children(node))
 			self.names.pop()
 		elif isinstance(node, c_ast.Decl):
-			self.names[-1][node.name] = self.declaration(node.type)
+			self.names[-1][node.name] = self.held(node)
 			if node.storage:
 				self.refuse(node, f"no variable of a function is {node.storage[0]}")
 			if node.init is not None:
@@ -174,6 +224,8 @@ class Tree:
 		return scalar(("u" if "u" in suffix else "i") + ("64" if "l" in suffix else "32"))
 
 	def of_ID(self, node):
+		if node.name == "ts_null":
+			return Type("null", "null")
 		for names in reversed(self.names):
 			if node.name in names:
 				return names[node.name]
@@ -186,7 +238,10 @@ class Tree:
 		found = self.names[0].get(name)
 		if found is None or found.kind != "function":
 			self.refuse(node, f"{name}() is not in the contract: use ts_* of num.h and vec.h")
-		for argument in node.args.exprs if node.args else []:
+		arguments = node.args.exprs if node.args else []
+		if len(arguments) != len(found.with_):
+			self.refuse(node, f"{name}() takes {len(found.with_)} arguments")
+		for argument in arguments:
 			self.expression(argument)
 		return found.of
 
@@ -209,14 +264,19 @@ class Tree:
 
 	def of_ArrayRef(self, node):
 		self.expression(node.subscript)
-		return self.expression(node.name).of
+		return self.element(node, self.expression(node.name))
+
+	def element(self, node, of):
+		if of.kind not in ("pointer", "array"):
+			self.refuse(node, "this is no pointer and no array")
+		return of.of
 
 	def of_UnaryOp(self, node):
 		if node.op == "sizeof":
-			return scalar("u64")
+			self.refuse(node, "no sizeof is in the language")
 		of = self.expression(node.expr)
 		if node.op == "*":
-			return of.of
+			return self.element(node, of)
 		if node.op == "&":
 			return Type("pointer", "pointer", of)
 		return BOOL if node.op == "!" else of._replace(shared=False, const=False)
@@ -225,13 +285,19 @@ class Tree:
 		left, right = self.expression(node.left), self.expression(node.right)
 		if node.op in ("&&", "||", "==", "!=", "<", ">", "<=", ">="):
 			return BOOL
-		if node.op in ("<<", ">>") or left.kind != "scalar":
+		if left.kind in ("pointer", "array") and right.name in INTEGERS:
+			return Type("pointer", "pointer", left.of)
+		if left.kind != "scalar" or right.kind != "scalar":
+			self.refuse(node, f"{left.kind} {node.op} {right.kind} is not in the language")
+		if node.op in ("<<", ">>"):
 			return left
 		return scalar(wider(left.name, right.name))
 
 	def of_TernaryOp(self, node):
 		self.expression(node.cond)
 		yes, no = self.expression(node.iftrue), self.expression(node.iffalse)
+		if yes.kind != no.kind and "null" not in (yes.kind, no.kind):
+			self.refuse(node, f"one of {yes.kind} and {no.kind}")
 		return scalar(wider(yes.name, no.name)) if yes.kind == no.kind == "scalar" else yes
 
 	def of_Cast(self, node):
