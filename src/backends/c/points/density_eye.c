@@ -61,7 +61,7 @@ static void take(ts_density_part *p, u32 lane, const ts_density_args *args, u32 
 	}
 }
 
-/* Of those that cube r may count for. */
+/* Keeps the listed triangles, n of them, that cube r sees. */
 static void find_seen(seen *s, const u64 *words, u32 n_words, u32 r, u32 n)
 {
 	s->n = 0;

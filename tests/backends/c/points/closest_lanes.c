@@ -31,7 +31,8 @@ static void test_all_small_numbers(void **state)
 	}
 }
 
-/* Of all magnitudes; or alike but for roundings, as far points give them. */
+/* Half of the numbers have any magnitude. The others differ from `beside` by a few roundings, as those of a far point
+ * do. */
 static f32 random_number(f32 beside)
 {
 	u32 sort = random_bits() % 4;
