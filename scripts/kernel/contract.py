@@ -23,7 +23,9 @@ def is_integer(kind):
 
 
 def takes_pointer(to, of):
-	if of.kind not in ("pointer", "array") or to.of.kind == of.of.kind == "pointer":
+	if of.kind not in ("pointer", "array"):
+		return None if of.kind == "null" else "no integer is a pointer: write NULL"
+	if to.of.kind == of.of.kind == "pointer":
 		return None
 	if to.of.shared != of.of.shared:
 		return "what items share and what is an item's own are not in one memory: TS_GLOBAL says which"

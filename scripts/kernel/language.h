@@ -1,5 +1,5 @@
-/* The kernels' language as scripts/kernel/tree.py reads it, in the place of src/kernels/base/compat.h. A qualifier that
- * kernels have no other use for marks what items share. */
+/* The kernels' language as scripts/kernel/tree.py reads it, in the place of src/kernels/base/compat.h. Qualifiers that
+ * kernels have no other use for mark what items share and what may be in parts. */
 #ifndef TS_KERNELS_COMPAT_H
 #define TS_KERNELS_COMPAT_H
 
@@ -32,7 +32,7 @@ i64 ts_next_i64(TS_GLOBAL i64 *p);
 u32 ts_next_u32(TS_GLOBAL u32 *p);
 void ts_mark_u8(TS_GLOBAL u8 *p);
 
-#define TS_PARTED(type, name) TS_GLOBAL type *name
+#define TS_PARTED(type, name) TS_GLOBAL type *restrict name
 #define ts_at(array, i) (&(array)[i])
 #define TS_ASSERT_SIZE(type, bytes) typedef u8 type##_is_packed[bytes]
 

@@ -1,5 +1,7 @@
 """The kernels' text as a tree whose expressions have types: what checks and translates kernels begins with it."""
+import operator
 import os
+import re
 import subprocess
 from collections import namedtuple
 
@@ -8,13 +10,15 @@ from pycparser import c_ast, c_parser
 HERE = os.path.dirname(__file__)
 LANGUAGE = os.path.join(HERE, "language.h")
 ALL = "src/backends/kernels.h"
-SHARED = "volatile"  # how language.h marks what items share
+SHARED, PARTED = "volatile", "restrict"  # how language.h marks what items share, and what may be in parts
 
 # kind: scalar, struct, pointer, null, array, function or list (of an initializer); of: what a pointer or an array is to, what a
-# function returns; with: a function's parameters; shared: by items; const: is not written.
-Type = namedtuple("Type", "kind name of with_ shared const", defaults=(None, None, (), False, False))
+# function returns; with: a function's parameters; shared: by items; const: is not written; parted: a pointer to what may be in
+# parts; length: of an array, None if its initializer tells.
+Type = namedtuple("Type", "kind name of with_ shared const parted length", defaults=(None, None, (), False, False, False, None))
 Function = namedtuple("Function", "name node type path line")
 
+KNOWN = {"+": operator.add, "-": operator.sub, "*": operator.mul, "<<": operator.lshift}
 INTEGERS = {"i32", "u32", "i64", "u64", "u8"}
 SCALARS = INTEGERS | {"f32", "bool", "void"}
 BOOL, I32 = Type("scalar", "bool"), Type("scalar", "i32")
@@ -26,6 +30,7 @@ class Refused(Exception):
 
 def place(path):
 	"""A path as it is printed."""
+	path = path.split("@")[0]
 	below = os.path.relpath(path)
 	return path if below.startswith("..") else below
 
@@ -65,7 +70,25 @@ def preprocessed(paths):
 	if done.returncode != 0:
 		path, line, _, reason = (done.stderr.split("\n")[0] + ":::").split(":", 3)
 		raise Refused(place(path), int(line) if line.isdigit() else 0, reason.strip(" :"))
-	return done.stdout
+	return with_homes(done.stdout)
+
+
+def with_homes(text):
+	"""Names a .def file together with the header that it is read into: "records.def@records.h"."""
+	lines, within = text.split("\n"), []
+	for number, line in enumerate(lines):
+		marker = re.match(r'# (\d+) "(.*)"( [12])?', line)
+		if not marker:
+			continue
+		if marker[3] == " 2":
+			within.pop()
+		if marker[3] == " 1":
+			within.append(marker[2])
+		within[-1:] = [marker[2]]
+		if marker[2].endswith(".def"):
+			home = next(path for path in reversed(within) if not path.endswith(".def"))
+			lines[number] = f'# {marker[1]} "{marker[2]}@{home}"'
+	return "\n".join(lines)
 
 
 class Tree:
@@ -73,6 +96,7 @@ class Tree:
 
 	def __init__(self, paths=(ALL,)):
 		self.functions, self.constants, self.structs, self.declared = {}, {}, {}, {}
+		self.enumerators = {}
 		self.names, self.types, self.near = [{}], {}, None
 		try:
 			self.file = c_parser.CParser().parse(preprocessed(paths), "kernels")
@@ -131,10 +155,9 @@ class Tree:
 			to = self.declaration(node.type)
 			if to.kind == "function" or to.name == "void":
 				self.refuse(node, f"no pointer is to {'a function' if to.kind == 'function' else 'void'}")
-			return Type("pointer", "pointer", to)
+			return Type("pointer", "pointer", to, parted=PARTED in node.quals)
 		if isinstance(node, c_ast.ArrayDecl):
-			self.length(node)
-			return Type("array", "array", self.declaration(node.type))
+			return Type("array", "array", self.declaration(node.type), length=self.length(node))
 		if isinstance(node, c_ast.FuncDecl):
 			parameters = node.args.params if node.args else []
 			if any(isinstance(p, c_ast.ID) for p in parameters):
@@ -155,19 +178,30 @@ class Tree:
 		return kind
 
 	def length(self, node):
-		if node.dim is not None and not self.is_known(node.dim):
+		length = self.value(node.dim) if node.dim is not None else None
+		if node.dim is not None and length is None:
 			self.refuse(node, "an array's length is known before the kernel runs")
+		return length
 
-	def is_known(self, node):
+	def value(self, node):
+		"""Of an integer that is known before the kernel runs; None: it is not."""
 		if isinstance(node, c_ast.ID):
-			return self.of_ID(node) == I32 and node.name in self.names[0]
-		if isinstance(node, c_ast.BinaryOp):
-			return self.is_known(node.left) and self.is_known(node.right)
-		return isinstance(node, c_ast.Constant) and node.type not in ("float", "double", "string")
+			return self.enumerators.get(node.name)
+		if isinstance(node, c_ast.BinaryOp) and node.op in KNOWN:
+			left, right = self.value(node.left), self.value(node.right)
+			return None if left is None or right is None else KNOWN[node.op](left, right)
+		is_integer = isinstance(node, c_ast.Constant) and node.type not in ("float", "double", "char", "string")
+		return int(node.value.rstrip("uUlL"), 0) if is_integer else None
 
 	def enumeration(self, node):
+		following = 0
 		for each in node.values.enumerators if node.values else []:
 			self.names[0][each.name] = I32
+			value = self.value(each.value) if each.value is not None else following
+			if value is None:
+				self.refuse(node, f"the value of {each.name} is known before the kernel runs")
+			self.enumerators[each.name] = value
+			following = value + 1
 		return I32
 
 	def named(self, node, name):

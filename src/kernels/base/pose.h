@@ -16,7 +16,7 @@ typedef struct {
 TS_FN ts_pose ts_k_pose(TS_GLOBAL const ts_object *object, u32 frame)
 {
 	ts_pose r;
-	r.motion = 0;
+	r.motion = NULL;
 	r.moves = object->period != 0u ? 1u : 0u;
 	f32 period = (f32)(r.moves != 0u ? object->period : 1u);
 	f32 turns = (f32)(r.moves != 0u ? frame % object->period : 0u) / period;

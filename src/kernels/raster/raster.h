@@ -445,19 +445,17 @@ typedef struct {
 TS_FN ts_fragment ts_k_fragment(const ts_setup *t, const ts_edges *e, const ts_corner *a, const ts_corner *b,
                                 const ts_corner *c)
 {
-	const ts_corner *corner[3];
-	corner[0] = a;
-	corner[1] = b;
-	corner[2] = c;
+	const f32 z[3] = {a->z, b->z, c->z};
+	const ts_v3 corner[3] = {a->w, b->w, c->w};
 	f32 sum = 0.0f;
 	ts_v3 w = ts_v3_make(0.0f, 0.0f, 0.0f);
 	f32 area = (f32)t->area;
 	for (u32 k = 0u; k < 3u; k++) {
-		const ts_corner *source = corner[t->from[k]];
+		u32 from = t->from[k];
 		f32 share = (f32)e->e[k] / area;
-		f32 over_z = share / source->z;
+		f32 over_z = share / z[from];
 		sum = sum + over_z;
-		w = ts_mad(w, source->w, over_z);
+		w = ts_mad(w, corner[from], over_z);
 	}
 	ts_fragment r;
 	r.z = ts_put(1.0f / sum);

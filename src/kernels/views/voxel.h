@@ -86,15 +86,15 @@ TS_FN ts_side ts_k_side(i64 pu, i64 pv, i64 qu, i64 qv, i64 ou, i64 ov)
 	return r;
 }
 
-/* The edge seen along the three axes. */
-TS_FN void ts_k_touch_edge(ts_form *edge, const ts_i3 *p, const ts_i3 *q, const ts_i3 *o)
+/* Edge k seen along the three axes. */
+TS_FN void ts_k_touch_edge(ts_touch *t, u32 k, const ts_i3 *p, const ts_i3 *q, const ts_i3 *o)
 {
 	ts_side s = ts_k_side(p->x, p->y, q->x, q->y, o->x, o->y);
-	edge[0] = ts_k_form(s.a, s.b, 0, s.low, s.high);
+	t->edge[k] = ts_k_form(s.a, s.b, 0, s.low, s.high);
 	s = ts_k_side(p->y, p->z, q->y, q->z, o->y, o->z);
-	edge[3] = ts_k_form(0, s.a, s.b, s.low, s.high);
+	t->edge[k + 3u] = ts_k_form(0, s.a, s.b, s.low, s.high);
 	s = ts_k_side(p->z, p->x, q->z, q->x, o->z, o->x);
-	edge[6] = ts_k_form(s.b, 0, s.a, s.low, s.high);
+	t->edge[k + 6u] = ts_k_form(s.b, 0, s.a, s.low, s.high);
 }
 
 /* Voxels whose closed interval meets that of the coordinates. */
@@ -157,9 +157,9 @@ TS_FN ts_touch ts_k_touch(ts_i3 a, ts_i3 b, ts_i3 c, i32 last)
 	r.box[0] = ts_k_touch_range(a.x, b.x, c.x, last);
 	r.box[1] = ts_k_touch_range(a.y, b.y, c.y, last);
 	r.box[2] = ts_k_touch_range(a.z, b.z, c.z, last);
-	ts_k_touch_edge(&r.edge[0], &a, &b, &c);
-	ts_k_touch_edge(&r.edge[1], &b, &c, &a);
-	ts_k_touch_edge(&r.edge[2], &c, &a, &b);
+	ts_k_touch_edge(&r, 0u, &a, &b, &c);
+	ts_k_touch_edge(&r, 1u, &b, &c, &a);
+	ts_k_touch_edge(&r, 2u, &c, &a, &b);
 	ts_l3 n = ts_k_lattice_normal(a, b, c);
 	i64 at = n.x * a.x + n.y * a.y + n.z * a.z;
 	r.plane = ts_k_form(n.x, n.y, n.z, at, at);
