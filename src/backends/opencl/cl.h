@@ -4,9 +4,9 @@
 #define TS_BACKENDS_OPENCL_CL_H
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
-#include "../backend.h"
+#include "../device.h"
 
-enum { TS_CL_PROGRAMS = 32, TS_CL_PARTS = 8, TS_CL_ARGUMENTS = 512, TS_CL_MESSAGE = 512 };
+enum { TS_CL_PROGRAMS = 32, TS_CL_ARGUMENTS = 512 };
 
 typedef struct {
 	ts_backend backend;
@@ -19,15 +19,12 @@ typedef struct {
 	cl_kernel kernels[TS_N_KERNELS];     /* likewise */
 	size_t work_group;
 	const char *options; /* of the user, for the compiler */
-	bool unified;
-	u64 part_bytes;              /* of parted arrays; 0: none is in parts, and the kernels know of none */
-	bool busy;                   /* something was enqueued and not waited for */
-	char failure[TS_CL_MESSAGE]; /* the first that a fetch or a release had to keep to itself */
+	u64 part_bytes;      /* of parted arrays; 0: none is in parts, and the kernels know of none */
+	ts_store store;
 } ts_cl;
 
-/* A failed call as one line: for the caller, or for the next `finish` to tell. */
+/* A failed call as one line. */
 ts_status ts_cl_failed(const char *what, cl_int status);
-void ts_cl_keep(ts_cl *cl, const char *what, cl_int status);
 
 /* device.c: ts_opencl_kind's devices, and the one of an index. */
 u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES]);
@@ -40,13 +37,8 @@ extern const u32 ts_cl_program_of[TS_N_KERNELS];
 ts_status ts_cl_put_flags(ts_cl *cl);
 ts_status ts_cl_make_kernel(ts_cl *cl, ts_kernel kernel);
 void ts_cl_forget_programs(ts_cl *cl);
-typedef enum { TS_CL_READS, TS_CL_WRITES, TS_CL_OVERWRITES } ts_cl_access;
 
-/* memory.c: the device's copy of a buffer, made and brought up to date if need be, for what reads it, may write it
- * too, or writes all of it: one part of all its bytes, or parts of part_bytes. Parts that the buffer does not have are
- * NULL. */
-ts_status ts_cl_use(ts_cl *cl, cl_mem parts[TS_CL_PARTS], ts_buffer *buffer, u64 part_bytes, ts_cl_access access);
-ts_status ts_cl_finish(ts_cl *cl);
-extern const ts_residence ts_cl_residence;
+/* memory.c */
+void ts_cl_open_store(ts_cl *cl, bool unified);
 
 #endif

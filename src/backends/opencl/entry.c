@@ -93,7 +93,7 @@ char *ts_cl_entries(const ts_cl *cl, u32 program)
 {
 	ts_file_text made;
 	if (ts_file_text_begin(&made, "entries of kernels") != TS_OK) return NULL;
-	text t = {.out = made.out, .n_parts = cl->part_bytes != 0 ? TS_CL_PARTS : 1};
+	text t = {.out = made.out, .n_parts = cl->part_bytes != 0 ? TS_PARTS : 1};
 	for (u32 kernel = 0; kernel < TS_N_KERNELS; kernel++) {
 		if (ts_cl_program_of[kernel] == program) put_entry(&t, (ts_kernel)kernel);
 	}

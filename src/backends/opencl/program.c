@@ -33,7 +33,7 @@ ts_status ts_cl_put_flags(ts_cl *cl)
 	const char *rounded = cl->about.rounded ? " -cl-fp32-correctly-rounded-divide-sqrt" : "";
 	const char *space = cl->options[0] != 0 ? " " : "";
 	if (cl->part_bytes != 0) {
-		snprintf(parts, sizeof parts, " -DTS_PARTS=%d -DTS_PART_BYTES=%" PRIu64, TS_CL_PARTS, cl->part_bytes);
+		snprintf(parts, sizeof parts, " -DTS_PARTS=%d -DTS_PART_BYTES=%" PRIu64, TS_PARTS, cl->part_bytes);
 	}
 	int length = snprintf(cl->flags, sizeof cl->flags, "-cl-std=CL1.2%s%s%s%s", rounded, parts, space, cl->options);
 	return length >= 0 && (size_t)length < sizeof cl->flags ? TS_OK

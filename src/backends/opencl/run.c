@@ -3,14 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../kernels.h"
 #include "cl.h"
 
-_Static_assert(sizeof(void *) == 8, "offsets take the place of pointers");
-
-enum { SCAN_CHUNK = 2048 };
-
-static void explain(char text[TS_CL_MESSAGE], const char *what, cl_int status)
+ts_status ts_cl_failed(const char *what, cl_int status)
 {
 	static const struct {
 		cl_int status;
@@ -27,22 +22,8 @@ static void explain(char text[TS_CL_MESSAGE], const char *what, cl_int status)
 	};
 	const char *name = NULL;
 	for (size_t i = 0; i < sizeof names / sizeof *names; i++) name = names[i].status == status ? names[i].name : name;
-	if (name == NULL)
-		snprintf(text, TS_CL_MESSAGE, "backend opencl: %s: OpenCL error %d", what, status);
-	else
-		snprintf(text, TS_CL_MESSAGE, "backend opencl: %s: %s (%d)", what, name, status);
-}
-
-ts_status ts_cl_failed(const char *what, cl_int status)
-{
-	char text[TS_CL_MESSAGE];
-	explain(text, what, status);
-	return ts_fail("%s", text);
-}
-
-void ts_cl_keep(ts_cl *cl, const char *what, cl_int status)
-{
-	if (cl->failure[0] == 0) explain(cl->failure, what, status);
+	return name == NULL ? ts_fail("backend opencl: %s: OpenCL error %d", what, status)
+	                    : ts_fail("backend opencl: %s: %s (%d)", what, name, status);
 }
 
 static ts_status set(cl_kernel kernel, u32 index, size_t bytes, const void *value)
@@ -51,45 +32,18 @@ static ts_status set(cl_kernel kernel, u32 index, size_t bytes, const void *valu
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a kernel's argument", status);
 }
 
-/* The frame's buffer that a pointer points to, or into; NULL: none. */
-static ts_buffer *buffer_of(ts_frame *frame, const ts_launch *launch, const ts_pointer *pointer, const void *args)
-{
-	const u8 *at;
-	memcpy(&at, (const u8 *)args + pointer->offset, sizeof at);
-	if (at == NULL) return NULL;
-	const ts_bound bound = ts_launch_bound(launch, pointer);
-	if (!bound.bound) return NULL;
-	ts_buffer *buffer = bound.role == TS_ROLE_WORK    ? &frame->lent[bound.to]
-	                    : bound.role == TS_ROLE_TALLY ? &frame->lent[TS_WORK_tallies]
-	                                                  : &frame->buffer[bound.to];
-	const u8 *begin = buffer->data;
-	assert(at >= begin && (at < begin + buffer->bytes || at == begin));
-	return buffer;
-}
-
-/* A launch that reads a buffer leaves what the host has of it as it is. */
-static ts_cl_access access_of(const ts_launch *launch, const ts_pointer *pointer)
-{
-	bool reads = pointer->row->constant || ts_launch_bound(launch, pointer).role == TS_ROLE_IN;
-	return reads ? TS_CL_READS : TS_CL_WRITES;
-}
-
 /* The arguments of one pointer, from *index on; the offset takes its place among the values. */
 static ts_status set_buffer(ts_cl *cl, ts_frame *frame, const ts_launch *launch, const ts_pointer *pointer, u8 *values,
                             u32 *index)
 {
-	u64 offset = 0, part_bytes = pointer->row->parted ? cl->part_bytes : 0;
-	cl_mem parts[TS_CL_PARTS] = {NULL};
-	ts_buffer *buffer = buffer_of(frame, launch, pointer, values);
-	if (buffer != NULL) {
-		const u8 *at;
-		memcpy(&at, values + pointer->offset, sizeof at);
-		offset = (u64)(at - (const u8 *)buffer->data);
-		if (ts_cl_use(cl, parts, buffer, part_bytes, access_of(launch, pointer)) != TS_OK) return TS_ERROR;
-	}
+	u64 offset, part_bytes = pointer->row->parted ? cl->part_bytes : 0;
+	void *parts[TS_PARTS] = {NULL};
+	ts_buffer *buffer = ts_device_buffer(frame, launch, pointer, values, &offset);
+	ts_access access = ts_device_access(launch, pointer);
+	if (buffer != NULL && ts_store_use(&cl->store, parts, buffer, part_bytes, access) != TS_OK) return TS_ERROR;
 	memcpy(values + pointer->offset, &offset, sizeof offset);
-	for (u32 i = 0; i < (part_bytes != 0 ? TS_CL_PARTS : 1); i++) {
-		if (set(cl->kernels[launch->kernel], (*index)++, sizeof parts[i], &parts[i]) != TS_OK) return TS_ERROR;
+	for (u32 i = 0; i < (part_bytes != 0 ? TS_PARTS : 1); i++) {
+		if (set(cl->kernels[launch->kernel], (*index)++, sizeof(cl_mem), &parts[i]) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }
@@ -111,43 +65,18 @@ static ts_status set_arguments(ts_cl *cl, ts_frame *frame, const ts_launch *laun
 	return set(kernel, 1, sizeof n, &n);
 }
 
-static u64 largest_power(u64 most)
+/* Kernels that get arrays in parts are others. */
+static ts_status admit(ts_cl *cl, u64 part_bytes)
 {
-	u64 power = 1;
-	while (power <= most / 2) power *= 2;
-	return power;
-}
-
-/* From the first buffer on that the device cannot allocate at once, kernels get such arrays in parts. */
-static ts_status admit(ts_cl *cl, const ts_buffer *buffer)
-{
-	if (buffer->bytes <= cl->about.most || cl->part_bytes != 0) return TS_OK;
-	cl->part_bytes = largest_power(cl->about.most);
+	if (cl->part_bytes == part_bytes) return TS_OK;
+	cl->part_bytes = part_bytes;
 	ts_cl_forget_programs(cl);
 	return ts_cl_put_flags(cl);
 }
 
-static ts_status admit_all(ts_cl *cl, ts_frame *frame, const ts_launch *launch, const void *args)
-{
-	const ts_pointers *pointers = ts_kernel_pointers(launch->kernel);
-	for (u32 i = 0; i < pointers->n; i++) {
-		const ts_pointer *pointer = &pointers->pointer[i];
-		ts_buffer *buffer = pointer->row->parted ? buffer_of(frame, launch, pointer, args) : NULL;
-		if (buffer != NULL && admit(cl, buffer) != TS_OK) return TS_ERROR;
-	}
-	return TS_OK;
-}
-
-/* The same for points that lie by pieces, with one set-up a piece. */
-static bool by_pieces(ts_kernel kernel, const void *args)
-{
-	const ts_splat_args *splat = args;
-	return kernel == TS_KERNEL_splat && splat->from.offset != NULL && splat->mark == 0;
-}
-
 static ts_status enqueue(ts_cl *cl, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
-	if (admit_all(cl, frame, launch, args) != TS_OK) return TS_ERROR;
+	if (admit(cl, ts_device_parts(&cl->store, cl->part_bytes, frame, launch, args)) != TS_OK) return TS_ERROR;
 	if (ts_cl_make_kernel(cl, launch->kernel) != TS_OK) return TS_ERROR;
 	if (set_arguments(cl, frame, launch, args, n) != TS_OK) return TS_ERROR;
 	size_t group = cl->work_group;
@@ -155,18 +84,15 @@ static ts_status enqueue(ts_cl *cl, ts_frame *frame, const ts_launch *launch, co
 	const size_t *local = group != 0 ? &group : NULL;
 	cl_kernel kernel = cl->kernels[launch->kernel];
 	cl_int status = clEnqueueNDRangeKernel(cl->queue, kernel, 1, NULL, &items, local, 0, NULL, NULL);
-	cl->busy = true;
+	cl->store.busy = true;
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(ts_kernel_name(launch->kernel), status);
 }
 
 static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
-	frame->residence = &ts_cl_residence;
+	frame->residence = &ts_store_residence;
 	ts_launch taken = *launch;
-	if (by_pieces(launch->kernel, args)) {
-		taken.kernel = TS_KERNEL_splat_pieces;
-		n = ((const ts_splat_args *)args)->n_pieces;
-	}
+	taken.kernel = ts_device_kernel(launch->kernel, args, &n);
 	return n != 0 ? enqueue((ts_cl *)backend, frame, &taken, args, n) : TS_OK;
 }
 
@@ -174,13 +100,14 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 
 {
 	ts_cl *cl = (ts_cl *)backend;
 	ts_buffer *buffer = &frame->buffer[id];
-	cl_mem parts[TS_CL_PARTS];
-	frame->residence = &ts_cl_residence;
-	if (ts_may_be_parted(id) && admit(cl, buffer) != TS_OK) return TS_ERROR;
+	void *parts[TS_PARTS];
+	frame->residence = &ts_store_residence;
+	if (ts_may_be_parted(id) && admit(cl, ts_device_parts_of(&cl->store, cl->part_bytes, buffer)) != TS_OK)
+		return TS_ERROR;
 	u64 part_bytes = ts_may_be_parted(id) ? cl->part_bytes : 0;
-	if (ts_cl_use(cl, parts, buffer, part_bytes, TS_CL_OVERWRITES) != TS_OK) return TS_ERROR;
+	if (ts_store_use(&cl->store, parts, buffer, part_bytes, TS_OVERWRITES) != TS_OK) return TS_ERROR;
 	cl_int status = CL_SUCCESS;
-	for (u32 i = 0; i < TS_CL_PARTS && parts[i] != NULL && status == CL_SUCCESS; i++) {
+	for (u32 i = 0; i < TS_PARTS && parts[i] != NULL && status == CL_SUCCESS; i++) {
 		u64 left = buffer->bytes - i * part_bytes, bytes = part_bytes != 0 && part_bytes < left ? part_bytes : left;
 		u64 pattern = byte * 0x0101010101010101u;
 		size_t width = bytes % 8 == 0 ? 8 : bytes % 4 == 0 ? 4 : 1;
@@ -189,35 +116,7 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a fill", status);
 }
 
-static ts_status scan_in(ts_backend *backend, ts_frame *frame, ts_buffer_id id, ts_scan_args *args)
-{
-	ts_launch step = {TS_KERNEL_scan_sum, {{TS_BINDS_TO, "counts", TS_ROLE_OUT, id}}};
-	ts_frame_lend(frame, TS_WORK_other, args->sums, (args->n_chunks + 1) * sizeof *args->sums);
-	ts_status status = launch(backend, frame, &step, args, args->n_chunks);
-	step.kernel = TS_KERNEL_scan_chunks;
-	if (status == TS_OK) status = launch(backend, frame, &step, args, 1);
-	step.kernel = TS_KERNEL_scan;
-	if (status == TS_OK) status = launch(backend, frame, &step, args, args->n_chunks);
-	ts_status recalled = ts_frame_recall(frame, TS_WORK_other);
-	return status == TS_OK ? recalled : status;
-}
-
-static ts_status scan(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64 *total)
-{
-	u64 n = ts_frame_n(frame, id) - 1;
-	ts_scan_args args = {.counts = ts_frame_handle(frame, id),
-	                     .n = n,
-	                     .n_chunks = (n + SCAN_CHUNK - 1) / SCAN_CHUNK,
-	                     .chunk = SCAN_CHUNK};
-	args.sums = ts_alloc(args.n_chunks + 1, sizeof *args.sums, "prefix sums");
-	if (args.sums == NULL) return TS_ERROR;
-	ts_status status = scan_in(backend, frame, id, &args);
-	if (status == TS_OK) *total = args.sums[args.n_chunks];
-	free(args.sums);
-	return status;
-}
-
-static ts_status finish(ts_backend *backend) { return ts_cl_finish((ts_cl *)backend); }
+static ts_status finish(ts_backend *backend) { return ts_store_finish(&((ts_cl *)backend)->store); }
 
 static void end(ts_backend *backend)
 {
@@ -265,10 +164,10 @@ static ts_status open_device(ts_backend **backend, const ts_backend_options *opt
 		return status;
 	}
 	snprintf(cl->device_line, sizeof cl->device_line, "%s, %s", cl->about.name, cl->about.platform);
-	cl->backend = (ts_backend){
-		"opencl", cl->device_line, cl->about.driver, cl->flags, {0}, launch, fill, scan, finish, end, NULL};
+	cl->backend = (ts_backend){"opencl", cl->device_line, cl->about.driver, cl->flags, {0}, launch,
+	                           fill,     ts_device_scan,  finish,           end,       NULL};
 	cl->work_group = options->work_group;
-	cl->unified = cl->about.unified && !options->copies;
+	ts_cl_open_store(cl, cl->about.unified && !options->copies);
 	*backend = &cl->backend;
 	return TS_OK;
 }

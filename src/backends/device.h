@@ -1,0 +1,24 @@
+/* What backends of devices share: what a launch's pointers lead to, parts, prefix sums. */
+#ifndef TS_BACKENDS_DEVICE_H
+#define TS_BACKENDS_DEVICE_H
+#include "resident.h"
+
+/* The frame's buffer that a pointer among a launch's arguments points to, or into, and how far; NULL: none. */
+ts_buffer *ts_device_buffer(ts_frame *frame, const ts_launch *launch, const ts_pointer *pointer, const void *args,
+                            u64 *offset);
+/* A launch that reads a buffer leaves what the host has of it as it is. */
+ts_access ts_device_access(const ts_launch *launch, const ts_pointer *pointer);
+
+/* part_bytes for a launch, or for a buffer: from the first one on that a device cannot allocate at once, what may be
+ * parted is in parts of the largest power of two that it allocates. */
+u64 ts_device_parts(const ts_store *store, u64 part_bytes, ts_frame *frame, const ts_launch *launch, const void *args);
+u64 ts_device_parts_of(const ts_store *store, u64 part_bytes, const ts_buffer *buffer);
+
+/* The kernel that a device runs in the place of another, and of how many items: points that lie by pieces are
+ * splatted with one set-up a piece, as groups have no memory of their own in the kernels' language. */
+ts_kernel ts_device_kernel(ts_kernel kernel, const void *args, u64 *n);
+
+/* `scan` of a backend, by three kernels. */
+ts_status ts_device_scan(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64 *total);
+
+#endif
