@@ -8,6 +8,7 @@ from . import tree as T
 from .stores import Stores
 
 FLOAT_OPERATORS = {"+", "-", "*", "/", "==", "!=", "<", ">", "<=", ">="}
+UNSIGNED = {"u32", "u64"}
 # Where the range of a float is proved before it becomes an integer.
 TRUNCATES = {"ts_f2i", "ts_k_floor_within"}
 # Where two results of 4 bytes are one of 8, because that is where devices have the operation.
@@ -152,6 +153,8 @@ class Rules(c_ast.NodeVisitor):
 			self.fault(node, f"{left.name} {op} {right.name}: write the cast, or the literal as a float")
 		if floats and op not in FLOAT_OPERATORS:
 			self.fault(node, f"{op} is no operation of floats")
+		if op == "%" and not (left.name in UNSIGNED and right.name in UNSIGNED):
+			self.fault(node, "a signed number has no remainder in GLSL: take that of an unsigned one")
 		if op == "<<" and left.name not in ("u32", "u64"):
 			self.fault(node, "a signed number is shifted: shift an unsigned one")
 		if left.kind == "pointer" and op not in ("+", "-", "==", "!="):

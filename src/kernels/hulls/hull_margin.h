@@ -73,9 +73,9 @@ TS_FN f32 ts_k_choice_margin(const ts_choice_args *args, ts_grid_place at, u32 b
 	i32 side = (i32)(args->grid / TS_BLOCK);
 	i32 x = (i32)(at.x / TS_BLOCK);
 	i32 y = (i32)(at.y / TS_BLOCK);
-	i32 block = (i32)(args->boxes[box].label / TS_BLOCK_TEXELS);
-	i32 across = block % side - x;
-	i32 down = block / side - y;
+	u32 block = args->boxes[box].label / TS_BLOCK_TEXELS;
+	i32 across = (i32)(block % (u32)side) - x;
+	i32 down = (i32)(block / (u32)side) - y;
 	i32 ring = ts_max_i32(ts_max_i32(across, -across), ts_max_i32(down, -down));
 	ts_offered best = ts_k_offered(args, at, box);
 	f32 least = best.as.rank == 1u ? best.slack_margin : TS_MARGIN_FAR;

@@ -414,7 +414,12 @@ typedef struct {
 	i32 first, last;
 } ts_span;
 
-TS_FN i64 ts_k_floor_quotient(i64 a, i64 b) { return a / b - (a % b < 0 ? 1 : 0); } /* b > 0 */
+/* b > 0 */
+TS_FN i64 ts_k_floor_quotient(i64 a, i64 b)
+{
+	i64 q = a / b;
+	return q * b > a ? q - 1 : q;
+}
 
 /* The part of row j of `box` that the triangle may touch: each edge, as a line, cuts the row. */
 TS_FN ts_span ts_k_touched_row(const ts_lines *l, ts_box box, i32 j)
