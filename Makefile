@@ -95,7 +95,11 @@ CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends backends/c bac
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
 		methods nearest options parse reads say sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
-TEST_C := $(filter-out tests/begin.c tests/fuzz/% tests/record/% tests/faults/% tests/cli/preload/%,$(call every,tests,c))
+TEST_C := $(filter-out tests/begin.c tests/backends/llvmpipe.c tests/fuzz/% tests/record/% tests/faults/% tests/cli/preload/%,$(call every,tests,c))
+
+# Linked into each test: what it begins with, and what lifts llvmpipe's limit of loops, which that driver finds by its name.
+TEST_ALSO_C := tests/begin.c tests/backends/llvmpipe.c
+LIFT := -Wl,--export-dynamic-symbol=LLVMBuildStore
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
 ITEMS_O := $(patsubst %,$(BUILD)/obj/$(ITEMS_C:.c=).%.o,vectors base $(FAMILIES))
@@ -104,7 +108,7 @@ IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/model/%.c,error memory tex
 CLI_O := $(call object,$(CLI_C))
 CORE_O := $(call object,$(CORE_C)) $(ITEMS_O)
 TESTS := $(TEST_C:tests/%.c=$(BUILD)/tests/%)
-ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) $(wildcard tests/begin.c tests/fuzz/*.c)))
+ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) $(TEST_ALSO_C) $(wildcard tests/fuzz/*.c)))
 
 ifeq ($(V),0)
 Q := @
@@ -162,6 +166,20 @@ $(PROGRAM): scripts/opencl-program scripts/assembled src/backends/kernels.h src/
 $(call object,src/backends/opencl/program.c): $(PROGRAM)
 $(call object,src/backends/opencl/program.c): OWN := -I$(BUILD)/gen
 
+# The same as GLSL: plain for porters, guarded for the backend; and as SPIR-V.
+GLSL := $(BUILD)/gen/glsl
+PLAIN := $(BUILD)/gen/plain
+SPIRV := $(BUILD)/gen/spirv.inc
+$(GLSL)/made $(PLAIN)/made: scripts/glsl $(wildcard scripts/kernel/*) $(wildcard src/backends/vulkan/*.glsl) src/backends/kernels.h \
+		src/backends/kernels.def src/families.def $(wildcard src/kernels/*/*) include/touchstone/records.def
+	$(call say,GEN,$(@D))
+	$(Q)rm -rf $(@D) && scripts/glsl $(if $(filter $(GLSL)/made,$@),--guarded) $(@D) && touch $@
+$(SPIRV): scripts/vulkan-program scripts/spirv-exact $(GLSL)/made
+	$(call say,GEN,$@)
+	$(Q)scripts/vulkan-program $(GLSL) $(BUILD)/gen/spirv > $@
+$(call object,src/backends/vulkan/program.c): $(SPIRV)
+$(call object,src/backends/vulkan/program.c): OWN := -I$(BUILD)/gen
+
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
 	$(Q)mkdir -p $(@D)
@@ -215,10 +233,10 @@ tests: $(TESTS) $(BUILD)/touchstone-core $(BUILD)/record/touchstone
 # Most of them run for less time than -O3 takes to compile them.
 $(BUILD)/obj/tests/%: OWN := -O1
 FIND_ABOVE := $(FIND_MODULE):'$$ORIGIN/../..:$$ORIGIN/../../..:$$ORIGIN/../../../..'
-$(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/obj/tests/begin.c.o $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
+$(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(call object,$(TEST_ALSO_C)) $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_ABOVE) $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
+	$(Q)$(CXX) $(LINK_FLAGS) $(LIFT) $(FIND_ABOVE) $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
 
 $(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
 
@@ -295,7 +313,7 @@ deps:
 
 ##   install uninstall  under DESTDIR/PREFIX, PREFIX=/usr/local
 TO := $(DESTDIR)$(PREFIX)
-install: all
+install: all $(PLAIN)/made
 	install -d $(TO)/bin $(TO)/lib $(TO)/include/touchstone
 	install -m 755 $(BUILD)/touchstone $(TO)/bin/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(TO)/lib/libtouchstone.a
@@ -304,9 +322,14 @@ install: all
 	ln -sfn libtouchstone.so.0 $(TO)/lib/libtouchstone.so
 	install -m 644 $(wildcard include/touchstone/*.h) $(TO)/include/touchstone
 	for list in records params; do scripts/assembled include/touchstone/$$list.def > $(TO)/include/touchstone/$$list.def; done
+	install -d $(TO)/share/touchstone
+	install -m 755 scripts/spirv-exact $(TO)/share/touchstone/spirv-exact
+	rm -rf $(TO)/share/touchstone/glsl
+	cp -R $(PLAIN) $(TO)/share/touchstone/glsl
+	rm $(TO)/share/touchstone/glsl/made
 uninstall:
 	rm -f $(TO)/bin/touchstone $(patsubst %,$(TO)/lib/libtouchstone%,.a .so .so.0 -image.so)
-	rm -rf $(TO)/include/touchstone
+	rm -rf $(TO)/include/touchstone $(TO)/share/touchstone
 
 ##   clean              removes build/
 clean:

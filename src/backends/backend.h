@@ -53,7 +53,7 @@ typedef struct {
 typedef struct {
 	u32 device;        /* index of `devices` */
 	u32 work_group;    /* items; 0: the driver chooses */
-	const char *build; /* more options for the driver's compiler, or "" */
+	const char *build; /* more options for the driver's compiler, or a folder of kernels (--build); or "" */
 	bool inexact;      /* also a device that cannot keep the contract */
 	bool copies;       /* a memory of its own, even where the device has the host's */
 	u64 part_bytes; /* what grows with points and cubes is in parts of so many, a power of two; 0: where it must be */
@@ -68,7 +68,7 @@ typedef struct {
 	 * brings. */
 	ts_status (*open)(ts_backend **backend, const ts_backend_options *options);
 } ts_backend_kind;
-extern const ts_backend_kind ts_c_kind, ts_opencl_kind;
+extern const ts_backend_kind ts_c_kind, ts_opencl_kind, ts_vulkan_kind;
 
 /* The reference, in C: threads of OpenMP. */
 typedef struct {

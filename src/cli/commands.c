@@ -12,7 +12,7 @@
 
 const char *const ts_program = "touchstone";
 ts_preview *const ts_golden_preview = ts_image_write_png;
-const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, &ts_opencl_kind, NULL};
+const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, &ts_opencl_kind, &ts_vulkan_kind, NULL};
 
 const ts_command ts_command_table[] = {
 	{"render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",

@@ -1,27 +1,53 @@
-/* What tests on OpenCL devices need. */
+/* What tests on devices need: each kind of backend that has one here. */
 #ifndef TS_TESTS_BACKENDS_DEVICE_H
 #define TS_TESTS_BACKENDS_DEVICE_H
 #include "../model/test.h"
 #include "../../src/backends/backend.h"
 
-/* Skips the test where there is no device, or fails it if TS_REQUIRE names opencl. */
-static inline void device_need(void)
+static const ts_backend_kind *const device_kinds[] = {&ts_opencl_kind, &ts_vulkan_kind};
+enum { DEVICE_KINDS = sizeof device_kinds / sizeof *device_kinds };
+
+/* Fails where there is none if TS_REQUIRE names the kind. */
+static inline bool device_is_there(const ts_backend_kind *kind)
 {
 	ts_device devices[TS_MAX_DEVICES];
 	const char *require = getenv("TS_REQUIRE");
-	if (ts_opencl_kind.devices(devices) != 0) return;
-	if (require != NULL && strstr(require, "opencl") != NULL) fail_msg("no OpenCL device");
-	printf("no OpenCL device\n");
-	skip();
+	if (kind->devices(devices) != 0) return true;
+	if (require != NULL && strstr(require, kind->name) != NULL) fail_msg("no device for %s", kind->name);
+	printf("no device for %s\n", kind->name);
+	return false;
+}
+
+/* Calls a test for each kind that there is, and skips it where there is none. */
+static inline void device_each(void (*test)(const ts_backend_kind *kind))
+{
+	u32 n = 0;
+	for (u32 i = 0; i < DEVICE_KINDS; i++) {
+		if (!device_is_there(device_kinds[i])) continue;
+		test(device_kinds[i]);
+		n++;
+	}
+	if (n == 0) skip();
+}
+
+static inline ts_backend *device_open(const ts_backend_kind *kind, ts_backend_options options)
+{
+	ts_backend *backend = NULL;
+	if (options.build == NULL) options.build = "";
+	if (kind->open(&backend, &options) != TS_OK) fail_msg("%s", ts_error_message());
+	return backend;
 }
 
 /* Kernels once built are kept, whoever runs the test. */
 static inline void device_keep_kernels(void)
 {
-	char path[512];
+	static const char *const names[][2] = {{"POCL_CACHE_DIR", "pocl"}, {"MESA_SHADER_CACHE_DIR", "mesa"}};
 	const char *build = getenv("BUILD");
-	snprintf(path, sizeof path, "%s/pocl", build != NULL ? build : "build/release");
-	setenv("POCL_CACHE_DIR", path, 0);
+	for (u32 i = 0; i < 2; i++) {
+		char path[512];
+		snprintf(path, sizeof path, "%s/%s", build != NULL ? build : "build/release", names[i][1]);
+		setenv(names[i][0], path, 0);
+	}
 }
 
 #endif

@@ -33,24 +33,26 @@ static void test_threads(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_opencl(void **state)
+static void on_device(const ts_backend_kind *kind)
 {
-	(void)state;
-	device_need();
 	static ts_sums c, cl;
-	const ts_backend_options options = {.work_group = 5, .build = ""};
 	for (u32 levels = 1; levels <= 6; levels += 5) {
-		ts_backend *backend = NULL;
 		ts_params params = octrees_params(levels, levels == 1 ? 0 : 300);
 		params.vpl_bounces = levels == 1 ? 1 : 3;
 		ts_scene *scene = small_scene(&params);
 		sums_of(&c, scene, &params, 2, NULL);
-		if (ts_opencl_kind.open(&backend, &options) != TS_OK) fail_msg("%s", ts_error_message());
+		ts_backend *backend = device_open(kind, (ts_backend_options){.work_group = kind == &ts_opencl_kind ? 5 : 8});
 		sums_of(&cl, scene, &params, 1, backend);
 		assert_same(&c, &cl);
 		backend->close(backend);
 		ts_scene_free(scene);
 	}
+}
+
+static void test_devices(void **state)
+{
+	(void)state;
+	device_each(on_device);
 }
 
 static bool is_listed(const u32 *offset, const u32 *entries, u32 leaf, u32 triangle)
@@ -152,7 +154,7 @@ static void test_claims(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),  cmocka_unit_test(test_opencl), cmocka_unit_test(test_lists),
+		cmocka_unit_test(test_threads),  cmocka_unit_test(test_devices), cmocka_unit_test(test_lists),
 		cmocka_unit_test(test_surfaces), cmocka_unit_test(test_claims),
 	};
 	device_keep_kernels();

@@ -3,10 +3,8 @@
 #include "../methods/views/grove.h"
 
 /* In the host's memory and in copies, kept or mapped at once, by one queue or in pieces. */
-static void test_traverse(void **state)
+static void traverse(const ts_backend_kind *kind)
 {
-	(void)state;
-	device_need();
 	ts_params params = small_params(64, 64);
 	ts_scene *scene = small_scene(&params);
 	grove g;
@@ -16,9 +14,7 @@ static void test_traverse(void **state)
 	grove_outcome expected = grove_run(&g, scene, &params, 2, NULL, true);
 	assert_true(expected.n_pairs > 10000);
 	for (u32 i = 0; i < 4; i++) {
-		ts_backend *backend;
-		ts_backend_options options = {.work_group = 64, .build = "", .copies = i % 2 == 1};
-		assert_int_equal(ts_opencl_kind.open(&backend, &options), TS_OK);
+		ts_backend *backend = device_open(kind, (ts_backend_options){.work_group = 64, .copies = i % 2 == 1});
 		params.traverse_queue_mb = i < 2 ? 16 : 1;
 		grove_outcome found = grove_run(&g, scene, &params, 1, backend, i % 3 == 0);
 		grove_assert_same(&expected, &found);
@@ -28,6 +24,12 @@ static void test_traverse(void **state)
 	grove_outcome_free(&expected);
 	grove_free(&g);
 	ts_scene_free(scene);
+}
+
+static void test_traverse(void **state)
+{
+	(void)state;
+	device_each(traverse);
 }
 
 int main(void)

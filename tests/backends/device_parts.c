@@ -18,39 +18,40 @@ static ts_status sums_of(ts_sums *sums, ts_backend *backend)
 	return status;
 }
 
-static ts_backend *open_parts(u64 part_bytes, bool copies)
-{
-	ts_backend *backend;
-	ts_backend_options options = {.work_group = 64, .build = "", .part_bytes = part_bytes, .copies = copies};
-	assert_int_equal(ts_opencl_kind.open(&backend, &options), TS_OK);
-	return backend;
-}
-
 /* Points of 6 MB and texels of 2 MB in parts of one MiB, in the host's memory and in copies. */
-static void test_parts(void **state)
+static void in_parts(const ts_backend_kind *kind)
 {
-	(void)state;
-	device_need();
 	ts_sums right, found;
 	assert_int_equal(sums_of(&right, NULL), TS_OK);
 	for (u32 copies = 0; copies < 2; copies++) {
-		ts_backend *backend = open_parts(1 << 20, copies != 0);
-		assert_int_equal(sums_of(&found, backend), TS_OK);
+		ts_backend *backend =
+			device_open(kind, (ts_backend_options){.work_group = 64, .part_bytes = 1 << 20, .copies = copies != 0});
+		if (sums_of(&found, backend) != TS_OK) fail_msg("%s", ts_error_message());
 		assert_memory_equal(right.hex, found.hex, sizeof right.hex);
 		backend->close(backend);
 	}
 }
 
-/* More parts than there may be are refused with one line. */
-static void test_too_many(void **state)
+static void test_parts(void **state)
 {
 	(void)state;
-	device_need();
+	device_each(in_parts);
+}
+
+/* More parts than there may be are refused with one line. */
+static void too_many(const ts_backend_kind *kind)
+{
 	ts_sums found;
-	ts_backend *backend = open_parts(1 << 16, false);
+	ts_backend *backend = device_open(kind, (ts_backend_options){.work_group = 64, .part_bytes = 1 << 16});
 	assert_int_equal(sums_of(&found, backend), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "allocates"));
 	backend->close(backend);
+}
+
+static void test_too_many(void **state)
+{
+	(void)state;
+	device_each(too_many);
 }
 
 int main(void)

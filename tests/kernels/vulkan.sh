@@ -1,0 +1,79 @@
+#!/bin/bash
+# The kernels as GLSL, plain as porters get them, compile; the SPIR-V of the backend is valid, keeps the numeric contract, and has
+# no instruction but those of tests/kernels/spirv.txt. Prints TAP.
+set -u
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+build=${BUILD:-build/release}
+n=0
+
+result() { # GOOD NAME
+	n=$((n + 1))
+	if [ "$1" -eq 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; fi
+}
+
+command -v glslangValidator spirv-val spirv-dis > /dev/null || {
+	echo "1..0 # skip no glslang-tools, or no spirv-tools"
+	exit
+}
+
+scripts/glsl "$folder/glsl"
+result $? 'the kernels are written as GLSL'
+bad=0
+for shader in "$folder"/glsl/*.comp; do
+	glslangValidator -V --target-env vulkan1.2 -o "$folder/plain.spv" "$shader" > "$folder/log" || { bad=1; sed 's/^/# /' "$folder/log"; }
+done
+result $bad "$(find "$folder/glsl" -name '*.comp' | wc -l) kernels compile"
+
+bad=0
+for module in "$build"/gen/spirv/*.spv; do
+	spirv-val --target-env vulkan1.2 --scalar-block-layout "$module" > "$folder/log" 2>&1 || { bad=1; sed 's/^/# /' "$folder/log"; }
+done
+result $bad 'modules are valid'
+
+# Names of instructions, and of what is called, declared or asked for beside them.
+for module in "$build"/gen/spirv/*.spv; do spirv-dis --no-indent "$module"; done > "$folder/text"
+sed -E 's/^%[^=]*= //' "$folder/text" | awk '
+	/^Op(Capability|Extension|ExtInstImport|MemoryModel)/ { print; next }
+	/^OpExtInst / { print $1, $4; next }
+	/^OpExecutionMode/ { print $1, $3, $4 == 32 ? 32 : ""; next }
+	/^OpDecorate / { print $1, $3; next }
+	/^Op/ { print $1 }' | sed -E 's/ +$//' | sort -u > "$folder/found"
+comm -23 "$folder/found" <(sort tests/kernels/spirv.txt) > "$folder/unknown"
+sed 's/^/# not allowed: /' "$folder/unknown"
+[ ! -s "$folder/unknown" ]
+result $? "only the instructions of spirv.txt"
+comm -13 "$folder/found" <(sort tests/kernels/spirv.txt) > "$folder/unused"
+sed 's/^/# not needed: /' "$folder/unused"
+[ ! -s "$folder/unused" ]
+result $? "and each of them"
+
+# Each result of a float operation is decorated.
+python3 - "$folder/text" <<'PY'
+import re, sys
+bad, decorated = 0, set()
+for line in open(sys.argv[1]):
+	if line.startswith("; SPIR-V"):
+		decorated = set()
+	match = re.match(r"OpDecorate (%\S+) NoContraction", line)
+	if match:
+		decorated.add(match[1])
+	match = re.match(r"(%\S+) = Op(F(?:Add|Sub|Mul|Div|Negate|Rem|Mod)|Dot|VectorTimes\w+|Matrix\w*) ", line)
+	bad += bool(match) and match[1] not in decorated
+sys.exit(bad != 0)
+PY
+result $? 'no operation on floats may be contracted'
+
+# The pass: what it does, once; and what it refuses.
+printf 'no module, but sixteen' > "$folder/bad.spv"
+scripts/spirv-exact "$folder/bad.spv" 2> "$folder/log"
+[ $? -eq 2 ] && grep -q 'bad.spv: this is no SPIR-V' "$folder/log"
+result $? 'what is no module is refused'
+cp "$build/gen/spirv/align.spv" "$folder/once.spv"
+scripts/spirv-exact "$folder/once.spv" && cmp -s "$folder/once.spv" "$build/gen/spirv/align.spv"
+result $? 'a module that is exact stays as it is'
+head -c 100 "$build/gen/spirv/align.spv" > "$folder/cut.spv"
+scripts/spirv-exact "$folder/cut.spv" 2> "$folder/log"
+[ $? -eq 2 ] && [ "$(stat -c %s "$folder/cut.spv")" -eq 100 ] && [ "$(wc -l < "$folder/log")" -eq 1 ]
+result $? 'a module that ends too soon is refused, and stays as it is'
+echo "1..$n"
