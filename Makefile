@@ -180,6 +180,14 @@ $(SPIRV): scripts/vulkan-program scripts/spirv-exact $(GLSL)/made
 $(call object,src/backends/vulkan/program.c): $(SPIRV)
 $(call object,src/backends/vulkan/program.c): OWN := -I$(BUILD)/gen
 
+# And as PTX.
+PTX := $(BUILD)/gen/kernels.ptx
+$(PTX): scripts/ptx $(wildcard src/backends/cuda/*) src/backends/kernels.h src/backends/kernels.def src/families.def \
+		$(wildcard src/kernels/*/*) include/touchstone/records.def
+	$(call say,GEN,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)scripts/ptx $@
+
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
 	$(Q)mkdir -p $(@D)
@@ -313,7 +321,7 @@ deps:
 
 ##   install uninstall  under DESTDIR/PREFIX, PREFIX=/usr/local
 TO := $(DESTDIR)$(PREFIX)
-install: all $(PLAIN)/made
+install: all $(PLAIN)/made $(PTX)
 	install -d $(TO)/bin $(TO)/lib $(TO)/include/touchstone
 	install -m 755 $(BUILD)/touchstone $(TO)/bin/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(TO)/lib/libtouchstone.a
@@ -324,6 +332,7 @@ install: all $(PLAIN)/made
 	for list in records params; do scripts/assembled include/touchstone/$$list.def > $(TO)/include/touchstone/$$list.def; done
 	install -d $(TO)/share/touchstone
 	install -m 755 scripts/spirv-exact $(TO)/share/touchstone/spirv-exact
+	install -m 644 $(PTX) $(TO)/share/touchstone/kernels.ptx
 	rm -rf $(TO)/share/touchstone/glsl
 	cp -R $(PLAIN) $(TO)/share/touchstone/glsl
 	rm $(TO)/share/touchstone/glsl/made

@@ -70,18 +70,19 @@ typedef unsigned char u8;
 #define ts_u2f(x) __uint_as_float(x)
 #define ts_sqrt(x) __fsqrt_rn(x)
 #define ts_floor(x) floorf(x)
+/* Volatile reads are relaxed ones of PTX's memory model. */
 #define ts_min_u64(p, v) \
 	do { \
-		if ((v) < *(p)) atomicMin((p), (v)); \
+		if ((v) < *(volatile u64 *)(p)) atomicMin((p), (v)); \
 	} while (0)
 #define ts_min_u32(p, v) \
 	do { \
-		if ((v) < *(p)) atomicMin((p), (v)); \
+		if ((v) < *(volatile u32 *)(p)) atomicMin((p), (v)); \
 	} while (0)
 #define ts_peek_u32(p) (*(volatile u32 *)(p))
 #define ts_or_u64(p, v) \
 	do { \
-		if (((v) & ~*(p)) != 0u) atomicOr((p), (v)); \
+		if (((v) & ~*(volatile u64 *)(p)) != 0u) atomicOr((p), (v)); \
 	} while (0)
 #define ts_add_i64(p, v) ((void)atomicAdd((u64 *)(p), (u64)(v)))
 #define ts_next_i64(p) ((i64)atomicAdd((u64 *)(p), (u64)1u))

@@ -1,0 +1,12 @@
+/* Every kernel as an entry point of its name: items [first, n) of a grid of one dimension. */
+#include "builtins.h"
+#include "../kernels.h"
+
+#define KERNEL(name, arguments) \
+	extern "C" __global__ void name(const arguments args, u64 first, u64 n) \
+	{ \
+		u64 i = first + (u64)__nvvm_read_ptx_sreg_ctaid_x() * __nvvm_read_ptx_sreg_ntid_x() + \
+		        __nvvm_read_ptx_sreg_tid_x(); \
+		if (i < n) ts_k_##name##_item(&args, i); \
+	}
+#include "../kernels.def"
