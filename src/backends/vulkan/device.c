@@ -33,26 +33,34 @@ static ts_status make_instance(const ts_vk_calls *call, VkInstance *instance)
 	return result == VK_SUCCESS ? TS_OK : ts_vk_failed("an instance", result);
 }
 
-ts_status ts_vk_start(ts_vk_calls *call, VkInstance *instance)
+/* The loader's and one instance's calls, found once: the instance stays as long as the process, for the loader
+ * unloads drivers with it, and what they leak would have no name. */
+static struct {
+	ts_vk_calls call;
+	VkInstance instance;
+} vulkan;
+
+static ts_status start(void)
 {
 	PFN_vkGetInstanceProcAddr find = loader();
-	*instance = VK_NULL_HANDLE;
+	ts_vk_calls *call = &vulkan.call;
+	if (vulkan.instance != VK_NULL_HANDLE) return TS_OK;
 	if (find == NULL) return no_device();
 #define GLOBAL(name) call->name = (PFN_vk##name)find(NULL, "vk" #name);
 	TS_VK_GLOBAL(GLOBAL)
 #undef GLOBAL
-	ts_status status = make_instance(call, instance);
+	ts_status status = make_instance(call, &vulkan.instance);
 	if (status != TS_OK) return status;
-#define CALL(name) call->name = (PFN_vk##name)find(*instance, "vk" #name);
+#define CALL(name) call->name = (PFN_vk##name)find(vulkan.instance, "vk" #name);
 	TS_VK_CALLS(CALL)
 #undef CALL
 	return TS_OK;
 }
 
-static u32 all_devices(const ts_vk_calls *call, VkInstance instance, VkPhysicalDevice devices[TS_MAX_DEVICES])
+static u32 all_devices(VkPhysicalDevice devices[TS_MAX_DEVICES])
 {
 	u32 n = TS_MAX_DEVICES;
-	VkResult result = call->EnumeratePhysicalDevices(instance, &n, devices);
+	VkResult result = vulkan.call.EnumeratePhysicalDevices(vulkan.instance, &n, devices);
 	return result == VK_SUCCESS || result == VK_INCOMPLETE ? n : 0;
 }
 
@@ -75,11 +83,11 @@ static bool suffices(const features *f, const VkPhysicalDeviceVulkan12Properties
 	       p->shaderSignedZeroInfNanPreserveFloat32 && p->shaderRoundingModeRTEFloat32;
 }
 
-static u64 memory_of(const ts_vk_calls *call, VkPhysicalDevice device)
+static u64 memory_of(VkPhysicalDevice device)
 {
 	VkPhysicalDeviceMemoryProperties memory;
 	u64 most = 0;
-	call->GetPhysicalDeviceMemoryProperties(device, &memory);
+	vulkan.call.GetPhysicalDeviceMemoryProperties(device, &memory);
 	for (u32 i = 0; i < memory.memoryHeapCount; i++) {
 		const VkMemoryHeap *heap = &memory.memoryHeaps[i];
 		if ((heap->flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) != 0 && heap->size > most) most = heap->size;
@@ -87,7 +95,7 @@ static u64 memory_of(const ts_vk_calls *call, VkPhysicalDevice device)
 	return most;
 }
 
-static ts_device describe(const ts_vk_calls *call, VkPhysicalDevice device, ts_vk_limits *most)
+static ts_device describe(VkPhysicalDevice device, ts_vk_limits *most)
 {
 	VkPhysicalDeviceVulkan12Properties more = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES};
 	VkPhysicalDeviceVulkan11Properties limits = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES,
@@ -95,8 +103,8 @@ static ts_device describe(const ts_vk_calls *call, VkPhysicalDevice device, ts_v
 	VkPhysicalDeviceProperties2 all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &limits};
 	features f;
 	ask_features(&f);
-	call->GetPhysicalDeviceProperties2(device, &all);
-	call->GetPhysicalDeviceFeatures2(device, &f.features);
+	vulkan.call.GetPhysicalDeviceProperties2(device, &all);
+	vulkan.call.GetPhysicalDeviceFeatures2(device, &f.features);
 	const VkPhysicalDeviceProperties *p = &all.properties;
 	ts_device d = {.rounded = true, .little_endian = true};
 	snprintf(d.name, sizeof d.name, "%.*s", (int)sizeof d.name - 1, p->deviceName);
@@ -109,7 +117,7 @@ static ts_device describe(const ts_vk_calls *call, VkPhysicalDevice device, ts_v
 	d.denormals = more.shaderDenormPreserveFloat32 != 0;
 	d.atomics = p->apiVersion >= VK_API_VERSION_1_2 && suffices(&f, &more);
 	d.unified = p->deviceType == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU || p->deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-	d.memory = memory_of(call, device);
+	d.memory = memory_of(device);
 	d.most = limits.maxMemoryAllocationSize;
 	*most = (ts_vk_limits){.groups = p->limits.maxComputeWorkGroupCount[0],
 	                       .items = p->limits.maxComputeWorkGroupInvocations,
@@ -119,14 +127,11 @@ static ts_device describe(const ts_vk_calls *call, VkPhysicalDevice device, ts_v
 
 u32 ts_vk_devices(ts_device devices[TS_MAX_DEVICES])
 {
-	ts_vk_calls call;
-	VkInstance instance;
 	VkPhysicalDevice found[TS_MAX_DEVICES];
 	ts_vk_limits most;
-	if (ts_vk_start(&call, &instance) != TS_OK) return 0;
-	u32 n = all_devices(&call, instance, found);
-	for (u32 i = 0; i < n; i++) devices[i] = describe(&call, found[i], &most);
-	call.DestroyInstance(instance, NULL);
+	if (start() != TS_OK) return 0;
+	u32 n = all_devices(found);
+	for (u32 i = 0; i < n; i++) devices[i] = describe(found[i], &most);
 	return n;
 }
 
@@ -146,15 +151,16 @@ static ts_status queue_family(ts_vk *vk)
 ts_status ts_vk_find(ts_vk *vk, u32 index)
 {
 	VkPhysicalDevice found[TS_MAX_DEVICES];
-	ts_status status = ts_vk_start(&vk->call, &vk->instance);
+	ts_status status = start();
 	if (status != TS_OK) return status;
-	u32 n = all_devices(&vk->call, vk->instance, found);
+	u32 n = all_devices(found);
 	if (n == 0) return no_device();
 	if (index >= n) {
 		return ts_fail("--device %u: there are %u devices, from 0; `touchstone list backends` names them", index, n);
 	}
 	vk->physical = found[index];
-	vk->about = describe(&vk->call, vk->physical, &vk->most);
+	vk->call = vulkan.call;
+	vk->about = describe(vk->physical, &vk->most);
 	return queue_family(vk);
 }
 

@@ -168,7 +168,6 @@ static void end(ts_backend *backend)
 {
 	ts_vk *vk = (ts_vk *)backend;
 	if (vk->device != VK_NULL_HANDLE) close_device(vk);
-	if (vk->instance != VK_NULL_HANDLE) vk->call.DestroyInstance(vk->instance, NULL);
 	free(vk->spirv);
 	free(vk);
 }

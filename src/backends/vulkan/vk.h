@@ -10,7 +10,7 @@
 /* clang-format off */
 #define TS_VK_GLOBAL(CALL) CALL(CreateInstance) CALL(EnumerateInstanceVersion)
 #define TS_VK_CALLS(CALL) \
-	CALL(DestroyInstance) CALL(EnumeratePhysicalDevices) CALL(GetPhysicalDeviceProperties2) \
+	CALL(EnumeratePhysicalDevices) CALL(GetPhysicalDeviceProperties2) \
 	CALL(GetPhysicalDeviceFeatures2) CALL(GetPhysicalDeviceMemoryProperties) \
 	CALL(GetPhysicalDeviceQueueFamilyProperties) CALL(CreateDevice) CALL(DestroyDevice) CALL(GetDeviceQueue) \
 	CALL(CreateCommandPool) CALL(DestroyCommandPool) CALL(AllocateCommandBuffers) CALL(BeginCommandBuffer) \
@@ -47,7 +47,6 @@ typedef struct {
 	ts_device about;
 	char device_line[288], flags[64];
 	ts_vk_calls call;
-	VkInstance instance;
 	VkPhysicalDevice physical;
 	VkDevice device;
 	VkQueue queue;
@@ -73,9 +72,7 @@ typedef struct {
 /* A failed call as one line. */
 ts_status ts_vk_failed(const char *what, VkResult result);
 
-/* device.c: the loader and an instance, TS_SKIPPED without a driver; ts_vulkan_kind's devices, and the one of an
- * index. */
-ts_status ts_vk_start(ts_vk_calls *call, VkInstance *instance);
+/* device.c: ts_vulkan_kind's devices; the one of an index, TS_SKIPPED without any; opened, with its queue. */
 u32 ts_vk_devices(ts_device devices[TS_MAX_DEVICES]);
 ts_status ts_vk_find(ts_vk *vk, u32 index);
 ts_status ts_vk_open_device(ts_vk *vk);
