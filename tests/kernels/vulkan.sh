@@ -76,4 +76,20 @@ head -c 100 "$build/gen/spirv/align.spv" > "$folder/cut.spv"
 scripts/spirv-exact "$folder/cut.spv" 2> "$folder/log"
 [ $? -eq 2 ] && [ "$(stat -c %s "$folder/cut.spv")" -eq 100 ] && [ "$(wc -l < "$folder/log")" -eq 1 ]
 result $? 'a module that ends too soon is refused, and stays as it is'
+scripts/spirv-exact "$folder/none.spv" 2> "$folder/log"
+[ $? -eq 2 ] && [ "$(cat "$folder/log")" = "$folder/none.spv: No such file or directory" ]
+result $? 'a file that is not there is one line'
+
+# A module of another version, with what no pass mends.
+cat > "$folder/dot.comp" <<'GLSL'
+#version 450
+layout(local_size_x = 1) in;
+layout(set = 0, binding = 0) buffer all { vec4 a; float r; } b;
+void main() { b.r = dot(b.a, b.a * 2.0) + fma(b.r, b.r, b.r); }
+GLSL
+glslangValidator -V --target-env vulkan1.1 -o "$folder/dot.spv" "$folder/dot.comp" > /dev/null &&
+	scripts/spirv-exact "$folder/dot.spv" 2> "$folder/log" && spirv-val --target-env vulkan1.1 "$folder/dot.spv" &&
+	grep -q 'OpDot adds in no defined order' "$folder/log" && grep -q 'function 50 of an extended set' "$folder/log" &&
+	[ "$(wc -l < "$folder/log")" -eq 2 ] && [ "$(spirv-dis "$folder/dot.spv" | grep -c NoContraction)" -eq 3 ]
+result $? 'a module of Vulkan 1.1 is valid then, and its dot product and fma are told'
 echo "1..$n"
