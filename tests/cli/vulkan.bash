@@ -16,8 +16,8 @@ need_device() {
 	finish
 }
 
-# make_lift: what lifts llvmpipe's limit (tests/backends/llvmpipe.c).
-make_lift() { ${CC:-gcc} -shared -fPIC -o "$lift" tests/backends/llvmpipe.c -ldl; }
+# make_lift: what lifts llvmpipe's limit (tests/cli/preload/llvmpipe.c).
+make_lift() { ${CC:-gcc} -shared -fPIC -o "$lift" tests/cli/preload/llvmpipe.c -ldl; }
 
 # lifted ARGUMENT...: as run, without that limit.
 lifted() {
