@@ -80,11 +80,8 @@ class Expressions:
 		name = node.name.name
 		arguments = node.args.exprs if node.args else []
 		kinds = self.tree.names[0][name].with_
-		texts = [self.argument(argument, kind) for argument, kind in zip(arguments, kinds)]
+		texts = [self.as_type(argument, kind) for argument, kind in zip(arguments, kinds)]
 		return f"{name}({', '.join(texts)})", PRIMARY
-
-	def argument(self, node, kind):
-		return self.as_type(node, kind)
 
 	def of_StructRef(self, node):
 		kind = self.tree.type_of(node)
