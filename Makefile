@@ -180,6 +180,16 @@ $(SPIRV): scripts/vulkan-program scripts/spirv-exact $(GLSL)/made
 $(call object,src/backends/vulkan/program.c): $(SPIRV)
 $(call object,src/backends/vulkan/program.c): OWN := -I$(BUILD)/gen
 
+# As C that tells what it computes.
+EXPLAINED := $(BUILD)/gen/explained.inc
+$(EXPLAINED): scripts/explained $(wildcard scripts/kernel/*) src/backends/kernels.h src/families.def $(wildcard src/kernels/*/*) \
+		include/touchstone/records.def
+	$(call say,GEN,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)scripts/explained > $@
+$(call object,src/explain/kernels.c): $(EXPLAINED)
+$(call object,src/explain/kernels.c): OWN := -I$(BUILD)/gen
+
 # And as PTX.
 PTX := $(BUILD)/gen/kernels.ptx
 $(PTX): scripts/ptx $(wildcard src/backends/cuda/*) src/backends/kernels.h src/backends/kernels.def src/families.def \

@@ -78,6 +78,8 @@ typedef struct {
 } ts_c_backend;
 void ts_c_begin(ts_c_backend *backend, u32 threads);
 
+/* Items [begin, end) of a kernel, in their order, by the reference. */
+void ts_c_items(ts_kernel kernel, const void *args, u64 begin, u64 end);
 /* The reference's loop over the items of a kernel, for arguments that are in no frame. */
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads);
 /* counts[0 .. n-1] become the sums before each, counts[n] the total, which is also returned. */

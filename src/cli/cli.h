@@ -41,8 +41,11 @@ typedef struct {
 	ts_judging judging; /* of compare */
 	struct {
 		const char *pixel, *view, *point;
-		u64 triangle;
-	} place; /* of probe */
+		u64 triangle, item;
+		const char *kernel, *element;
+		bool primitives;
+		u32 lines; /* 0: as many as by default */
+	} place;       /* of probe and explain */
 	struct {
 		const char *reason, *dir;
 	} golden;
@@ -114,6 +117,7 @@ ts_status ts_vectors_command(ts_cli *cli);
 ts_status ts_probe_command(ts_cli *cli);
 void ts_probe_help(void);
 ts_status ts_replay_command(ts_cli *cli);
+ts_status ts_explain_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 

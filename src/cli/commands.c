@@ -32,6 +32,16 @@ const ts_command ts_command_table[] = {
      "that differ. With --inputs the port's buffers are the inputs and its outputs are judged: each of its stages,\n"
      "given its own stages before. Buffers are checked before they are used. -o DIR writes what the stage should make.",
      1, 1, TS_OPT(STAGE) | TS_OPT(INPUTS) | TS_OPT(THREADS) | TS_OPT(OUTPUT) | TS_OPT(JSON), ts_replay_command, NULL},
+	{"explain", "TRACE [OTHER]", "what one item of a stage computes, line by line",
+     "TRACE: a folder that render --trace wrote. The stage is replayed, and one item of its kernels tells each\n"
+     "parameter, variable, decision, store and result, with its bits and its place in src/kernels. With --inputs the\n"
+     "port's buffers are what it begins with. With OTHER, of the same method and parameters, it is explained from each\n"
+     "trace's buffers, TRACE's where OTHER lacks one: < and > mark what differs, and the exit code is 1 if anything\n"
+     "does.",
+     1, 2,
+     TS_OPT(STAGE) | TS_OPT(ITEM) | TS_OPT(KERNEL) | TS_OPT(ELEMENT) | TS_OPT(INPUTS) | TS_OPT(PRIMITIVES) |
+         TS_OPT(LINES) | TS_OPT(JSON),
+     ts_explain_command, NULL},
 	{"info", "SCENE", "what was loaded, and what in the file was not understood", "", 1, 1, WHERE | TS_OPT(JSON),
      ts_info_command, NULL},
 	{"list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends or benches",

@@ -76,17 +76,25 @@ ts_status ts_replay_stage(ts_run *run, const ts_stage *stage)
 	return ts_run_stage(run, stage);
 }
 
-ts_status ts_replay(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
-                    u32 threads)
+ts_status ts_replay_load(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
+                         u32 threads)
 {
 	ts_buffer_id ids[TS_N_BUFFERS + 1];
 	ts_replay_reads(ids, stage, reference->pipeline, &reference->params);
 	if (ts_load_begin(load, ids, reference, candidate, threads) != TS_OK) {
 		return ts_fail("stage %s: %s", stage->name, ts_error_message());
 	}
-	ts_status status = ts_check(*load, stage);
-	if (status != TS_OK) ts_fail("stage %s: %s", stage->name, ts_error_message());
-	if (status == TS_OK) status = ts_replay_stage(&(*load)->run, stage);
+	if (ts_check(*load, stage) == TS_OK) return TS_OK;
+	ts_load_end(*load);
+	*load = NULL;
+	return ts_fail("stage %s: %s", stage->name, ts_error_message());
+}
+
+ts_status ts_replay(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
+                    u32 threads)
+{
+	if (ts_replay_load(load, stage, reference, candidate, threads) != TS_OK) return TS_ERROR;
+	ts_status status = ts_replay_stage(&(*load)->run, stage);
 	if (status != TS_OK) {
 		ts_load_end(*load);
 		*load = NULL;

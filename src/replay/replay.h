@@ -21,9 +21,13 @@ void ts_replay_reads(ts_buffer_id ids[TS_N_BUFFERS + 1], const ts_stage *stage, 
  * takes no fast path, because a port's points may stand in any order. Never depends on threads. */
 ts_status ts_replay_stage(ts_run *run, const ts_stage *stage);
 
-/* "Given these inputs, what should this stage's outputs be": loads what the stage reads, the candidate's buffers first,
- * checks it, and runs the stage; its outputs are in (*load)->run.frame. candidate may be NULL. Both traces must outlive
- * *load, which is released by ts_load_end, and NULL on failure. The message begins with "stage NAME: ". */
+/* Loads what the stage reads, the candidate's buffers first, and checks it; candidate may be NULL. Both traces must
+ * outlive *load, which is released by ts_load_end, and NULL on failure. The message begins with "stage NAME: ". */
+ts_status ts_replay_load(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
+                         u32 threads);
+
+/* "Given these inputs, what should this stage's outputs be": ts_replay_load, then ts_replay_stage; its outputs are
+ * in (*load)->run.frame. */
 ts_status ts_replay(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
                     u32 threads);
 

@@ -46,6 +46,8 @@ static ts_at_once *const shortcuts[TS_N_KERNELS] = {
 
 enum { CHUNKS_A_THREAD = 64, LEAST_ITEMS = 16 };
 
+void ts_c_items(ts_kernel kernel, const void *args, u64 begin, u64 end) { kernels[kernel](args, begin, end); }
+
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads)
 {
 	kernel_items *items = kernels[kernel];

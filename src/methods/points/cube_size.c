@@ -7,7 +7,7 @@
 #include "../stages.h"
 
 typedef struct {
-	const ts_run *run;
+	ts_run *run;
 	ts_cube_size_args args;
 	u32 n;
 	u32 turn;  /* frames after which all that moves is where it was; 0: more than there are */
@@ -30,15 +30,17 @@ static u32 common_turn(const ts_run *run)
 	return (u32)turn;
 }
 
-static void resize(replay *r, u32 frame)
+static ts_status resize(replay *r, u32 frame)
 {
+	static const ts_launch launch = TS_LAUNCH(cube_size, TS_ALL);
+	ts_backend *c = &r->run->c.backend;
 	ts_params params = r->run->params;
 	ts_view view;
 	TS_PARAM_SET(&params, frame, frame);
 	ts_view_on_path(&view, ts_run_info(r->run), r->run->scene->path, r->run->scene->n_path, &params);
 	r->args.view = &view;
 	r->args.frame = frame;
-	ts_c_launch(TS_KERNEL_cube_size, &r->args, r->n, r->run->c.threads);
+	return c->launch(c, &r->run->frame, &launch, &r->args, r->n);
 }
 
 /* Whether the turn that ends here has left the sizes as the one before did: so will all that follow. */
@@ -84,15 +86,16 @@ static ts_status replay_all(replay *r)
 	r->turn = common_turn(r->run);
 	r->then = ts_alloc(r->n, sizeof *r->then, "sizes of cubes");
 	if (r->then == NULL) return TS_ERROR;
-	for (u32 frame = begin(r); frame <= last; frame++) {
+	ts_status status = TS_OK;
+	for (u32 frame = begin(r); frame <= last && status == TS_OK; frame++) {
 		bool repeats = ts_run_info(r->run)->circles == TS_CIRCLES_PATH;
 		bool stands = repeats || frame + 1 >= r->run->scene->n_path;
 		bool ended = stands && r->turn != 0 && frame % r->turn == 0;
 		if (ended && turns_alike(r)) frame = last - last % r->turn;
-		resize(r, frame);
+		status = resize(r, frame);
 	}
 	free(r->then);
-	return keep(r);
+	return status == TS_OK ? keep(r) : status;
 }
 
 static ts_status cube_size(ts_run *run)

@@ -1,0 +1,65 @@
+/* Explaining: a stage replayed on one thread, where one item of a kernel tells what it computes, line by line. */
+#ifndef TS_EXPLAIN_EXPLAIN_H
+#define TS_EXPLAIN_EXPLAIN_H
+#include "../replay/replay.h"
+#include "../trace/field.h"
+#include "told.h"
+
+/* A launch of the stage. */
+typedef struct {
+	ts_kernel kernel;
+	u64 n;    /* items */
+	u64 item; /* that tells; n: none */
+	size_t first_line, n_lines;
+} ts_explained_launch;
+
+typedef enum {
+	TS_EXPLAIN_LAUNCHES, /* no item */
+	TS_EXPLAIN_ITEM,     /* that item of each launch */
+	TS_EXPLAIN_ELEMENT,  /* the item that gave an element of a buffer its value */
+} ts_explain_subject;
+
+typedef struct {
+	ts_explain_subject subject;
+	ts_kernel kernel; /* of ITEM: launches of this one only; TS_N_KERNELS: of any */
+	u64 item;
+	ts_buffer_id buffer; /* of ELEMENT: one that the stage writes */
+	u64 element;
+	bool primitives; /* as in ts_telling */
+	u64 most;        /* lines that are kept; ts_telling.n_more counts the others */
+} ts_question;
+
+typedef struct {
+	ts_load *load; /* what the stage made; places in buffers are addresses of its frame */
+	ts_telling telling;
+	ts_explained_launch *launch; /* in their order */
+	size_t n_launches, capacity;
+} ts_explanation;
+
+/* Replays the stage (ts_replay) and answers; `candidate` may be NULL. Fails if no launch has the item, or none wrote
+ * the element. Release by ts_explain_end, also after a failure; both traces must outlive the explanation. */
+ts_status ts_explain(ts_explanation *explanation, const ts_stage *stage, const ts_question *question,
+                     const ts_trace *reference, const ts_trace *candidate);
+void ts_explain_end(ts_explanation *explanation);
+
+/* One number of a line's value: "1.5 (3fc00000)"; of a pointer the element that it is to: "points.piece:3". */
+void ts_explain_number(char text[TS_VALUE_TEXT], const ts_explanation *explanation, const ts_told_line *line,
+                       const ts_told_leaf *leaf);
+/* A line has a value of its own: calls and tests have none, and a counter has that of all items before. */
+bool ts_explain_has_value(const ts_explanation *explanation, const ts_told_line *line);
+/* The element that a line stores to, as that; "" if it stores to none. */
+void ts_explain_place(char text[TS_VALUE_TEXT], const ts_explanation *explanation, const ts_told_line *line);
+
+enum { TS_TOLD_TEXT = 8192 };
+/* Line `number` without its place in the text: "half = 1.5 (3fc00000)". A long value that an earlier line told is "as
+ * in line 12", counted from 1. With `other`, whose line of that number is at the same place: only what differs
+ * there. */
+void ts_explain_text(char text[TS_TOLD_TEXT], const ts_explanation *explanation, size_t number,
+                     const ts_explanation *other);
+/* Both have a line of that number, at the same place; and what it tells is the same. */
+bool ts_explain_is_beside(const ts_explanation *a, const ts_explanation *b, size_t number);
+bool ts_explain_is_same(const ts_explanation *a, const ts_explanation *b, size_t number);
+/* Whether two have different lines, and the number of the first. */
+bool ts_explain_differ(size_t *number, const ts_explanation *a, const ts_explanation *b);
+
+#endif

@@ -1,0 +1,184 @@
+/* What items tell: the same bits as the kernels, the values that buffers receive, and where two traces part. */
+#include "../../src/explain/explain.h"
+#include "../kernels/seeded.h"
+#include "../replay/traces.h"
+
+static ts_telling silent;
+static bool reached[TS_N_KERNELS];
+
+static ts_status told_launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
+{
+	(void)backend;
+	(void)frame;
+	reached[launch->kernel] = true;
+	for (u64 i = 0; i < n; i++) ts_told_item(launch->kernel, args, i);
+	return TS_OK;
+}
+
+/* Every item of every kernel tells, and the buffers are those of the trace. */
+static void test_same_bits(void **state)
+{
+	(void)state;
+	u32 n_kernels = 0;
+	ts_told_to(&silent);
+	for (u32 m = 0; m < N_TRACES; m++) {
+		FOR_STAGES(m, stage)
+		{
+			ts_load *load;
+			assert_int_equal(ts_replay_load(&load, stage, traces[m], NULL, 1), TS_OK);
+			load->run.c.backend.launch = told_launch;
+			load->run.c.reference = true;
+			assert_int_equal(ts_replay_stage(&load->run, stage), TS_OK);
+			for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+				ts_judged judged;
+				if (!load->run.frame.buffer[*id].made) continue;
+				if (ts_judge(&judged, load, *id, NULL) != TS_OK) fail_msg("%s: %s", stage->name, judged.text);
+			}
+			ts_load_end(load);
+		}
+	}
+	for (u32 k = 0; k < TS_N_KERNELS; k++) n_kernels += reached[k];
+	assert_true(n_kernels > 70);
+}
+
+static ts_question question_of(ts_buffer_id id, u64 element)
+{
+	return (ts_question){
+		.subject = TS_EXPLAIN_ELEMENT, .kernel = TS_N_KERNELS, .buffer = id, .element = element, .most = 1 << 20};
+}
+
+/* What the line stores is what the element of the trace holds; of sums, what a kernel stored: the count
+ * or, where kernels make them, the sum. */
+static void check_store(const ts_explanation *e, u32 m, ts_buffer_id id, u64 element)
+{
+	ts_buffer buffer;
+	char place[TS_VALUE_TEXT], right[TS_VALUE_TEXT];
+	const ts_told_line *line = &e->telling.lines[e->telling.stores];
+	assert_true(e->telling.stores < e->telling.n_lines && line->site->how == TS_TOLD_STORE);
+	snprintf(right, sizeof right, "%s:%u", ts_buffer_table[id].name, (unsigned)element);
+	ts_explain_place(place, e, line);
+	assert_string_equal(place, right);
+	u8 *data = traces_read(&buffer, traces[m], id);
+	size_t bytes = ts_buffer_table[id].element_bytes;
+	if (ts_sum_of(id) != NULL) {
+		u32 told, sums[2];
+		memcpy(&told, e->telling.bytes + line->value, 4);
+		memcpy(sums, data + element * 4, 8);
+		assert_true(told == sums[1] - sums[0] || told == sums[0]);
+	} else if (line->site->type->bytes == bytes) {
+		assert_memory_equal(e->telling.bytes + line->value, data + element * bytes, bytes);
+	}
+	free(data);
+}
+
+/* Some elements of every output of every stage. */
+static void test_elements(void **state)
+{
+	(void)state;
+	u32 n_stored = 0, n_none = 0;
+	for (u32 m = 0; m < N_TRACES; m++) {
+		FOR_STAGES(m, stage)
+		{
+			for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+				u64 n = traces[m]->item[*id].path != NULL ? traces[m]->item[*id].npy.n : 0;
+				if (n < 2) continue;
+				ts_explanation e;
+				u64 element = below((u32)n - 1);
+				ts_question question = question_of(*id, element);
+				ts_status status = ts_explain(&e, stage, &question, traces[m], NULL);
+				if (status == TS_OK) check_store(&e, m, *id, element);
+				n_stored += status == TS_OK;
+				n_none += status != TS_OK;
+				ts_explain_end(&e);
+			}
+		}
+	}
+	print_message("%u elements explained, %u that no item writes\n", (unsigned)n_stored, (unsigned)n_none);
+	assert_true(n_stored > 100 && n_none < n_stored);
+}
+
+static const ts_stage *image_stage(void) { return ts_stage_find("image"); }
+
+static ts_question item_of(u64 item, u64 most)
+{
+	return (ts_question){.subject = TS_EXPLAIN_ITEM, .kernel = TS_N_KERNELS, .item = item, .most = most};
+}
+
+/* Lines behind the most are counted; calls of primitives are more lines and change no other. */
+static void test_lines(void **state)
+{
+	(void)state;
+	ts_explanation all, few, deep;
+	ts_question question = item_of(1000, 1 << 20), limited = item_of(1000, 7), whole = item_of(1000, 1 << 20);
+	whole.primitives = true;
+	assert_int_equal(ts_explain(&all, image_stage(), &question, traces[0], NULL), TS_OK);
+	assert_int_equal(ts_explain(&few, image_stage(), &limited, traces[0], NULL), TS_OK);
+	assert_int_equal(ts_explain(&deep, image_stage(), &whole, traces[0], NULL), TS_OK);
+	assert_int_equal(few.telling.n_lines, 7);
+	assert_int_equal(few.telling.n_lines + few.telling.n_more, all.telling.n_lines);
+	assert_true(all.telling.n_more == 0 && deep.telling.n_lines > all.telling.n_lines);
+	size_t k = 0;
+	for (size_t i = 0; i < deep.telling.n_lines && k < all.telling.n_lines; i++) {
+		k += deep.telling.lines[i].site == all.telling.lines[k].site;
+	}
+	assert_int_equal(k, all.telling.n_lines);
+	ts_explain_end(&deep);
+	ts_explain_end(&few);
+	ts_explain_end(&all);
+}
+
+static void test_refusals(void **state)
+{
+	(void)state;
+	ts_explanation e;
+	ts_question question = item_of(64 * 48, 10);
+	assert_int_equal(ts_explain(&e, image_stage(), &question, traces[0], NULL), TS_ERROR);
+	assert_string_equal(ts_error_message(), "stage image: no launch has item 3072; items of its launches: image 3072");
+	ts_explain_end(&e);
+	question = item_of(0, 10);
+	assert_int_equal(ts_explain(&e, ts_stage_find("eye.view"), &question, traces[0], NULL), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "the host computes it"));
+	ts_explain_end(&e);
+	question = question_of(TS_B_image_radiance, 64 * 48 * 3);
+	assert_int_equal(ts_explain(&e, image_stage(), &question, traces[0], NULL), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "no item writes element 9216 of image.radiance"));
+	ts_explain_end(&e);
+}
+
+/* A bit of one input: the first line that differs is the one that reads it. */
+static void test_differ(void **state)
+{
+	(void)state;
+	ts_buffer buffer;
+	size_t number;
+	ts_explanation a, b;
+	u8 *data = traces_read(&buffer, traces[0], TS_B_points_record);
+	data[20 * sizeof(ts_point) + offsetof(ts_point, length)] ^= 1;
+	planted own[] = {{TS_B_points_record, &buffer}};
+	ts_trace *candidate = traces_plant(0, own, 1, "canonical", "");
+	for (u64 item = 19; item < 22; item++) {
+		ts_question question = item_of(item, 1 << 20);
+		assert_int_equal(ts_explain(&a, ts_stage_find("splat"), &question, traces[0], NULL), TS_OK);
+		assert_int_equal(ts_explain(&b, ts_stage_find("splat"), &question, traces[0], candidate), TS_OK);
+		assert_int_equal(ts_explain_differ(&number, &a, &b), item == 20);
+		if (item == 20) {
+			char text[TS_TOLD_TEXT];
+			ts_explain_text(text, &a, number, &b);
+			assert_non_null(strstr(text, "*record = .length "));
+			assert_null(strstr(text, ".piece"));
+		}
+		ts_explain_end(&b);
+		ts_explain_end(&a);
+	}
+	ts_trace_close(candidate);
+	free(data);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_same_bits), seeded_test(test_elements),    cmocka_unit_test(test_lines),
+		cmocka_unit_test(test_refusals),  cmocka_unit_test(test_differ),
+	};
+	return cmocka_run_group_tests(tests, traces_begin, traces_end);
+}
