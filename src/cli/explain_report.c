@@ -176,26 +176,33 @@ static void add_values(ts_report *report, const ts_told_what *what, bool differ,
 	ts_report_value(report, "more_lines", json_integer((json_int_t)more));
 }
 
+static void print_lines(ts_report *report, const ts_told_what *what, bool differ, size_t number)
+{
+	u64 more = what->a->telling.n_more;
+	u32 place = ts_emit_number(what->trace->pipeline, ts_stage_outputs(what->stage)[0]);
+	ts_report_line(report, "stage %02u %s of %s", (unsigned)place, what->stage->name, what->trace->dir);
+	if (differ) print_first(report, what, number);
+	if (what->b != NULL) {
+		if (!differ) ts_report_line(report, "the same lines in %s", what->other->dir);
+		print_both(report, what);
+	} else {
+		print_stores(report, what);
+		print_one(report, what->a);
+	}
+	if (more > 0) ts_report_line(report, "%" PRIu64 " more lines; --lines N keeps more", more);
+}
+
 ts_status ts_explain_report(const ts_told_what *what, bool json)
 {
 	ts_report report;
 	size_t number = 0;
 	bool differ = what->b != NULL && ts_explain_differ(&number, what->a, what->b);
 	ts_report_begin(&report, json);
-	ts_report_line(&report, "stage %02u %s of %s",
-	               (unsigned)ts_emit_number(what->trace->pipeline, ts_stage_outputs(what->stage)[0]), what->stage->name,
-	               what->trace->dir);
-	if (differ) print_first(&report, what, number);
-	if (what->b != NULL) {
-		if (!differ) ts_report_line(&report, "the same lines in %s", what->other->dir);
-		print_both(&report, what);
+	if (json) {
+		add_values(&report, what, differ, number);
 	} else {
-		print_stores(&report, what);
-		print_one(&report, what->a);
+		print_lines(&report, what, differ, number);
 	}
-	u64 more = what->a->telling.n_more;
-	if (more > 0) ts_report_line(&report, "%" PRIu64 " more lines; --lines N keeps more", more);
-	add_values(&report, what, differ, number);
 	if (ts_report_end(&report) != TS_OK) return TS_ERROR;
 	return differ ? TS_DIFFERENT : TS_OK;
 }
