@@ -28,6 +28,7 @@ typedef struct {
 	const char *mask;           /* file */
 	const char *layout;
 	bool forced; /* each stage by the candidate's own inputs */
+	u32 first;   /* differences that are shown of a buffer, at least 1 */
 	const char *junit;
 	bool tap;
 } ts_judging;

@@ -69,9 +69,9 @@ const ts_command ts_command_table[] = {
      "not. Ulps count floats from the reference to the candidate: positive where the candidate is greater.\n"
      "With -o DIR, a picture of the pixels that differ for each buffer that has them.",
      2, 2,
-     TS_OPT(FORCED) | TS_OPT(THREADS) | TS_OPT(DECIDED) | TS_OPT(ULP) | TS_OPT(ABS) | TS_OPT(REL) | TS_OPT(ALLOW) |
-         TS_OPT(IGNORE) | TS_OPT(MASK) | TS_OPT(LAYOUT) | TS_OPT(ORDER) | TS_OPT(JUNIT) | TS_OPT(TAP) | TS_OPT(OUTPUT) |
-         TS_OPT(FORCE) | TS_OPT(JSON),
+     TS_OPT(FORCED) | TS_OPT(FIRST) | TS_OPT(THREADS) | TS_OPT(DECIDED) | TS_OPT(ULP) | TS_OPT(ABS) | TS_OPT(REL) |
+         TS_OPT(ALLOW) | TS_OPT(IGNORE) | TS_OPT(MASK) | TS_OPT(LAYOUT) | TS_OPT(ORDER) | TS_OPT(JUNIT) | TS_OPT(TAP) |
+         TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(JSON),
      ts_compare_command, NULL},
 	{"probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",
      "TRACE: a folder that render --trace wrote, or a port's.\n"

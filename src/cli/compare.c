@@ -124,7 +124,7 @@ ts_status ts_compare_command(ts_cli *cli)
 	const char *ref = cli->arguments[0];
 	if (ends_in(ref, ".png") || ends_in(ref, ".exr")) return ts_compare_images(cli);
 	sides s = {.relaxations = cli->judging.relaxations};
-	ts_comparison *c = ts_alloc_zero(1, sizeof *c, "a comparison");
+	ts_comparison *c = ts_comparison_make(cli->judging.first);
 	ts_status status = c != NULL ? open_sides(&s, cli) : TS_ERROR;
 	if (status == TS_OK) status = read_mask(&s, cli->judging.mask);
 	if (status == TS_OK) status = judge(&s, c, cli);
@@ -132,6 +132,6 @@ ts_status ts_compare_command(ts_cli *cli)
 	ts_trace_close(s.reference);
 	ts_trace_close(s.candidate);
 	free(s.mask);
-	free(c);
+	ts_comparison_free(c);
 	return status;
 }

@@ -1,98 +1,8 @@
-/* A comparison as text, JSON, TAP and JUnit XML. */
-#include "../output/file.h"
+/* A comparison as text and as JSON. */
 #include "compare.h"
 #include <inttypes.h>
-#include <string.h>
 #include "../scene/print.h"
 #include "../trace/emit.h"
-#include "../trace/where.h"
-
-static const char *const words[] = {"not judged", "missing", "ignored", "same", "different"};
-
-enum { INPUTS_TEXT = 600 };
-
-/* Whether what the stage read was the same. The scene need not be given: a port reads ours. */
-static void inputs_of(char text[INPUTS_TEXT], const ts_comparison *c, const ts_trace *reference, const ts_stage *stage)
-{
-	const char *unlike = NULL, *tied = NULL;
-	char absent[INPUTS_TEXT - 64] = "";
-	size_t used = 0;
-	u32 n_given = 0;
-	for (u32 i = 0; stage != NULL && ts_stage_inputs(stage)[i] != TS_N_BUFFERS; i++) {
-		ts_buffer_id id = ts_stage_inputs(stage)[i];
-		const char *name = ts_buffer_table[id].name;
-		ts_judgement judgement = c->verdict[id].judgement;
-		bool given = judgement != TS_MISSING && judgement != TS_NOT_JUDGED;
-		const ts_step *maker = ts_pipeline_maker(reference->pipeline, id);
-		bool made = maker != NULL && (!reference->has_params || ts_pipeline_takes(maker, &reference->params, true));
-		n_given += given;
-		if (judgement == TS_UNLIKE && unlike == NULL) unlike = name;
-		if (c->verdict[id].n_tied != 0) tied = name;
-		if (given || !made || ts_emit_is_scene(id) || used >= sizeof absent) continue;
-		used += (size_t)snprintf(absent + used, sizeof absent - used, "%s%s", used > 0 ? ", " : "", name);
-	}
-	if (c->forced) {
-		snprintf(text, INPUTS_TEXT, "given the candidate's inputs");
-	} else if (unlike != NULL) {
-		snprintf(text, INPUTS_TEXT, "inputs differ: %s", unlike);
-	} else if (tied != NULL) {
-		snprintf(text, INPUTS_TEXT, "inputs may differ where %s is tied: --forced judges by the candidate's own", tied);
-	} else if (used == 0) {
-		snprintf(text, INPUTS_TEXT, "inputs identical");
-	} else if (n_given == 0) {
-		snprintf(text, INPUTS_TEXT, "none of its inputs was given");
-	} else {
-		snprintf(text, INPUTS_TEXT, "inputs identical as far as given; not given: %s", absent);
-	}
-}
-
-static void values_of(char *text, size_t bytes, const ts_verdict *v, const ts_field *field, const ts_difference *d)
-{
-	char name[64], ref[TS_VALUE_TEXT], cand[TS_VALUE_TEXT], ulps[48] = "";
-	ts_field_name(name, field, d->component);
-	ts_field_show(ref, field, d->ref);
-	ts_field_show(cand, field, d->cand);
-	i64 apart = field->kind == 'f' ? ts_field_ulps(d->ref, d->cand) : 0;
-	if (apart == INT64_MAX) snprintf(ulps, sizeof ulps, " NaN");
-	if (field->kind == 'f' && apart != INT64_MAX) snprintf(ulps, sizeof ulps, " %+" PRId64 " ulp", apart);
-	snprintf(text, bytes, "%s%s%sref %s candidate %s%s — first of %" PRIu64, name[0] != 0 ? "field " : "", name,
-	         name[0] != 0 ? ": " : "", ref, cand, ulps, v->n_different);
-}
-
-/* Where records have no partner, or rows end early. */
-static void lack_of(char *text, size_t bytes, const ts_verdict *v)
-{
-	char missing[TS_WHERE_TEXT], extra[TS_WHERE_TEXT];
-	ts_where_key(missing, v->missing_key);
-	ts_where_key(extra, v->extra_key);
-	if (v->n_missing + v->n_extra == 0) {
-		snprintf(text, bytes, "%" PRIu64 " elements, candidate %" PRIu64 "; equal as far as both go", v->n_ref,
-		         v->n_cand);
-	} else if (v->n_missing > 0) {
-		snprintf(text, bytes, "key (%s): missing — first of %" PRIu64 " missing, %" PRIu64 " beside", missing,
-		         v->n_missing, v->n_extra);
-	} else {
-		snprintf(text, bytes, "key (%s): %s — first of %" PRIu64, extra,
-		         v->n_twice > 0 ? "twice" : "not of the reference", v->n_extra);
-	}
-}
-
-void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *c, const ts_trace *reference, ts_buffer_id id)
-{
-	char what[512], where[TS_WHERE_TEXT], inputs[INPUTS_TEXT], lack[400];
-	const ts_verdict *v = &c->verdict[id];
-	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
-	const ts_stage *stage = step != NULL ? ts_stage_find(step->stage) : NULL;
-	ts_fields fields = ts_fields_of(id);
-	inputs_of(inputs, c, reference, stage);
-	lack_of(lack, sizeof lack, v);
-	ts_where(where, reference, id, v->first.element);
-	values_of(what, sizeof what, v, &fields.field[v->first.field], &v->first);
-	bool partners = v->n_missing + v->n_extra > 0 || !v->has_first;
-	snprintf(text, TS_LINE_TEXT, "stage %02u %s, buffer %s, %s%s%s; %s",
-	         (unsigned)ts_emit_number(reference->pipeline, id), stage != NULL ? stage->name : "scene",
-	         ts_buffer_table[id].name, partners ? lack : where, partners ? "" : ", ", partners ? "" : what, inputs);
-}
 
 static const ts_column columns[] = {{"stage", "stage", false},        {"buffer", "buffer", false},
                                     {"elements", "elements", true},   {"different", "different", true},
@@ -114,7 +24,7 @@ static void row(ts_table *table, const ts_verdict *v, const char *stage, ts_buff
 			ts_table_none(table);
 		}
 	}
-	ts_table_text(table, words[v->judgement]);
+	ts_table_text(table, ts_compare_word(v->judgement));
 }
 
 /* All of them, as they are typed: they are part of the verdict. */
@@ -134,10 +44,66 @@ static void relaxations_of(char *text, size_t bytes, const ts_judging *judging)
 	fclose(out);
 }
 
+/* Of sums the thing whose count it is; -1: there is none, where they begin. */
+static json_int_t element_of(ts_buffer_id id, const ts_difference *d)
+{
+	return (json_int_t)d->element - (ts_sum_of(id) != NULL);
+}
+
+static json_t *difference_json(ts_buffer_id id, const struct ts_named *named)
+{
+	const ts_difference *d = &named->difference;
+	static const char *const how[] = {"unequal", "missing", "beside", "twice"};
+	char field[64], ref[TS_VALUE_TEXT], cand[TS_VALUE_TEXT];
+	i64 ulps = ts_compare_ulps(id, d);
+	if (d->how != TS_UNEQUAL) return json_pack("{s:s, s:s}", "how", how[d->how], "where", named->where);
+	ts_difference_field(field, id, d);
+	ts_difference_show(ref, id, d, d->ref);
+	ts_difference_show(cand, id, d, d->cand);
+	json_t *apart = ulps != 0 && ulps != INT64_MAX ? json_integer(ulps) : json_null();
+	return json_pack("{s:s, s:s, s:I, s:s, s:s, s:s, s:o}", "how", how[d->how], "where", named->where, "element",
+	                 element_of(id, d), "field", field, "reference", ref, "candidate", cand, "ulps", apart);
+}
+
+/* A buffer that is unlike. */
+static json_t *buffer_json(ts_report *report, const ts_comparison *c, const ts_trace *reference, ts_buffer_id id)
+{
+	char line[TS_LINE_TEXT];
+	const ts_verdict *v = &c->verdict[id];
+	const ts_fields fields = ts_fields_of(id);
+	json_t *by_field = json_object(), *first = json_array();
+	for (u32 f = 0; f < fields.n && fields.n > 1; f++) {
+		if (v->n_field[f] == 0) continue;
+		report->failed |=
+			json_object_set_new(by_field, fields.field[f].name, json_integer((json_int_t)v->n_field[f])) != 0;
+	}
+	for (u32 d = 0; d < v->list.n; d++) {
+		report->failed |= json_array_append_new(first, difference_json(id, &v->list.items[d])) != 0;
+	}
+	ts_compare_line(line, c, reference, id);
+	return json_pack("{s:s, s:s, s:s, s:I, s:o, s:o}", "buffer", ts_buffer_table[id].name, "judged_by",
+	                 ts_sum_of(id) != NULL ? "counts" : "elements", "line", line, "candidate_elements",
+	                 (json_int_t)v->n_cand, "fields", by_field, "first", first);
+}
+
+/* All that is said of buffers that are unlike but the line of the first: notes as text, the rest as JSON. */
+static void tell_unlike(ts_report *report, const ts_comparison *c, const ts_trace *reference, const ts_buffer_id *ids)
+{
+	char note[TS_LINE_TEXT];
+	json_t *array = json_array();
+	for (u32 i = 0; i < TS_N_BUFFERS; i++) {
+		const ts_verdict *v = &c->verdict[ids[i]];
+		if (v->judgement != TS_UNLIKE) continue;
+		if (ts_compare_note(note, ids[i], v)) ts_report_line(report, "%s", note);
+		report->failed |= json_array_append_new(array, buffer_json(report, c, reference, ids[i])) != 0;
+	}
+	ts_report_value(report, "differences", array);
+}
+
 void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
                        const ts_judging *judging)
 {
-	char line[TS_LINE_TEXT], relaxed[600];
+	char line[TS_LINE_TEXT], relaxed[600], unable[48] = "";
 	ts_buffer_id ids[TS_N_BUFFERS];
 	ts_table table = ts_table_begin("buffers", "", columns);
 	ts_emit_order(ids, reference->pipeline);
@@ -149,108 +115,21 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
 	relaxations_of(relaxed, sizeof relaxed, judging);
 	ts_report_table(report, &table);
 	ts_report_line(report, "%s", "");
-	ts_report_line(report, "%u buffers judged, %u different, %u missing%s%s", (unsigned)c->n_judged,
-	               (unsigned)c->n_unlike, (unsigned)c->n_missing, relaxed[0] != 0 ? "; relaxed:" : "", relaxed);
+	tell_unlike(report, c, reference, ids);
+	if (c->n_unable > 0) snprintf(unable, sizeof unable, ", %u not judged", (unsigned)c->n_unable);
+	ts_report_line(report, "%u buffers judged, %u different, %u missing%s%s%s", (unsigned)c->n_judged,
+	               (unsigned)c->n_unlike, (unsigned)c->n_missing, unable, relaxed[0] != 0 ? "; relaxed:" : "", relaxed);
 	ts_report_value(report, "reference", ts_text_json(reference->dir));
 	ts_report_value(report, "candidate", ts_text_json(candidate->dir));
 	ts_report_value(report, "candidate_producer", ts_text_json(candidate->producer));
 	ts_report_value(report, "candidate_order", json_string(candidate->arrival ? "arrival" : "canonical"));
 	ts_report_value(report, "relaxations", ts_text_json(relaxed[0] != 0 ? relaxed + 1 : ""));
 	ts_report_value(report, "verdict", json_string(c->n_unlike > 0 ? "different" : "same"));
-	if (c->first == TS_N_BUFFERS) return;
-	ts_compare_line(line, c, reference, c->first);
-	ts_report_line(report, "%s", line);
-	ts_report_value(report, "first_divergence", json_string(line));
-}
-
-/* The verdict of a stage: of its first buffer that is unlike, else whether any was judged. */
-static ts_judgement stage_verdict(const ts_comparison *c, const ts_stage *stage, ts_buffer_id *unlike)
-{
-	ts_judgement verdict = TS_NOT_JUDGED;
-	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
-		ts_judgement judgement = c->verdict[*id].judgement;
-		if (judgement == TS_UNLIKE && verdict != TS_UNLIKE) *unlike = *id;
-		verdict = judgement > verdict ? judgement : verdict;
+	if (c->first != TS_N_BUFFERS) {
+		ts_compare_line(line, c, reference, c->first);
+		ts_report_line(report, "%s", line);
+		ts_report_value(report, "first_divergence", json_string(line));
+		if (!c->forced) ts_compare_more(report, c->first, &c->verdict[c->first], "  ");
 	}
-	return verdict;
-}
-
-void ts_compare_tap(const ts_comparison *c, const ts_trace *reference, FILE *out)
-{
-	char line[TS_LINE_TEXT];
-	u32 n = 0;
-	for (const ts_step *step = ts_pipeline_steps(reference->pipeline); step->stage != NULL; step++) {
-		ts_buffer_id unlike = TS_N_BUFFERS;
-		ts_judgement verdict = stage_verdict(c, ts_stage_find(step->stage), &unlike);
-		if (verdict == TS_NOT_JUDGED) continue;
-		bool judged = verdict == TS_SAME || verdict == TS_UNLIKE;
-		fprintf(out, "%sok %u - %s%s%s\n", verdict == TS_UNLIKE ? "not " : "", (unsigned)++n, step->stage,
-		        judged ? "" : " # SKIP ", judged ? "" : words[verdict]);
-		if (verdict != TS_UNLIKE) continue;
-		ts_compare_line(line, c, reference, unlike);
-		fprintf(out, "# %s\n", line);
-	}
-	fprintf(out, "1..%u\n", (unsigned)n);
-}
-
-static void put_escaped(const char *text, FILE *out)
-{
-	static const struct {
-		char c;
-		const char *name;
-	} names[] = {
-		{'&', "&amp;"},
-		{'<', "&lt;"},
-		{'>', "&gt;"},
-		{'"', "&quot;"},
-	};
-	for (; *text != 0; text++) {
-		const char *name = NULL;
-		for (u32 i = 0; i < sizeof names / sizeof *names; i++) name = names[i].c == *text ? names[i].name : name;
-		if (name != NULL) {
-			fputs(name, out);
-		} else {
-			fputc(*text, out);
-		}
-	}
-}
-
-static void put_case(const ts_comparison *c, const ts_trace *reference, const ts_step *step, FILE *out)
-{
-	char line[TS_LINE_TEXT];
-	ts_buffer_id unlike = TS_N_BUFFERS;
-	ts_judgement verdict = stage_verdict(c, ts_stage_find(step->stage), &unlike);
-	if (verdict == TS_NOT_JUDGED) return;
-	fprintf(out, "  <testcase classname=\"touchstone.%s\" name=\"%s\">", reference->pipeline->name, step->stage);
-	if (verdict == TS_UNLIKE) {
-		ts_compare_line(line, c, reference, unlike);
-		fputs("<failure message=\"", out);
-		put_escaped(line, out);
-		fputs("\"/>", out);
-	} else if (verdict != TS_SAME) {
-		fprintf(out, "<skipped message=\"%s\"/>", words[verdict]);
-	}
-	fputs("</testcase>\n", out);
-}
-
-ts_status ts_compare_junit(const ts_comparison *c, const ts_trace *reference, const char *path)
-{
-	u32 n = 0, n_unlike = 0, n_skipped = 0;
-	for (const ts_step *step = ts_pipeline_steps(reference->pipeline); step->stage != NULL; step++) {
-		ts_buffer_id unlike;
-		ts_judgement verdict = stage_verdict(c, ts_stage_find(step->stage), &unlike);
-		n += verdict != TS_NOT_JUDGED;
-		n_unlike += verdict == TS_UNLIKE;
-		n_skipped += verdict == TS_MISSING || verdict == TS_IGNORED;
-	}
-	ts_file_text text;
-	if (ts_file_text_begin(&text, path) != TS_OK) return TS_ERROR;
-	FILE *out = text.out;
-	fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", out);
-	fprintf(out, "<testsuite name=\"touchstone compare\" tests=\"%u\" failures=\"%u\" skipped=\"%u\">\n", (unsigned)n,
-	        (unsigned)n_unlike, (unsigned)n_skipped);
-	for (const ts_step *s = ts_pipeline_steps(reference->pipeline); s->stage != NULL; s++)
-		put_case(c, reference, s, out);
-	fputs("</testsuite>\n", out);
-	return ts_file_text_replace(&text, path);
+	ts_compare_stages(report, c, reference);
 }

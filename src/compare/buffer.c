@@ -16,6 +16,7 @@ enum { RUN = 256, MAX_ELEMENT = 128, MAX_FLOATS = 32 };
 typedef struct {
 	ts_verdict *verdict;
 	ts_buffer_id id;
+	const ts_trace *reference;
 	size_t bytes; /* of an element */
 	ts_fields fields;
 	bool ignored[TS_MAX_FIELDS];
@@ -27,8 +28,10 @@ typedef struct {
 	void *ties; /* NULL: the candidate has no freedom here */
 	ts_decided decided;
 	ts_reader *ref, *cand;
-	ts_gather *gather; /* of a set in order of arrival; NULL: elements stand as they are */
-	u32 mask_every;    /* elements a pixel that the mask speaks of; 0: it does not */
+	ts_gather *gather;     /* of a set in order of arrival; NULL: elements stand as they are */
+	u32 mask_every;        /* elements a pixel that the mask speaks of; 0: it does not */
+	bool sums;             /* judged by their counts */
+	u32 ref_sum, cand_sum; /* the last ones that were seen */
 } judge;
 
 /* True of a field of points' indices, where points stand in another order. */
@@ -114,8 +117,8 @@ static ts_status judge_value(judge *j, const ts_difference *d, outcome *result)
 	return TS_OK;
 }
 
-/* Counts an element by what is worst in it; `first` is its first difference. */
-static ts_status count_element(judge *j, outcome worst, const ts_difference *first)
+/* Counts an element by what is worst in it. first: its first difference; unlike: a bit for each field that differs. */
+static ts_status count_element(judge *j, outcome worst, const ts_difference *first, u32 unlike)
 {
 	bool decided = true;
 	ts_verdict *v = j->verdict;
@@ -126,6 +129,8 @@ static ts_status count_element(judge *j, outcome worst, const ts_difference *fir
 	if (!v->has_first) v->first = *first;
 	v->has_first = true;
 	v->n_different++;
+	for (u32 f = 0; f < j->fields.n; f++) v->n_field[f] += unlike >> f & 1;
+	ts_differences_add(&v->list, j->reference, j->id, first);
 	if (v->marks != NULL) v->marks[first->element] = 1;
 	return TS_OK;
 }
@@ -133,17 +138,35 @@ static ts_status count_element(judge *j, outcome worst, const ts_difference *fir
 static ts_status judge_element(judge *j, u64 element, const void *ref, const void *cand)
 {
 	outcome worst = EQUAL, result;
+	u32 unlike = 0;
 	ts_difference first = {.element = element};
 	for (u32 f = 0; f < j->fields.n; f++) {
 		const ts_field *field = &j->fields.field[f];
 		for (u32 c = 0; c < field->count && !j->ignored[f]; c++) {
-			ts_difference d = {element, f, c, ts_field_bits(field, ref, c), ts_field_bits(field, cand, c)};
+			ts_difference d = {TS_UNEQUAL, element, f, c, ts_field_bits(field, ref, c), ts_field_bits(field, cand, c)};
 			if (judge_value(j, &d, &result) != TS_OK) return TS_ERROR;
 			if (result == DIFFERENT && worst != DIFFERENT) first = d;
 			worst = result > worst ? result : worst;
+			if (result == DIFFERENT) unlike |= 1u << f;
 		}
 	}
-	return count_element(j, worst, &first);
+	return count_element(j, worst, &first, unlike);
+}
+
+/* Up to RUN sums of both, by the difference of each from the sum before it. */
+static ts_status judge_sums(judge *j, u64 first, u64 n, const u8 *ref, const u8 *cand)
+{
+	for (u64 k = 0; k < n; k++) {
+		u32 a, b;
+		memcpy(&a, ref + k * sizeof a, sizeof a);
+		memcpy(&b, cand + k * sizeof b, sizeof b);
+		const ts_difference d = {
+			.element = first + k, .ref = (u64)((i64)a - (i64)j->ref_sum), .cand = (u64)((i64)b - (i64)j->cand_sum)};
+		j->ref_sum = a;
+		j->cand_sum = b;
+		if (d.ref != d.cand && count_element(j, DIFFERENT, &d, 1) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
 }
 
 static bool is_masked(const judge *j, u64 element)
@@ -156,6 +179,7 @@ static bool is_masked(const judge *j, u64 element)
 static ts_status judge_run(judge *j, u64 first, u64 n, const u8 *ref, const u8 *cand)
 {
 	u8 scratch[RUN * MAX_ELEMENT];
+	if (j->sums) return judge_sums(j, first, n, ref, cand);
 	cand = mapped(j, cand, n, scratch);
 	if (j->mask_every == 0 && is_clean(j, ref, cand, n)) return TS_OK;
 	for (u64 k = 0; k < n; k++) {
@@ -187,19 +211,18 @@ static ts_status judge_elements(judge *j, u64 n)
 }
 
 /* Records that find each other by their keys, which need not be looked at again. */
-static ts_status judge_set(judge *j, const ts_trace_item *cand)
+static ts_status judge_set(judge *j, const ts_trace *candidate)
 {
 	const ts_order *order = j->order;
+	const ts_trace_item *cand = &candidate->item[j->id];
 	ts_verdict *v = j->verdict;
 	v->n_missing = order->n_missing;
 	v->n_extra = order->n_extra;
-	v->n_twice = order->n_twice;
-	v->missing_key = order->missing;
-	v->extra_key = order->extra;
 	v->n_different = order->n_missing + order->n_extra;
 	if (v->n_ref != order->n_ref || v->n_cand != order->n_cand) {
 		return ts_fail("%s: as many records as keys would be right, in both", cand->path);
 	}
+	if (ts_order_unmet(&v->list, order, j->id, j->reference, candidate) != TS_OK) return TS_ERROR;
 	if (j->id == ts_order_key()) return TS_OK;
 	j->gather = ts_gather_open(cand, j->bytes, order);
 	ts_status status = j->gather != NULL ? judge_elements(j, order->n_ref) : TS_ERROR;
@@ -251,24 +274,30 @@ ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace
 {
 	const ts_trace_item *ref = &reference->item[id], *cand = &candidate->item[id];
 	bool set = order->given && ts_order_is_set(id);
-	*verdict = (ts_verdict){.n_ref = ref->npy.n, .n_cand = cand->npy.n, .marks = verdict->marks};
+	*verdict = (ts_verdict){.n_ref = ref->npy.n,
+	                        .n_cand = cand->npy.n,
+	                        .marks = verdict->marks,
+	                        .list = {.items = verdict->list.items, .most = verdict->list.most}};
 	if (ts_item_match(id, ref, cand) != TS_OK || check_mask(id, ref, relaxations) != TS_OK) return TS_ERROR;
 	judge j = {.verdict = verdict,
 	           .id = id,
+	           .reference = reference,
 	           .bytes = ts_buffer_table[id].element_bytes,
 	           .fields = ts_fields_of(id),
 	           .order = order,
 	           .points = ts_order_of(),
 	           .relaxations = relaxations,
 	           .mask_every = elements_a_pixel(id, ref, relaxations),
+	           .sums = ts_sum_of(id) != NULL,
 	           .tie = ts_tie_find(id)};
 	assert(j.bytes <= MAX_ELEMENT);
+	assert(!j.sums || j.bytes == sizeof j.ref_sum);
 	find_fields(&j);
 	ts_status status = open_readers(&j, ref, cand);
 	if (status == TS_OK && order->given && j.tie != NULL) status = j.tie->open(&j.ties, reference);
 	if (status == TS_OK && relaxations->decided) status = ts_decided_open(&j.decided, reference, id);
 	u64 n = ref->npy.n < cand->npy.n ? ref->npy.n : cand->npy.n;
-	if (status == TS_OK) status = set ? judge_set(&j, cand) : judge_elements(&j, n);
+	if (status == TS_OK) status = set ? judge_set(&j, candidate) : judge_elements(&j, n);
 	if (!set) verdict->n_different += ref->npy.n + cand->npy.n - 2 * n;
 	verdict->judgement = verdict->n_different > relaxations->allow ? TS_UNLIKE : TS_SAME;
 	if (j.ties != NULL) j.tie->close(j.ties);

@@ -1,6 +1,32 @@
 /* Comparison of two traces. */
 #include "compare.h"
+#include <stdlib.h>
 #include "../trace/emit.h"
+
+ts_comparison *ts_comparison_make(u32 most)
+{
+	ts_comparison *c = ts_alloc_zero(1, sizeof *c, "a comparison");
+	if (c == NULL) return NULL;
+	c->most = most;
+	c->named = ts_alloc((size_t)TS_N_BUFFERS * most, sizeof *c->named, "first differences");
+	if (c->named != NULL) return c;
+	free(c);
+	return NULL;
+}
+
+void ts_comparison_free(ts_comparison *c)
+{
+	if (c != NULL) free(c->named);
+	free(c);
+}
+
+void ts_comparison_begin(ts_comparison *c)
+{
+	*c = (ts_comparison){.first = TS_N_BUFFERS, .named = c->named, .most = c->most};
+	for (u32 id = 0; id < TS_N_BUFFERS && c->named != NULL; id++) {
+		c->verdict[id].list = (ts_differences){.items = c->named + (size_t)id * c->most, .most = c->most};
+	}
+}
 
 static void count(ts_comparison *c, ts_buffer_id id)
 {
@@ -44,7 +70,7 @@ ts_status ts_compare(ts_comparison *comparison, const ts_trace *reference, const
                      const ts_relaxations *relaxations)
 {
 	ts_order order;
-	*comparison = (ts_comparison){.first = TS_N_BUFFERS};
+	ts_comparison_begin(comparison);
 	if (reference->pipeline != candidate->pipeline) {
 		return ts_fail("%s: a trace of %s; the reference's is of %s", candidate->dir, candidate->pipeline->name,
 		               reference->pipeline->name);

@@ -2,32 +2,27 @@
  * otherwise. */
 #ifndef TS_TRACE_COMPARE_H
 #define TS_TRACE_COMPARE_H
-#include "../trace/field.h"
+#include "difference.h"
 #include "order.h"
-#include "../trace/read.h"
 #include "relax.h"
+
+enum { TS_WHY_TEXT = 1024 };
 
 typedef enum {
 	TS_NOT_JUDGED, /* the reference lacks it, or neither has it */
 	TS_MISSING,    /* the candidate lacks it */
 	TS_IGNORED,
+	TS_UNABLE, /* what is right cannot be known: `why` */
 	TS_SAME,
 	TS_UNLIKE,
 } ts_judgement;
 
-/* One difference. */
-typedef struct {
-	u64 element; /* in the reference's order */
-	u32 field, component;
-	u64 ref, cand; /* bits; an index of the candidate is mapped to the reference's order */
-} ts_difference;
-
 typedef struct {
 	ts_judgement judgement;
-	u64 n_ref, n_cand;               /* elements */
-	u64 n_different;                 /* elements, those without a partner included */
-	u64 n_missing, n_extra, n_twice; /* records of a set without a partner; the last: whose key is there twice */
-	u64 missing_key, extra_key;
+	u64 n_ref, n_cand;          /* elements */
+	u64 n_different;            /* elements, those without a partner included; of prefix sums counts */
+	u64 n_missing, n_extra;     /* records of a set without a partner: the candidate lacks them, or has them beside */
+	u64 n_field[TS_MAX_FIELDS]; /* elements that differ in each field of ts_fields_of */
 	u64 n_tied;                 /* texels where another of the tied records won, as it may */
 	u64 n_relaxed;              /* elements that only a relaxation let pass */
 	u64 n_masked;               /* elements that the mask left out */
@@ -35,22 +30,36 @@ typedef struct {
 	bool has_first;             /* false: only partners are missing */
 	ts_difference first, worst; /* worst: of floats, by ulps */
 	i64 worst_ulps;
-	u8 *marks; /* set by the caller: receives 1 for each element that differs; NULL: not wanted */
+	char why[TS_WHY_TEXT]; /* of TS_UNABLE; of TS_UNLIKE both shapes, where no element was compared; else "" */
+	/* Set by the caller. */
+	u8 *marks;           /* receives 1 for each element that differs; NULL: not wanted */
+	ts_differences list; /* receives the first differences: records without a partner, then elements */
 } ts_verdict;
 
 typedef struct {
 	ts_verdict verdict[TS_N_BUFFERS];
-	u32 n_judged, n_unlike, n_missing;
-	bool forced;        /* judged by ts_compare_forced */
-	ts_buffer_id first; /* first buffer, in the order of the pipeline, that is unlike; TS_N_BUFFERS: none */
+	u32 n_judged, n_unlike, n_missing, n_unable;
+	bool forced;               /* judged by ts_compare_forced: */
+	char refusal[TS_WHY_TEXT]; /* the first reason why a stage could not be run on its inputs; "" if there was none */
+	ts_buffer_id first;        /* first buffer, in the order of the pipeline, that is unlike; TS_N_BUFFERS: none */
+	struct ts_named *named;    /* room of the lists of all verdicts; NULL: they have none */
+	u32 most;                  /* differences that each list has room for */
 } ts_comparison;
+
+/* A comparison whose lists have room for the first `most` differences of each buffer; NULL with the message set on
+ * failure. Release by ts_comparison_free. One without lists is any that is all zero. */
+ts_comparison *ts_comparison_make(u32 most);
+/* NULL is allowed. */
+void ts_comparison_free(ts_comparison *comparison);
+/* Forgets all but the room of the lists. */
+void ts_comparison_begin(ts_comparison *comparison);
 
 /* TS_OK: all that was judged is the same; TS_DIFFERENT; TS_ERROR: could not, also where nothing could be judged or a
  * shape that the frame fixes is another. The comparison is filled in either of the first two cases. */
 ts_status ts_compare(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
                      const ts_relaxations *relaxations);
 
-/* Judges one buffer that both have. Of *verdict only `marks` is read. */
+/* Judges one buffer that both have. Of *verdict only `marks` and `list` are read. */
 ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
                             const ts_order *order, const ts_relaxations *relaxations);
 

@@ -114,13 +114,6 @@ static void fetch_ahead(const key_index *index, const u32 *cand_of_ref, const u6
 	__builtin_prefetch(&cand_of_ref[index->slices[near]]);
 }
 
-/* A key that the reference lacks, or that came before. */
-static void count_extra(ts_order *order, u64 key, bool twice)
-{
-	order->n_twice += twice;
-	if (order->n_extra++ == 0 || key < order->extra) order->extra = key;
-}
-
 static ts_status meet(ts_order *order, const key_index *index, const ts_trace *candidate)
 {
 	u64 held = 0;
@@ -137,20 +130,13 @@ static ts_status meet(ts_order *order, const key_index *index, const ts_trace *c
 			u32 place = find(index, keys[k]);
 			bool twice = place != TS_NONE && order->cand_of_ref[place] != TS_NONE;
 			bool met = place != TS_NONE && !twice;
-			order->ref_of_cand[i + k] = met ? place : TS_NONE;
-			if (met) {
-				order->cand_of_ref[place] = (u32)(i + k);
-			} else {
-				count_extra(order, keys[k], twice);
-			}
+			order->ref_of_cand[i + k] = twice ? TS_NO_PARTNER : place;
+			order->n_extra += !met;
+			if (met) order->cand_of_ref[place] = (u32)(i + k);
 		}
 	}
 	ts_reader_close(reader);
-	for (u64 i = order->n_ref; i-- > 0;) {
-		if (order->cand_of_ref[i] != TS_NONE) continue;
-		order->n_missing++;
-		order->missing = index->keys[i];
-	}
+	for (u64 i = 0; i < order->n_ref; i++) order->n_missing += order->cand_of_ref[i] == TS_NONE;
 	return TS_OK;
 }
 
@@ -185,6 +171,54 @@ void ts_order_free(ts_order *order)
 	free(order->cand_of_ref);
 	free(order->ref_of_cand);
 	*order = (ts_order){.given = false};
+}
+
+/* Puts it at its place among those from `first` on, which have ascending keys; the last one may fall out. */
+static void insert(ts_differences *list, u32 first, const ts_difference *d, const ts_trace *reference, ts_buffer_id id)
+{
+	if (list->n == list->most && list->items[list->n - 1].difference.cand <= d->cand) return;
+	list->n -= list->n == list->most;
+	ts_differences_add(list, reference, id, d);
+	for (u32 at = list->n - 1; at > first && list->items[at - 1].difference.cand > d->cand; at--) {
+		struct ts_named greater = list->items[at - 1];
+		list->items[at - 1] = list->items[at];
+		list->items[at] = greater;
+	}
+}
+
+static ts_status list_extra(ts_differences *list, const ts_order *order, ts_buffer_id id, const ts_trace *reference,
+                            const ts_trace *candidate)
+{
+	u64 held = 0;
+	u32 first = list->n;
+	ts_reader *reader = open_keys(candidate);
+	if (reader == NULL) return TS_ERROR;
+	for (u64 i = 0; i < order->n_cand; i += held) {
+		const u64 *keys = ts_reader_at(reader, i, &held);
+		if (keys == NULL) {
+			ts_reader_close(reader);
+			return TS_ERROR;
+		}
+		for (u64 k = 0; k < held; k++) {
+			bool twice = order->ref_of_cand[i + k] == TS_NO_PARTNER;
+			if (!twice && order->ref_of_cand[i + k] != TS_NONE) continue;
+			const ts_difference d = {.how = twice ? TS_TWICE : TS_BESIDE, .element = i + k, .cand = keys[k]};
+			insert(list, first, &d, reference, id);
+		}
+	}
+	ts_reader_close(reader);
+	return TS_OK;
+}
+
+ts_status ts_order_unmet(ts_differences *list, const ts_order *order, ts_buffer_id id, const ts_trace *reference,
+                         const ts_trace *candidate)
+{
+	for (u64 i = 0; i < order->n_ref && list->n < list->most; i++) {
+		const ts_difference d = {.how = TS_LACKED, .element = i};
+		if (order->cand_of_ref[i] == TS_NONE) ts_differences_add(list, reference, id, &d);
+	}
+	bool more = order->n_extra > 0 && list->n < list->most;
+	return more ? list_extra(list, order, id, reference, candidate) : TS_OK;
 }
 
 u32 ts_order_map(const ts_order *order, u32 index)

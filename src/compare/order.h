@@ -1,8 +1,7 @@
 /* Which record of a candidate is which of the reference, where the candidate's stand in the order of their arrival. */
 #ifndef TS_TRACE_ORDER_H
 #define TS_TRACE_ORDER_H
-#include "../trace/field.h"
-#include "../trace/read.h"
+#include "difference.h"
 
 /* True of a buffer whose records are told apart by a key, and may stand in any order. */
 bool ts_order_is_set(ts_buffer_id id);
@@ -13,16 +12,19 @@ ts_dim ts_order_of(void);
 typedef struct {
 	bool given; /* false: both stand in the same order, and the arrays are NULL */
 	u64 n_ref, n_cand;
-	u32 *cand_of_ref;                /* the candidate's place of each record; TS_NONE: it has none */
-	u32 *ref_of_cand;                /* the reverse */
-	u64 n_missing, n_extra, n_twice; /* keys that the candidate lacks, has beside, and repeats */
-	u64 missing, extra;              /* the least key of each */
+	u32 *cand_of_ref;       /* the candidate's place of each record; TS_NONE: it has none */
+	u32 *ref_of_cand;       /* the reverse; TS_NO_PARTNER: the key came before */
+	u64 n_missing, n_extra; /* keys that the candidate lacks, and has beside or again */
 } ts_order;
 
 /* Finds the order of the points by their keys; canonical candidates, and those without points.key, keep theirs. The
  * reference's keys must ascend. Release by ts_order_free, also on failure. */
 ts_status ts_order_make(ts_order *order, const ts_trace *reference, const ts_trace *candidate);
 void ts_order_free(ts_order *order);
+
+/* Lists the records of set `id` that have no partner: those that are missing, then the others, each by their keys. */
+ts_status ts_order_unmet(ts_differences *list, const ts_order *order, ts_buffer_id id, const ts_trace *reference,
+                         const ts_trace *candidate);
 
 /* The reference's index for one of the candidate's; one that names nothing stays out of range. */
 u32 ts_order_map(const ts_order *order, u32 index);

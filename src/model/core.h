@@ -17,6 +17,10 @@ extern "C" {
 /* Sets this thread's message to one line (by ts_line_clean) and returns TS_ERROR. */
 ts_status ts_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 ts_status ts_fail_v(const char *format, va_list arguments);
+/* The same where data from outside is to blame: nothing failed, and other data would do. */
+ts_status ts_refuse(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* Whether this thread's last failure was such a refusal. */
+bool ts_refused(void);
 
 /* Makes one line of any text that is to be printed: control characters, C0 and the C1 of UTF-8, could break the line or
  * drive the terminal; each of their bytes becomes '?'. */

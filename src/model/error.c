@@ -6,6 +6,7 @@
 enum { MESSAGE_BYTES = 1024 };
 
 static _Thread_local char message[MESSAGE_BYTES];
+static _Thread_local bool refused;
 
 /* A cut message ends with three dots, not inside a character. */
 static void mark_cut(char *text)
@@ -27,6 +28,7 @@ ts_status ts_fail_v(const char *format, va_list arguments)
 	}
 	ts_line_clean(text);
 	memcpy(message, text, sizeof text);
+	refused = false;
 	return TS_ERROR;
 }
 
@@ -38,5 +40,17 @@ ts_status ts_fail(const char *format, ...)
 	va_end(arguments);
 	return status;
 }
+
+ts_status ts_refuse(const char *format, ...)
+{
+	va_list arguments;
+	va_start(arguments, format);
+	ts_status status = ts_fail_v(format, arguments);
+	va_end(arguments);
+	refused = true;
+	return status;
+}
+
+bool ts_refused(void) { return refused; }
 
 const char *ts_error_message(void) { return message; }

@@ -35,8 +35,8 @@ ts_status ts_check_refuse(const ts_load *load, ts_buffer_id id, u64 element, con
 	va_start(arguments, right);
 	vsnprintf(would, sizeof would, right, arguments);
 	va_end(arguments);
-	return ts_fail("%s: element %" PRIu64 "%s%s: %s; %s would be right", load->item[id]->path, element,
-	               name[0] != 0 ? ", field " : "", name, value, would);
+	return ts_refuse("%s: element %" PRIu64 "%s%s: %s; %s would be right", load->item[id]->path, element,
+	                 name[0] != 0 ? ", field " : "", name, value, would);
 }
 
 /* Buffers from which sizes are taken, most trusted first. */
@@ -123,13 +123,13 @@ static ts_status check_shape(const ts_load *load, ts_buffer_id id)
 	const ts_buffer_info *info = &ts_buffer_table[id];
 	const ts_shape *shape = ts_buffer_shape(id);
 	if (!ts_shape_dims(shape, &load->sizes, dims)) {
-		return ts_fail("%s: the trace does not tell the sizes of its shape, %s", load->item[id]->path, info->shape);
+		return ts_refuse("%s: the trace does not tell the sizes of its shape, %s", load->item[id]->path, info->shape);
 	}
 	if (shape->n == npy->n_dims && memcmp(dims, npy->shape, shape->n * sizeof *dims) == 0) return TS_OK;
 	print_dims(found, npy->n_dims, npy->shape);
 	print_dims(right, shape->n, dims);
-	return ts_fail("%s: shape %s; %s of shape %s is %s with the other buffers and parameters of the trace",
-	               load->item[id]->path, found, info->name, info->shape, right);
+	return ts_refuse("%s: shape %s; %s of shape %s is %s with the other buffers and parameters of the trace",
+	                 load->item[id]->path, found, info->name, info->shape, right);
 }
 
 static ts_status check_floats(const ts_load *load, ts_buffer_id id)
@@ -269,12 +269,12 @@ static ts_status check_rules(const ts_load *load, const ts_stage *stage, ts_chec
 static ts_status check_units(const ts_load *load)
 {
 	if (load->scene.info.n_reflectors > MAX_UNITS) {
-		return ts_fail("%s: %" PRIu32 " reflectors; at most %d would be right", load->reference->dir,
-		               load->scene.info.n_reflectors, MAX_UNITS);
+		return ts_refuse("%s: %" PRIu32 " reflectors; at most %d would be right", load->reference->dir,
+		                 load->scene.info.n_reflectors, MAX_UNITS);
 	}
 	if (load->run.plan.units <= MAX_UNITS) return TS_OK;
-	return ts_fail("%s: %" PRIu32 " cubes or views; at most %d would be right", load->reference->dir,
-	               load->run.plan.units, MAX_UNITS);
+	return ts_refuse("%s: %" PRIu32 " cubes or views; at most %d would be right", load->reference->dir,
+	                 load->run.plan.units, MAX_UNITS);
 }
 
 ts_status ts_check(ts_load *load, const ts_stage *stage)

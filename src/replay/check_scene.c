@@ -88,8 +88,8 @@ static ts_status check_reflectors(const ts_load *load, const ts_object *objects,
 	}
 	free(owner);
 	if (status != TS_OK || named == n_reflectors) return status;
-	return ts_fail("%s: %" PRIu32 " objects are reflectors; %" PRIu32 " (reflectors) would be right",
-	               load->item[TS_B_scene_object]->path, named, n_reflectors);
+	return ts_refuse("%s: %" PRIu32 " objects are reflectors; %" PRIu32 " (reflectors) would be right",
+	                 load->item[TS_B_scene_object]->path, named, n_reflectors);
 }
 
 static ts_status check_objects(const ts_load *load, const ts_stage *stage, ts_buffer_id id)

@@ -1,5 +1,6 @@
 /* Replays of a candidate's stages, judged one by one. */
 #include "forced.h"
+#include <stdio.h>
 #include "judge.h"
 
 /* Buffers of points and of indices into them. */
@@ -13,26 +14,62 @@ static bool is_of_points(ts_buffer_id id)
 	return false;
 }
 
-/* Whether a stage would mix points in two orders. */
-static bool mixes(const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate)
+/* A buffer of the reference's points that the stage would mix with the candidate's, which stand in another order;
+ * TS_N_BUFFERS: none. */
+static ts_buffer_id mixed(const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate)
 {
-	bool own = false, other = false;
+	bool own = false;
+	ts_buffer_id other = TS_N_BUFFERS;
 	for (u32 id = 0; candidate->arrival && id < TS_N_BUFFERS; id++) {
 		bool touched = ts_stage_reads(stage, (ts_buffer_id)id) || ts_stage_writes(stage, (ts_buffer_id)id);
 		if (!touched || !is_of_points((ts_buffer_id)id)) continue;
 		own |= candidate->item[id].path != NULL;
-		other |= candidate->item[id].path == NULL && reference->item[id].path != NULL;
+		if (candidate->item[id].path == NULL && reference->item[id].path != NULL) other = (ts_buffer_id)id;
 	}
-	return own && other;
+	return own ? other : TS_N_BUFFERS;
+}
+
+static bool is_judged(ts_buffer_id id, const ts_trace *candidate, const ts_relaxations *relaxations)
+{
+	return candidate->item[id].path != NULL && !ts_relax_ignores(relaxations, ts_buffer_table[id].name);
 }
 
 static bool has_output(const ts_stage *stage, const ts_trace *candidate, const ts_relaxations *relaxations)
 {
 	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
-		bool ignored = ts_relax_ignores(relaxations, ts_buffer_table[*id].name);
-		if (candidate->item[*id].path != NULL && !ignored) return true;
+		if (is_judged(*id, candidate, relaxations)) return true;
 	}
 	return false;
+}
+
+/* Why none of a stage's outputs is judged. */
+static void pass_over(ts_comparison *c, const ts_stage *stage, const ts_trace *candidate,
+                      const ts_relaxations *relaxations, const char *why)
+{
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+		if (!is_judged(*id, candidate, relaxations)) continue;
+		c->verdict[*id].judgement = TS_UNABLE;
+		snprintf(c->verdict[*id].why, TS_WHY_TEXT, "%s", why);
+	}
+}
+
+static ts_status judge_output(ts_verdict *verdict, const ts_load *load, ts_buffer_id id,
+                              const ts_relaxations *relaxations)
+{
+	ts_judged judged = {.verdict = *verdict};
+	ts_status status = ts_judge(&judged, load, id, relaxations);
+	*verdict = judged.verdict;
+	if (judged.shape_differs) snprintf(verdict->why, TS_WHY_TEXT, "%s", judged.text);
+	return status == TS_ERROR ? TS_ERROR : TS_OK;
+}
+
+/* Inputs that the stage cannot be run on do not keep others from being judged. */
+static ts_status take_refusal(ts_comparison *c, const ts_stage *stage, const ts_trace *candidate,
+                              const ts_relaxations *relaxations)
+{
+	if (c->refusal[0] == 0) snprintf(c->refusal, sizeof c->refusal, "%s", ts_error_message());
+	pass_over(c, stage, candidate, relaxations, strchr(ts_error_message(), ':') + 2);
+	return TS_OK;
 }
 
 static ts_status judge_stage(ts_comparison *c, const ts_stage *stage, const ts_trace *reference,
@@ -40,13 +77,10 @@ static ts_status judge_stage(ts_comparison *c, const ts_stage *stage, const ts_t
 {
 	ts_load *load;
 	ts_status status = ts_replay(&load, stage, reference, candidate, threads);
+	if (status != TS_OK && ts_refused()) return take_refusal(c, stage, candidate, relaxations);
 	for (u32 i = 0; status == TS_OK && ts_stage_outputs(stage)[i] != TS_N_BUFFERS; i++) {
 		ts_buffer_id id = ts_stage_outputs(stage)[i];
-		ts_judged judged;
-		bool ignored = ts_relax_ignores(relaxations, ts_buffer_table[id].name);
-		if (candidate->item[id].path == NULL || ignored) continue;
-		status = ts_judge(&judged, load, id, relaxations) == TS_ERROR ? TS_ERROR : TS_OK;
-		c->verdict[id] = judged.verdict;
+		if (is_judged(id, candidate, relaxations)) status = judge_output(&c->verdict[id], load, id, relaxations);
 	}
 	ts_load_end(load);
 	return status;
@@ -63,6 +97,7 @@ static void settle(ts_comparison *c, ts_buffer_id id, const ts_trace *reference,
 	c->n_judged += v->judgement == TS_SAME || v->judgement == TS_UNLIKE;
 	c->n_unlike += v->judgement == TS_UNLIKE;
 	c->n_missing += v->judgement == TS_MISSING;
+	c->n_unable += v->judgement == TS_UNABLE;
 }
 
 static void find_first(ts_comparison *c, const ts_pipeline *pipeline)
@@ -76,20 +111,34 @@ static void find_first(ts_comparison *c, const ts_pipeline *pipeline)
 	}
 }
 
+/* Judges the outputs of a step, or says why not. */
+static ts_status judge_step(ts_comparison *c, const ts_step *step, const ts_trace *reference, const ts_trace *candidate,
+                            const ts_relaxations *relaxations, u32 threads)
+{
+	char why[TS_WHY_TEXT];
+	const ts_stage *stage = ts_stage_find(step->stage);
+	if (!ts_replay_takes(step, reference) || !has_output(stage, candidate, relaxations)) return TS_OK;
+	ts_buffer_id other = mixed(stage, reference, candidate);
+	if (other == TS_N_BUFFERS) return judge_stage(c, stage, reference, candidate, relaxations, threads);
+	snprintf(why, sizeof why, "the candidate has no %s, and the reference's names points in another order",
+	         ts_buffer_table[other].name);
+	pass_over(c, stage, candidate, relaxations, why);
+	return TS_OK;
+}
+
 ts_status ts_compare_forced(ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
                             const ts_relaxations *relaxations, u32 threads)
 {
-	*c = (ts_comparison){.first = TS_N_BUFFERS, .forced = true};
+	ts_comparison_begin(c);
+	c->forced = true;
 	if (ts_load_match(reference, candidate) != TS_OK || ts_relax_check(relaxations) != TS_OK) return TS_ERROR;
 	for (const ts_step *step = ts_pipeline_steps(reference->pipeline); step->stage != NULL; step++) {
-		const ts_stage *stage = ts_stage_find(step->stage);
-		bool judged = ts_replay_takes(step, reference) && has_output(stage, candidate, relaxations);
-		if (!judged || mixes(stage, reference, candidate)) continue;
-		if (judge_stage(c, stage, reference, candidate, relaxations, threads) != TS_OK) return TS_ERROR;
+		if (judge_step(c, step, reference, candidate, relaxations, threads) != TS_OK) return TS_ERROR;
 	}
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) settle(c, (ts_buffer_id)id, reference, candidate, relaxations);
 	find_first(c, reference->pipeline);
-	if (c->n_judged == 0)
-		return ts_fail("%s: no stage whose outputs could be replayed: nothing to judge", candidate->dir);
-	return c->n_unlike > 0 ? TS_DIFFERENT : TS_OK;
+	if (c->n_unlike > 0) return TS_DIFFERENT;
+	if (c->refusal[0] != 0) return ts_fail("%s", c->refusal);
+	if (c->n_judged > 0) return TS_OK;
+	return ts_fail("%s: no stage whose outputs could be replayed: nothing to judge", candidate->dir);
 }

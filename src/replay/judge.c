@@ -31,15 +31,14 @@ static void tell_shapes(ts_judged *judged, const ts_buffer *ours)
 static void tell_first(ts_judged *judged)
 {
 	const ts_verdict *v = &judged->verdict;
-	const ts_fields fields = ts_fields_of(judged->id);
-	const ts_field *field = &fields.field[v->first.field];
-	char name[64], right[TS_VALUE_TEXT], found[TS_VALUE_TEXT];
-	ts_field_name(name, field, v->first.component);
-	ts_field_show(right, field, v->first.ref);
-	ts_field_show(found, field, v->first.cand);
+	char where[TS_WHERE_TEXT], name[64], right[TS_VALUE_TEXT], found[TS_VALUE_TEXT];
+	ts_difference_where(where, NULL, judged->id, &v->first);
+	ts_difference_field(name, judged->id, &v->first);
+	ts_difference_show(right, judged->id, &v->first, v->first.ref);
+	ts_difference_show(found, judged->id, &v->first, v->first.cand);
 	if (v->has_first) {
-		snprintf(judged->text, sizeof judged->text, "element %" PRIu64 "%s%s: %s is right, %s was found",
-		         v->first.element, name[0] != 0 ? ", field " : "", name, right, found);
+		snprintf(judged->text, sizeof judged->text, "%s%s%s: %s is right, %s was found", where,
+		         name[0] != 0 ? ", field " : "", name, right, found);
 	} else {
 		snprintf(judged->text, sizeof judged->text, "%" PRIu64 " records missing, %" PRIu64 " beside", v->n_missing,
 		         v->n_extra);
@@ -67,6 +66,14 @@ static void put_item(ts_trace_item *item, const ts_buffer *ours, ts_buffer_id id
 	memcpy(item->npy.shape, ours->shape, sizeof item->npy.shape);
 }
 
+/* What the stage was given takes the place of the reference's, so that places are named by it. */
+static void put_inputs(ts_trace *right, const ts_load *load)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (load->item[id] != NULL) right->item[id] = *load->item[id];
+	}
+}
+
 /* Judges by `right`, a trace whose buffers of this stage are the run's. */
 static ts_status judge_by(ts_judged *judged, ts_trace *right, const ts_load *load, const ts_trace *owner,
                           const ts_relaxations *relaxations)
@@ -75,6 +82,7 @@ static ts_status judge_by(ts_judged *judged, ts_trace *right, const ts_load *loa
 	ts_status status = TS_OK;
 	ts_buffer_id id = judged->id;
 	void *crop = NULL;
+	put_inputs(right, load);
 	put_item(&right->item[id], &load->run.frame.buffer[id], id);
 	if (ts_order_is_set(id)) {
 		put_item(&right->item[ts_order_key()], &load->run.frame.buffer[ts_order_key()], ts_order_key());
@@ -97,11 +105,15 @@ ts_status ts_judge(ts_judged *judged, const ts_load *load, ts_buffer_id id, cons
 {
 	const ts_relaxations none = {.ulp = 0};
 	const ts_buffer *ours = &load->run.frame.buffer[id];
-	*judged = (ts_judged){.id = id, .item = ts_load_item(load->reference, load->candidate, id)};
+	*judged = (ts_judged){.id = id,
+	                      .item = ts_load_item(load->reference, load->candidate, id),
+	                      .verdict = {.list = judged->verdict.list}};
 	if (judged->item == NULL) return TS_OK;
 	judged->shape_differs = !same_shape(ours, judged->item);
 	if (judged->shape_differs) {
-		judged->verdict = (ts_verdict){.judgement = TS_UNLIKE, .n_ref = ours->n, .n_cand = judged->item->npy.n};
+		judged->verdict.judgement = TS_UNLIKE;
+		judged->verdict.n_ref = ours->n;
+		judged->verdict.n_cand = judged->item->npy.n;
 		tell_shapes(judged, ours);
 		return TS_DIFFERENT;
 	}

@@ -4,7 +4,7 @@
 #include "../compare/compare.h"
 #include "replay.h"
 
-enum { TS_JUDGED_TEXT = 400 };
+enum { TS_JUDGED_TEXT = 480 };
 
 typedef struct {
 	ts_buffer_id id;
@@ -17,8 +17,8 @@ typedef struct {
 
 /* Compares output `id` of the stage that ran in `load` with the file of it, exactly but for `relaxations`, which may be
  * NULL. Points of a candidate in order of arrival are found by their keys. Of a cropped file the part that is there is
- * compared. TS_OK if the same or if judged->item is NULL, TS_DIFFERENT, or TS_ERROR with the message set if the file
- * cannot be read. */
+ * compared. Of *judged only verdict.list is read. TS_OK if the same or if judged->item is NULL, TS_DIFFERENT, or
+ * TS_ERROR with the message set if the file cannot be read. */
 ts_status ts_judge(ts_judged *judged, const ts_load *load, ts_buffer_id id, const ts_relaxations *relaxations);
 
 #endif

@@ -76,18 +76,24 @@ ts_status ts_replay_stage(ts_run *run, const ts_stage *stage)
 	return ts_run_stage(run, stage);
 }
 
+/* Names the stage in the message, which may be a refusal. */
+static ts_status fail_in(const ts_stage *stage)
+{
+	if (ts_refused()) return ts_refuse("stage %s: %s", stage->name, ts_error_message());
+	return ts_fail("stage %s: %s", stage->name, ts_error_message());
+}
+
 ts_status ts_replay_load(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
                          u32 threads)
 {
 	ts_buffer_id ids[TS_N_BUFFERS + 1];
 	ts_replay_reads(ids, stage, reference->pipeline, &reference->params);
-	if (ts_load_begin(load, ids, reference, candidate, threads) != TS_OK) {
-		return ts_fail("stage %s: %s", stage->name, ts_error_message());
-	}
+	if (ts_load_begin(load, ids, reference, candidate, threads) != TS_OK) return fail_in(stage);
 	if (ts_check(*load, stage) == TS_OK) return TS_OK;
+	fail_in(stage);
 	ts_load_end(*load);
 	*load = NULL;
-	return ts_fail("stage %s: %s", stage->name, ts_error_message());
+	return TS_ERROR;
 }
 
 ts_status ts_replay(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,

@@ -46,12 +46,12 @@ ts_status ts_load_match(const ts_trace *reference, const ts_trace *candidate)
 
 static ts_status check_item(const ts_trace_item *item, ts_buffer_id id)
 {
-	if (item->cropped) return ts_fail("%s: is cropped to a part of the picture; a stage needs all of it", item->path);
+	if (item->cropped) return ts_refuse("%s: is cropped to a part of the picture; a stage needs all of it", item->path);
 	ts_dim of = ts_buffer_counts(id);
 	bool named = of == TS_DIM_none || ts_dim_table[of].bits == 32;
 	u64 most = named && item->npy.n_dims == 1 ? TS_NONE : UINT64_MAX;
 	if (item->npy.shape[0] <= most) return TS_OK;
-	return ts_fail("%s: %" PRIu64 " elements are more than 32-bit indices can name", item->path, item->npy.shape[0]);
+	return ts_refuse("%s: %" PRIu64 " elements are more than 32-bit indices can name", item->path, item->npy.shape[0]);
 }
 
 /* Chooses the files and refuses what cannot be loaded. */
@@ -69,8 +69,8 @@ static ts_status choose(ts_load *load, const ts_buffer_id *ids)
 		                         ts_buffer_table[*ids].name);
 	}
 	if (used > 0) {
-		return ts_fail("%s%s%s: no file of %s", load->reference->dir, load->candidate != NULL ? " and " : "",
-		               load->candidate != NULL ? load->candidate->dir : "", missing);
+		return ts_refuse("%s%s%s: no file of %s", load->reference->dir, load->candidate != NULL ? " and " : "",
+		                 load->candidate != NULL ? load->candidate->dir : "", missing);
 	}
 	u64 bytes = 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {

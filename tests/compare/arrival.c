@@ -167,17 +167,50 @@ static void test_index(void **state)
 	}
 }
 
+/* Wrong records are listed in the reference's order, by their keys. */
+static void test_list(void **state)
+{
+	(void)state;
+	const ts_relaxations exact = {.ulp = 0};
+	const u32 wrongs[] = {17, 123, 124, 900};
+	f32 old[4], wrong = 0.77f;
+	ts_comparison *listed = ts_comparison_make(9);
+	assert_non_null(listed);
+	for (u32 i = 0; i < 4; i++) {
+		poke(TS_B_points_record, place[wrongs[i]], offsetof(ts_point, length), &wrong, &old[i], 4);
+	}
+	assert_int_equal(ts_compare(listed, ref, cand, &exact), TS_DIFFERENT);
+	const ts_verdict *v = &listed->verdict[TS_B_points_record];
+	assert_true(listed->n_unlike == 1 && v->list.n == 4);
+	assert_int_equal(v->n_field[1], 4);
+	for (u32 i = 0; i < 4; i++) {
+		char where[TS_WHERE_TEXT];
+		ts_where(where, ref, TS_B_points_record, wrongs[i]);
+		assert_int_equal(v->list.items[i].difference.element, wrongs[i]);
+		assert_string_equal(v->list.items[i].where, where);
+		poke(TS_B_points_record, place[wrongs[i]], offsetof(ts_point, length), &old[i], &wrong, 4);
+	}
+	ts_comparison_free(listed);
+}
+
 /* A changed key is a record that is missing and one that is beside; those that name it name nothing. */
 static void test_key(void **state)
 {
 	(void)state;
 	u64 old, wrong = 3;
+	const ts_relaxations exact = {.ulp = 0};
+	ts_comparison *listed = ts_comparison_make(5);
+	assert_non_null(listed);
 	poke(TS_B_points_key, place[200], 0, &wrong, &old, 8);
-	assert_int_equal(compare(), TS_DIFFERENT);
-	const ts_verdict *v = &c.verdict[TS_B_points_record];
-	assert_true(c.first == TS_B_points_key && v->n_missing == 1 && v->n_extra == 1 && v->n_different == 2 &&
+	assert_int_equal(ts_compare(listed, ref, cand, &exact), TS_DIFFERENT);
+	const ts_verdict *v = &listed->verdict[TS_B_points_record];
+	assert_true(listed->first == TS_B_points_key && v->n_missing == 1 && v->n_extra == 1 && v->n_different == 2 &&
 	            !v->has_first);
-	assert_true(v->missing_key == old && v->extra_key == 3);
+	assert_true(v->list.n == 2 && v->list.items[0].difference.how == TS_LACKED &&
+	            v->list.items[0].difference.element == 200);
+	assert_true(v->list.items[1].difference.how == TS_BESIDE && v->list.items[1].difference.cand == 3);
+	assert_string_equal(v->list.items[1].where, "key (piece 0, x -32765, y -32768)");
+	ts_comparison_free(listed);
 	poke(TS_B_points_key, place[200], 0, &old, &wrong, 8);
 }
 
@@ -249,8 +282,9 @@ static void test_fewer_records(void **state)
 int main(void)
 {
 	const struct CMUnitTest arrival[] = {
-		cmocka_unit_test(test_same), cmocka_unit_test(test_record), cmocka_unit_test(test_index),
-		cmocka_unit_test(test_key),  cmocka_unit_test(test_memory), cmocka_unit_test(test_fewer_records),
+		cmocka_unit_test(test_same),          cmocka_unit_test(test_record), cmocka_unit_test(test_index),
+		cmocka_unit_test(test_list),          cmocka_unit_test(test_key),    cmocka_unit_test(test_memory),
+		cmocka_unit_test(test_fewer_records),
 	};
 	return cmocka_run_group_tests(arrival, begin, end);
 }

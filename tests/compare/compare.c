@@ -79,9 +79,12 @@ static void test_every_field(void **state)
 			poke(cand, (ts_buffer_id)id, element, offset, &new, 1, NULL);
 			assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_DIFFERENT);
 			const ts_verdict *v = &c.verdict[id];
-			assert_true(c.n_unlike == 1 && c.first == id && v->n_different == 1 && v->has_first);
+			bool sums = ts_sum_of((ts_buffer_id)id) != NULL; /* one sum is in two counts */
+			u64 wrong = sums && element + 1 < elements ? 2 : 1;
+			assert_true(c.n_unlike == 1 && c.first == id && v->n_different == wrong && v->has_first);
 			assert_true(v->first.element == element && v->first.field == f && v->first.component == component);
-			assert_true((v->first.ref ^ v->first.cand) == 1);
+			assert_true(sums ? llabs((i64)(v->first.ref - v->first.cand)) == 1 : (v->first.ref ^ v->first.cand) == 1);
+			for (u32 k = 0; k < fields.n; k++) assert_int_equal(v->n_field[k], k == f ? wrong : 0);
 			poke(cand, (ts_buffer_id)id, element, offset, &old, 1, NULL);
 			n++;
 		}
@@ -225,6 +228,150 @@ static void test_mask(void **state)
 	poke(cand, TS_B_image_srgb, 3 * pixel + 1, 0, &old, 1, NULL);
 }
 
+/* Sums of a trace, or those of the candidate written again. */
+static u32 *sums_of(ts_buffer_id id)
+{
+	size_t bytes;
+	char *data = file_read(ref->item[id].path, &bytes);
+	u64 at = ref->item[id].npy.data_at;
+	memmove(data, data + at, bytes - at);
+	return (u32 *)(void *)data;
+}
+
+static void put_sums(ts_buffer_id id, const u32 *sums) { poke(cand, id, 0, 0, sums, ref->item[id].npy.n * 4, NULL); }
+
+/* A wrong count, which moves all sums behind it: the first, the last, and where parts of the file begin and end. */
+static void test_wrong_count(void **state)
+{
+	(void)state;
+	const ts_relaxations exact = {.ulp = 0};
+	const ts_buffer_id id = TS_B_split_offset;
+	ts_comparison *listed = ts_comparison_make(3);
+	u64 n = ref->item[id].npy.n;
+	u32 *right = sums_of(id), *wrong = sums_of(id);
+	const u64 counts[] = {0, 1, 254, 255, 256, 257, n / 2, n - 3, n - 2};
+	assert_non_null(listed);
+	assert_true(n > 1000);
+	for (u32 i = 0; i < sizeof counts / sizeof *counts; i++) {
+		u64 at = counts[i];
+		char where[TS_WHERE_TEXT];
+		for (u64 k = 0; k < n; k++) wrong[k] = right[k] + (k > at ? 3 : 0);
+		put_sums(id, wrong);
+		assert_int_equal(ts_compare(listed, ref, cand, &exact), TS_DIFFERENT);
+		const ts_verdict *v = &listed->verdict[id];
+		const ts_difference *d = &v->list.items[0].difference;
+		assert_true(v->n_different == 1 && v->list.n == 1 && listed->n_unlike == 1);
+		assert_int_equal(d->ref, right[at + 1] - right[at]);
+		assert_int_equal(d->cand, right[at + 1] - right[at] + 3);
+		snprintf(where, sizeof where, "count of triangle %u (element %u less element %u)", (unsigned)at,
+		         (unsigned)at + 1, (unsigned)at);
+		assert_string_equal(v->list.items[0].where, where);
+	}
+	put_sums(id, right);
+	ts_comparison_free(listed);
+	free(right);
+	free(wrong);
+}
+
+/* What a plain look at all counts finds, of sums that begin elsewhere, fall, and move back. */
+static void test_sums(void **state)
+{
+	(void)state;
+	const ts_buffer_id id = TS_B_points_offset;
+	u64 n = ref->item[id].npy.n;
+	u32 *right = sums_of(id), *wrong = sums_of(id), seed = 5;
+	for (u32 round = 0; round < 30; round++) {
+		u64 first = n, n_wrong = 0;
+		u32 moved = round % 3 == 0 ? 7 : 0;
+		for (u64 k = 0; k < n; k++) {
+			seed = seed * 1664525u + 1013904223u;
+			if (seed >> 8 < 1u << 24 >> round / 2) moved += (seed & 3) - 1;
+			wrong[k] = right[k] + moved;
+			u32 ours = k > 0 ? right[k] - right[k - 1] : right[k], theirs = k > 0 ? wrong[k] - wrong[k - 1] : wrong[k];
+			if (ours != theirs && n_wrong++ == 0) first = k;
+		}
+		put_sums(id, wrong);
+		assert_int_equal(compare((ts_relaxations){.ulp = 0}), n_wrong > 0 ? TS_DIFFERENT : TS_OK);
+		assert_int_equal(c.verdict[id].n_different, n_wrong);
+		if (n_wrong > 0) assert_int_equal(c.verdict[id].first.element, first);
+		if (round % 3 == 0) assert_true(first == 0 && c.verdict[id].first.cand != 0);
+		assert_int_equal(compare((ts_relaxations){.allow = n_wrong}), TS_OK);
+	}
+	put_sums(id, right);
+	free(right);
+	free(wrong);
+}
+
+/* Records that differ in one field, another and both; what is ignored, or near enough, is in no count. */
+static void test_fields(void **state)
+{
+	(void)state;
+	const ts_buffer_id id = TS_B_mirror_pixel_record;
+	enum { N = 15 };
+	ts_pixel old[N];
+	const ts_verdict *v = &c.verdict[id];
+	for (u32 i = 0; i < N; i++) {
+		ts_pixel new = {.index = 0};
+		poke(cand, id, 3 * i, 0, &new, sizeof new, &old[i]);
+		new = old[i];
+		if (i < 12) new.position[0] = ts_u2f(ts_f2u(new.position[0]) ^ 1);
+		if (i < 12) new.position[2] = ts_u2f(ts_f2u(new.position[2]) ^ 1);
+		if (i > 9) new.normal[1] = -new.normal[1] - 1;
+		poke(cand, id, 3 * i, 0, &new, sizeof new, NULL);
+	}
+	static const struct {
+		ts_relaxations relaxations;
+		u64 n, position, normal;
+	} cases[] = {
+		{{.ulp = 0}, 15, 12, 5},
+		{{.ulp = 1}, 5, 0, 5},
+		{{.ignore = "mirror_pixel.record.position"}, 5, 0, 5},
+		{{.ignore = "mirror_pixel.record.normal"}, 12, 12, 0},
+	};
+	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
+		assert_int_equal(compare(cases[i].relaxations), TS_DIFFERENT);
+		const ts_fields fields = ts_fields_of(id);
+		assert_int_equal(v->n_different, cases[i].n);
+		for (u32 f = 0; f < fields.n; f++) {
+			bool position = strcmp(fields.field[f].name, "position") == 0;
+			bool normal = strcmp(fields.field[f].name, "normal") == 0;
+			assert_int_equal(v->n_field[f], position ? cases[i].position : normal ? cases[i].normal : 0);
+		}
+	}
+	for (u32 i = 0; i < N; i++) poke(cand, id, 3 * i, 0, &old[i], sizeof old[i], NULL);
+}
+
+/* The first differences of each buffer, as many as there is room for, or as there are. */
+static void test_lists(void **state)
+{
+	(void)state;
+	const ts_relaxations exact = {.ulp = 0};
+	u8 old[7], wrong;
+	for (u32 i = 0; i < 7; i++) {
+		poke(cand, TS_B_image_srgb, 100 * i + 1, 0, "", 1, &old[i]);
+		wrong = old[i] ^ 0x11;
+		poke(cand, TS_B_image_srgb, 100 * i + 1, 0, &wrong, 1, NULL);
+	}
+	for (u32 most = 1; most < 10; most++) {
+		ts_comparison *listed = ts_comparison_make(most);
+		assert_non_null(listed);
+		for (u32 again = 0; again < 2; again++) {
+			assert_int_equal(ts_compare(listed, ref, cand, &exact), TS_DIFFERENT);
+			const ts_differences *list = &listed->verdict[TS_B_image_srgb].list;
+			assert_int_equal(list->n, most < 7 ? most : 7);
+			assert_int_equal(listed->verdict[TS_B_image_radiance].list.n, 0);
+			for (u32 i = 0; i < list->n; i++) {
+				const ts_difference *d = &list->items[i].difference;
+				assert_true(d->how == TS_UNEQUAL && d->element == 100 * i + 1 && d->ref == old[i]);
+				assert_int_equal(d->cand, old[i] ^ 0x11);
+			}
+			assert_string_equal(list->items[0].where, "pixel (0, 0) [1]");
+		}
+		ts_comparison_free(listed);
+	}
+	for (u32 i = 0; i < 7; i++) poke(cand, TS_B_image_srgb, 100 * i + 1, 0, &old[i], 1, NULL);
+}
+
 /* Writes a buffer of the candidate again with other rows, and opens it. */
 static void resized(ts_buffer_id id, const char *shape, i64 rows)
 {
@@ -300,7 +447,8 @@ int main(void)
 	const struct CMUnitTest compare_tests[] = {
 		cmocka_unit_test(test_same),   cmocka_unit_test(test_every_field),      cmocka_unit_test(test_floats),
 		cmocka_unit_test(test_nan),    cmocka_unit_test(test_allow_and_ignore), cmocka_unit_test(test_mask),
-		cmocka_unit_test(test_counts), cmocka_unit_test(test_nothing),
+		cmocka_unit_test(test_counts), cmocka_unit_test(test_nothing),          cmocka_unit_test(test_wrong_count),
+		cmocka_unit_test(test_sums),   cmocka_unit_test(test_fields),           cmocka_unit_test(test_lists),
 	};
 	return cmocka_run_group_tests(compare_tests, begin, end);
 }

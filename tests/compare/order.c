@@ -24,10 +24,17 @@ static ts_trace side(const char *name, const u64 *keys, u64 n, bool arrival)
 	return trace;
 }
 
+/* Keys without a partner, as the last call of `make` found them. */
+static struct ts_named named[2 * MOST];
+static ts_differences unmet = {.most = 2 * MOST};
+
 static ts_status make(ts_order *order, const u64 *ref, u64 n_ref, const u64 *cand, u64 n_cand, bool arrival)
 {
 	ts_trace a = side("ref", ref, n_ref, false), b = side("cand", cand, n_cand, arrival);
 	ts_status status = ts_order_make(order, &a, &b);
+	unmet = (ts_differences){.items = named, .most = unmet.most};
+	if (status == TS_OK && order->given)
+		assert_int_equal(ts_order_unmet(&unmet, order, TS_B_points_key, &a, &b), TS_OK);
 	free(a.item[TS_B_points_key].path);
 	free(b.item[TS_B_points_key].path);
 	return status;
@@ -72,7 +79,7 @@ static void test_permutations(void **state)
 		memcpy(cand, ref, sizeof cand);
 		shuffle(cand, n);
 		assert_int_equal(make(&order, ref, n, cand, n, true), TS_OK);
-		assert_true(order.given && order.n_missing == 0 && order.n_extra == 0 && order.n_twice == 0);
+		assert_true(order.given && order.n_missing == 0 && order.n_extra == 0 && unmet.n == 0);
 		for (u64 i = 0; i < n; i++) {
 			assert_int_equal(ref[ts_order_map(&order, (u32)i)], cand[i]);
 			assert_int_equal(cand[order.cand_of_ref[i]], ref[i]);
@@ -81,15 +88,38 @@ static void test_permutations(void **state)
 	}
 }
 
-/* Drops, repeats and invents keys; the counts are found by plain search. */
+static int by_key(const void *a, const void *b)
+{
+	const ts_difference *x = a, *y = b;
+	return (x->cand > y->cand) - (x->cand < y->cand);
+}
+
+/* The list of all that a plain search finds, cut to `most`: what is missing, then what is beside. */
+static u64 search(ts_difference *found, const u64 *ref, u64 n, const u64 *cand, u64 m, u64 *missing)
+{
+	u64 all = 0;
+	for (u64 i = 0; i < n; i++) {
+		if (place_of(cand, m, ref[i]) == TS_NONE) found[all++] = (ts_difference){.how = TS_LACKED, .element = i};
+	}
+	*missing = all;
+	for (u64 i = 0; i < m; i++) {
+		bool known = place_of(ref, n, cand[i]) != TS_NONE, again = place_of(cand, i, cand[i]) != TS_NONE;
+		ts_difference d = {.how = known ? TS_TWICE : TS_BESIDE, .element = i, .cand = cand[i]};
+		if (!known || again) found[all++] = d;
+	}
+	qsort(found + *missing, all - *missing, sizeof *found, by_key);
+	return all;
+}
+
+/* Drops, repeats and invents keys; what is found is what a plain search finds, as far as there is room. */
 static void test_unlike(void **state)
 {
 	(void)state;
 	static u64 ref[MOST], cand[2 * MOST];
+	static ts_difference found[3 * MOST];
 	for (u32 round = 0; round < 20; round++) {
 		ts_order order;
-		u64 n = make_keys(ref, round % 2 == 1), m = 0, missing = 0, least_missing = 0, extra = 0, twice = 0,
-			least = UINT64_MAX;
+		u64 n = make_keys(ref, round % 2 == 1), m = 0, missing;
 		for (u64 i = 0; i < n; i++) {
 			u32 fate = draw(8);
 			if (fate > 0) cand[m++] = ref[i];
@@ -97,22 +127,19 @@ static void test_unlike(void **state)
 			if (fate == 2) cand[m++] = ref[i] + 1;
 		}
 		shuffle(cand, m);
-		for (u64 i = n; i-- > 0;) {
-			if (place_of(cand, m, ref[i]) != TS_NONE) continue;
-			missing++;
-			least_missing = ref[i];
-		}
-		for (u64 i = 0; i < m; i++) {
-			bool known = place_of(ref, n, cand[i]) != TS_NONE, again = place_of(cand, i, cand[i]) != TS_NONE;
-			if (known && !again) continue;
-			extra++;
-			twice += known;
-			least = cand[i] < least ? cand[i] : least;
-		}
+		u64 all = search(found, ref, n, cand, m, &missing);
+		const u32 rooms[] = {0, 1, (u32)missing, (u32)missing + 1, (u32)missing + 20, (u32)all, 2 * MOST};
+		unmet.most = rooms[round % 7];
 		assert_int_equal(make(&order, ref, n, cand, m, true), TS_OK);
-		assert_true(order.n_missing == missing && order.n_extra == extra && order.n_twice == twice);
-		assert_true(missing == 0 || order.missing == least_missing);
-		assert_true(extra == 0 || order.extra == least);
+		assert_true(order.n_missing == missing && order.n_extra == all - missing);
+		assert_int_equal(unmet.n, all < unmet.most ? all : unmet.most);
+		for (u64 i = 0; i < unmet.n; i++) {
+			const ts_difference *d = &unmet.items[i].difference;
+			assert_true(d->cand == found[i].cand && (i >= missing) == (d->how != TS_LACKED));
+			if (i < missing) assert_int_equal(d->element, found[i].element);
+			if (i >= missing) assert_int_equal(cand[d->element], d->cand);
+			if (i >= missing) assert_int_equal(d->how, found[i].how);
+		}
 		for (u64 i = 0; i < m; i++) {
 			u64 place = place_of(ref, n, cand[i]);
 			u32 mapped = ts_order_map(&order, (u32)i);
@@ -121,6 +148,7 @@ static void test_unlike(void **state)
 		}
 		ts_order_free(&order);
 	}
+	unmet.most = 2 * MOST;
 }
 
 /* An index that names nothing never becomes one that does. */
@@ -145,14 +173,16 @@ static void test_ends(void **state)
 	const u64 ref[] = {0, 7, UINT64_MAX}, cand[] = {UINT64_MAX, 3, UINT64_MAX, UINT64_MAX, 0}, down[] = {1, 3, 2};
 	ts_order order;
 	assert_int_equal(make(&order, ref, 3, cand, 5, true), TS_OK);
-	assert_true(order.n_missing == 1 && order.missing == 7 && order.n_extra == 3 && order.n_twice == 2 &&
-	            order.extra == 3);
+	assert_true(order.n_missing == 1 && order.n_extra == 3 && unmet.n == 4);
+	assert_true(named[0].difference.how == TS_LACKED && named[0].difference.element == 1);
+	assert_true(named[1].difference.how == TS_BESIDE && named[1].difference.cand == 3);
+	assert_true(named[2].difference.how == TS_TWICE && named[3].difference.how == TS_TWICE);
 	ts_order_free(&order);
 	assert_int_equal(make(&order, ref, 0, cand, 5, true), TS_OK);
 	assert_true(order.n_missing == 0 && order.n_extra == 5);
 	ts_order_free(&order);
 	assert_int_equal(make(&order, ref, 3, cand, 0, true), TS_OK);
-	assert_true(order.n_missing == 3 && order.missing == 0 && order.n_extra == 0);
+	assert_true(order.n_missing == 3 && order.n_extra == 0 && named[0].difference.element == 0);
 	ts_order_free(&order);
 	assert_int_equal(make(&order, ref, 3, cand, 5, false), TS_OK);
 	assert_true(!order.given && ts_order_map(&order, 4) == 4);

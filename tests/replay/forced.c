@@ -7,7 +7,7 @@ static const ts_relaxations exactly = {.ulp = 0};
 static void test_same(void **state)
 {
 	(void)state;
-	ts_comparison c;
+	static ts_comparison c;
 	for (u32 m = 0; m < N_TRACES; m++) {
 		assert_int_equal(ts_compare_forced(&c, traces[m], traces[m], &exactly, 2), TS_OK);
 		assert_true(c.n_judged > 6 && c.n_unlike == 0 && c.n_missing == 0 && c.first == TS_N_BUFFERS);
@@ -20,7 +20,7 @@ static void test_own_inputs(void **state)
 	(void)state;
 	ts_buffer scale, frames;
 	ts_load *load;
-	ts_comparison c;
+	static ts_comparison c;
 	f32 *scales = traces_read(&scale, traces[0], TS_B_split_density);
 	for (u64 i = 0; i < scale.n; i++) scales[i] *= 0.5f;
 	ts_trace *halved = traces_plant(0, &(planted){TS_B_split_density, &scale}, 1, "canonical", "");
@@ -45,7 +45,7 @@ static void test_planted(void **state)
 {
 	(void)state;
 	ts_buffer picture;
-	ts_comparison c;
+	static ts_comparison c;
 	u8 *bytes = traces_read(&picture, traces[1], TS_B_image_srgb);
 	bytes[77] ^= 1;
 	ts_trace *candidate = traces_plant(1, &(planted){TS_B_image_srgb, &picture}, 1, "canonical", "");

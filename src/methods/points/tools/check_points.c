@@ -30,9 +30,9 @@ static ts_status check_frames(const ts_load *load, const ts_stage *stage, ts_buf
 		}
 		all += squares(&frames[i]);
 		if (walked && all > max_squares) {
-			return ts_fail("%s: element %" PRIu64 ": the pieces up to it span %" PRIu64 " lattice squares; at most "
-			               "%" PRIu64 " would be right",
-			               load->item[id]->path, i, all, max_squares);
+			return ts_refuse("%s: element %" PRIu64 ": the pieces up to it span %" PRIu64 " lattice squares; at most "
+			                 "%" PRIu64 " would be right",
+			                 load->item[id]->path, i, all, max_squares);
 		}
 	}
 	return TS_OK;

@@ -67,11 +67,11 @@ static ts_status check_views(const ts_load *load, const ts_stage *stage, ts_buff
 	const ts_face *cubes = ts_check_elements(load, TS_B_cube_size_face, &n_cubes);
 	bool faces = ts_pipeline_maker(load->pipeline, TS_B_cube_size_face) != NULL;
 	if (faces && n % 6 != 0) {
-		return ts_fail("%s: %" PRIu64 " views; six a cube would be right", load->item[id]->path, n);
+		return ts_refuse("%s: %" PRIu64 " views; six a cube would be right", load->item[id]->path, n);
 	}
 	if (cubes != NULL && n != 6 * n_cubes) {
-		return ts_fail("%s: %" PRIu64 " views; %" PRIu64 ", six a cube, would be right", load->item[id]->path, n,
-		               6 * n_cubes);
+		return ts_refuse("%s: %" PRIu64 " views; %" PRIu64 ", six a cube, would be right", load->item[id]->path, n,
+		                 6 * n_cubes);
 	}
 	for (u64 v = 0; v < n; v++) {
 		if (check_sides(load, &views[v], v, cubes) != TS_OK) return TS_ERROR;
@@ -117,7 +117,7 @@ static ts_status check_samples(const ts_load *load, const ts_stage *stage, ts_bu
 		first += taps != 0 ? 1 : lamps[i].samples;
 	}
 	if (n == 0 || !makes || first == all) return TS_OK;
-	return ts_fail("%s: lights with %" PRIu64 " views; %" PRIu64 " would be right", load->item[id]->path, first, all);
+	return ts_refuse("%s: lights with %" PRIu64 " views; %" PRIu64 " would be right", load->item[id]->path, first, all);
 }
 
 /* Deferred shading asks each light's view, or its cube, in order. */
@@ -129,14 +129,14 @@ static ts_status check_cubes(const ts_load *load, const ts_stage *stage, ts_buff
 	if (lights == NULL || !asks) return TS_OK;
 	for (u64 i = 0; i < n_lights; i++) wanted += ts_light_views(&lights[i]);
 	if (n == wanted) return TS_OK;
-	return ts_fail("%s: %" PRIu64 " views; %" PRIu64 ", one a light and six a point light, would be right",
-	               load->item[id]->path, n, wanted);
+	return ts_refuse("%s: %" PRIu64 " views; %" PRIu64 ", one a light and six a point light, would be right",
+	                 load->item[id]->path, n, wanted);
 }
 
 static ts_status check_lights(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
 	if (ts_frame_n(&load->run.frame, id) > 0) return ts_check_kinds(load, stage, id);
-	return ts_fail("%s: no light; at least one would be right", load->item[id]->path);
+	return ts_refuse("%s: no light; at least one would be right", load->item[id]->path);
 }
 
 static ts_status check_lit(const ts_load *load, const ts_stage *stage, ts_buffer_id id)

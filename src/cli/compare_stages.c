@@ -1,0 +1,218 @@
+/* The verdicts of stages: as text, as JSON, as TAP and as JUnit XML. */
+#include "../output/file.h"
+#include "compare.h"
+#include <inttypes.h>
+#include <string.h>
+#include "../scene/print.h"
+#include "../trace/emit.h"
+
+const char *ts_compare_word(ts_judgement judgement)
+{
+	static const char *const words[] = {
+		[TS_NOT_JUDGED] = "not judged", [TS_MISSING] = "missing", [TS_IGNORED] = "ignored",
+		[TS_UNABLE] = "not judged",     [TS_SAME] = "same",       [TS_UNLIKE] = "different",
+	};
+	return words[judgement];
+}
+
+/* A stage, or first the scene. */
+typedef struct {
+	const ts_comparison *comparison;
+	const ts_trace *reference;
+	const ts_step *next; /* NULL: the scene is */
+	const char *name;
+	u32 number;
+	ts_judgement verdict; /* of its buffer that differs, else whether any was judged */
+	const char *why;      /* of what could not be judged; else "" */
+	ts_buffer_id unlike[TS_N_BUFFERS];
+	u32 n_unlike;
+} stages;
+
+static stages begin(const ts_comparison *comparison, const ts_trace *reference)
+{
+	return (stages){.comparison = comparison, .reference = reference};
+}
+
+static void add_buffer(stages *s, ts_buffer_id id)
+{
+	const ts_verdict *v = &s->comparison->verdict[id];
+	if (v->judgement == TS_UNLIKE) s->unlike[s->n_unlike++] = id;
+	if (v->judgement == TS_UNABLE) s->why = v->why;
+	s->verdict = v->judgement > s->verdict ? v->judgement : s->verdict;
+}
+
+static void add_scene(stages *s)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (ts_emit_is_scene((ts_buffer_id)id)) add_buffer(s, (ts_buffer_id)id);
+	}
+	if (s->verdict < TS_SAME) s->verdict = TS_NOT_JUDGED; /* a port reads ours */
+	s->name = "scene";
+	s->number = 0;
+}
+
+static void add_stage(stages *s, const ts_step *step)
+{
+	const ts_buffer_id *ids = ts_stage_outputs(ts_stage_find(step->stage));
+	s->name = step->stage;
+	s->number = ts_emit_number(s->reference->pipeline, ids[0]);
+	for (; *ids != TS_N_BUFFERS; ids++) add_buffer(s, *ids);
+}
+
+/* The next one that there is a verdict of; false: there is none. */
+static bool next(stages *s)
+{
+	do {
+		s->verdict = TS_NOT_JUDGED;
+		s->why = "";
+		s->n_unlike = 0;
+		if (s->next == NULL) {
+			s->next = ts_pipeline_steps(s->reference->pipeline);
+			add_scene(s);
+		} else if (s->next->stage != NULL) {
+			add_stage(s, s->next++);
+		} else {
+			return false;
+		}
+	} while (s->verdict == TS_NOT_JUDGED);
+	return true;
+}
+
+static void put_lines(ts_report *report, const stages *s)
+{
+	char text[TS_LINE_TEXT];
+	const char *lacks = s->verdict == TS_MISSING ? "the candidate has none of its buffers" : "ignored";
+	if (s->verdict >= TS_SAME) {
+		ts_report_line(report, "stage %02u %s: %s", (unsigned)s->number, s->name, ts_compare_word(s->verdict));
+	} else {
+		ts_report_line(report, "stage %02u %s: not judged: %s", (unsigned)s->number, s->name,
+		               s->verdict == TS_UNABLE ? s->why : lacks);
+	}
+	for (u32 i = 0; i < s->n_unlike; i++) {
+		const ts_verdict *v = &s->comparison->verdict[s->unlike[i]];
+		ts_compare_first(text, s->unlike[i], v);
+		ts_report_line(report, "  %s, %s", ts_buffer_table[s->unlike[i]].name, text);
+		ts_compare_more(report, s->unlike[i], v, "    ");
+	}
+}
+
+void ts_compare_stages(ts_report *report, const ts_comparison *c, const ts_trace *reference)
+{
+	json_t *array = json_array();
+	if (c->forced) ts_report_line(report, "%s", "");
+	if (c->forced) ts_report_line(report, "Each stage, given the candidate's inputs:");
+	for (stages s = begin(c, reference); next(&s);) {
+		json_t *stage = json_pack("{s:i, s:s, s:s, s:o}", "number", (int)s.number, "stage", s.name, "verdict",
+		                          ts_compare_word(s.verdict), "why", ts_text_json(s.why));
+		report->failed |= json_array_append_new(array, stage) != 0;
+		if (c->forced) put_lines(report, &s);
+	}
+	ts_report_value(report, "stages", array);
+}
+
+/* Line i of all that is said of a buffer that is unlike; false: there are no more. */
+static bool detail(char text[TS_LINE_TEXT], const stages *s, ts_buffer_id id, u32 i)
+{
+	const ts_verdict *v = &s->comparison->verdict[id];
+	if (i == 0) {
+		ts_compare_line(text, s->comparison, s->reference, id);
+	} else if (i < v->list.n) {
+		ts_compare_difference(text, id, &v->list.items[i]);
+	} else {
+		return i == (v->list.n > 0 ? v->list.n : 1) && ts_compare_note(text, id, v);
+	}
+	return true;
+}
+
+void ts_compare_tap(const ts_comparison *c, const ts_trace *reference, FILE *out)
+{
+	char line[TS_LINE_TEXT];
+	u32 n = 0;
+	for (stages s = begin(c, reference); next(&s);) {
+		bool judged = s.verdict >= TS_SAME;
+		fprintf(out, "%sok %u - %s%s%s%s%s\n", s.verdict == TS_UNLIKE ? "not " : "", (unsigned)++n, s.name,
+		        judged ? "" : " # SKIP ", judged ? "" : ts_compare_word(s.verdict), s.why[0] != 0 ? ": " : "", s.why);
+		for (u32 i = 0; i < s.n_unlike; i++) {
+			for (u32 k = 0; detail(line, &s, s.unlike[i], k); k++) fprintf(out, "# %s%s\n", k > 0 ? "  " : "", line);
+		}
+	}
+	fprintf(out, "1..%u\n", (unsigned)n);
+}
+
+static void put_escaped(const char *text, FILE *out)
+{
+	static const struct {
+		char c;
+		const char *name;
+	} names[] = {
+		{'&', "&amp;"},
+		{'<', "&lt;"},
+		{'>', "&gt;"},
+		{'"', "&quot;"},
+	};
+	for (; *text != 0; text++) {
+		const char *name = NULL;
+		for (u32 i = 0; i < sizeof names / sizeof *names; i++) name = names[i].c == *text ? names[i].name : name;
+		if (name != NULL) {
+			fputs(name, out);
+		} else {
+			fputc(*text, out);
+		}
+	}
+}
+
+static void put_failure(const stages *s, FILE *out)
+{
+	char line[TS_LINE_TEXT];
+	for (u32 i = 0; i < s->n_unlike; i++) {
+		for (u32 k = 0; detail(line, s, s->unlike[i], k); k++) {
+			fputs(i + k == 0 ? "<failure message=\"" : "\n", out);
+			put_escaped(line, out);
+			if (i + k == 0) fputs("\">", out);
+		}
+	}
+	fputs("</failure>", out);
+}
+
+/* Why may name a file, whose name may hold any bytes. */
+static ts_status put_skipped(const stages *s, FILE *out)
+{
+	json_t *why = ts_text_json(s->why);
+	if (why == NULL) return ts_fail("no memory for a reason");
+	fprintf(out, "<skipped message=\"%s%s", ts_compare_word(s->verdict), s->why[0] != 0 ? ": " : "");
+	put_escaped(json_string_value(why), out);
+	fputs("\"/>", out);
+	json_decref(why);
+	return TS_OK;
+}
+
+static ts_status put_case(const stages *s, FILE *out)
+{
+	ts_status status = TS_OK;
+	fprintf(out, "  <testcase classname=\"touchstone.%s\" name=\"%s\">", s->reference->pipeline->name, s->name);
+	if (s->verdict == TS_UNLIKE) put_failure(s, out);
+	if (s->verdict < TS_SAME) status = put_skipped(s, out);
+	fputs("</testcase>\n", out);
+	return status;
+}
+
+ts_status ts_compare_junit(const ts_comparison *c, const ts_trace *reference, const char *path)
+{
+	u32 n = 0, n_unlike = 0, n_skipped = 0;
+	for (stages s = begin(c, reference); next(&s); n++) {
+		n_unlike += s.verdict == TS_UNLIKE;
+		n_skipped += s.verdict < TS_SAME;
+	}
+	ts_file_text text;
+	if (ts_file_text_begin(&text, path) != TS_OK) return TS_ERROR;
+	FILE *out = text.out;
+	fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", out);
+	fprintf(out, "<testsuite name=\"touchstone compare\" tests=\"%u\" failures=\"%u\" skipped=\"%u\">\n", (unsigned)n,
+	        (unsigned)n_unlike, (unsigned)n_skipped);
+	ts_status status = TS_OK;
+	for (stages s = begin(c, reference); next(&s) && status == TS_OK;) status = put_case(&s, out);
+	fputs("</testsuite>\n", out);
+	if (status == TS_OK) return ts_file_text_replace(&text, path);
+	ts_file_text_drop(&text);
+	return status;
+}
