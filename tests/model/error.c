@@ -43,6 +43,19 @@ static void last_message_may_be_an_argument(void **state)
 	assert_string_equal(ts_error_message(), "outer: inner");
 }
 
+/* A refusal is one until something fails. */
+static void refusals_are_told_from_failures(void **state)
+{
+	(void)state;
+	ts_fail("disk");
+	assert_false(ts_refused());
+	assert_int_equal(ts_refuse("element %d", 5), TS_ERROR);
+	assert_string_equal(ts_error_message(), "element 5");
+	assert_true(ts_refused());
+	ts_fail("memory");
+	assert_false(ts_refused());
+}
+
 /* Whatever the length, the cut is marked and does not split a two-byte letter. */
 static void long_messages_are_cut_and_say_so(void **state)
 {
@@ -85,6 +98,7 @@ int main(void)
 		cmocka_unit_test(control_characters_become_question_marks),
 		cmocka_unit_test(letters_beyond_ascii_survive),
 		cmocka_unit_test(last_message_may_be_an_argument),
+		cmocka_unit_test(refusals_are_told_from_failures),
 		cmocka_unit_test(long_messages_are_cut_and_say_so),
 		cmocka_unit_test(threads_have_their_own),
 	};
