@@ -67,6 +67,8 @@ const ts_command ts_command_table[] = {
      "CANDIDATE: the same of a port (reference/TRACES.md says what it must have at least).\n"
      "Everything must be the same to the bit, unless a relaxation is typed. Exit code 0 same, 1 different, 2 could\n"
      "not. Ulps count floats from the reference to the candidate: positive where the candidate is greater.\n"
+     "The first divergence is one line. With --forced each stage has a line, and each of its buffers that differs.\n"
+     "Prefix sums are judged by their counts: the line names the thing whose count is wrong.\n"
      "With -o DIR, a picture of the pixels that differ for each buffer that has them.",
      2, 2,
      TS_OPT(FORCED) | TS_OPT(FIRST) | TS_OPT(THREADS) | TS_OPT(DECIDED) | TS_OPT(ULP) | TS_OPT(ABS) | TS_OPT(REL) |

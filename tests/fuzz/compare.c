@@ -1,14 +1,13 @@
-/* libFuzzer on candidates: `make fuzz`. An input is a byte of flags, then keys, records, splats and look-ups of a
- * candidate, cut into files by a byte of length each, bare or with a header of its own; it is compared with a small
- * reference, and its first divergence put into words. */
+/* libFuzzer on candidates: `make fuzz`. An input is a byte of flags, then keys, records, splats, look-ups, pixels and
+ * sums of a candidate, cut into files by a byte of length each, bare or with a header of its own; it is compared with a
+ * small reference, and its first differences put into words. */
 #include "folder.h"
 #include "../../src/kernels/base/num.h"
 #include "../../src/compare/compare.h"
-#include "../../src/trace/where.h"
 
-enum { N_POINTS = 6, N_TEXELS = 24, N_FILES = 5 };
-static const ts_buffer_id ids[N_FILES] = {TS_B_points_key, TS_B_points_record, TS_B_splat_depth_index,
-                                          TS_B_lookup_point, TS_B_mirror_pixel_record};
+enum { MOST = 3, N_POINTS = 6, N_TEXELS = 24, N_FILES = 6, N_SUMS = 5 };
+static const ts_buffer_id ids[N_FILES] = {TS_B_points_key,   TS_B_points_record,       TS_B_splat_depth_index,
+                                          TS_B_lookup_point, TS_B_mirror_pixel_record, TS_B_points_offset};
 static const char *files[N_FILES];
 static ts_trace *reference;
 
@@ -20,6 +19,7 @@ static void begin(void)
 	static const ts_piece piece = {.a = {-6, -6, -5}, .b = {6, -6, -5}, .c = {0, 6, -5}, .path = 1};
 	static const ts_align frame = {.c = {0, -2, -5}, .s = 1, .u = {1, 0, 0}, .v = {0, 1, 0}};
 	static const u64 bits = 0x3f;
+	static const u32 sums[N_SUMS] = {0, 1, 1, 4, N_POINTS};
 	static u8 ties[N_TEXELS];
 	static ts_point points[N_POINTS];
 	static u64 splats[N_TEXELS];
@@ -40,31 +40,39 @@ static void begin(void)
 	fuzz_npy(fuzz_name("7.npy"), TS_B_split_piece, 1, 0, &piece);
 	fuzz_npy(fuzz_name("8.npy"), TS_B_align_frame, 1, 0, &frame);
 	fuzz_npy(fuzz_name("9.npy"), TS_B_visibility_bits, 1, 1, &bits);
+	fuzz_npy(fuzz_name("10.npy"), TS_B_points_offset, N_SUMS, 0, sums);
 	ts_trace like = {.pipeline = ts_pipeline_find("reflections", "epr")};
 	ts_status status = ts_trace_open_layout(
 		&reference, fuzz_root,
 		"points.key=0.npy,points.record=1.npy,"
 		"splat.depth_index=2.npy,lookup.point=3.npy,mirror_pixel.record=4.npy,splat.tie=5.npy,cube_size.face=6.npy,"
-		"split.piece=7.npy,align.frame=8.npy,visibility.bits=9.npy",
+		"split.piece=7.npy,align.frame=8.npy,visibility.bits=9.npy,points.offset=10.npy",
 		false, &like);
 	assert(status == TS_OK);
-	static const char *const names[N_FILES] = {"key", "record", "splat", "lookup", "pixel"};
+	static const char *const names[N_FILES] = {"key", "record", "splat", "lookup", "pixel", "sums"};
 	for (u32 i = 0; i < N_FILES; i++) files[i] = fuzz_name(names[i]);
 }
 
 static void judge(const ts_trace *candidate, const ts_relaxations *relaxations)
 {
-	static ts_comparison c;
-	char text[TS_WHERE_TEXT];
-	ts_status status = ts_compare(&c, reference, candidate, relaxations);
+	static ts_comparison *c;
+	char text[TS_VALUE_TEXT];
+	if (c == NULL) c = ts_comparison_make(MOST);
+	assert(c != NULL);
+	ts_status status = ts_compare(c, reference, candidate, relaxations);
 	if (status == TS_ERROR) {
 		fuzz_refused();
 		return;
 	}
-	assert((status == TS_DIFFERENT) == (c.first != TS_N_BUFFERS));
+	assert((status == TS_DIFFERENT) == (c->first != TS_N_BUFFERS));
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		const ts_verdict *v = &c.verdict[id];
-		if (v->has_first) ts_where(text, reference, (ts_buffer_id)id, v->first.element);
+		const ts_verdict *v = &c->verdict[id];
+		assert(v->list.n <= MOST && v->list.n <= v->n_different && (v->list.n > 0 || !v->has_first));
+		for (u32 i = 0; i < v->list.n; i++) {
+			const ts_difference *d = &v->list.items[i].difference;
+			ts_difference_show(text, (ts_buffer_id)id, d, d->cand);
+			assert(v->list.items[i].where[0] != 0);
+		}
 		assert(v->judgement != TS_SAME || v->n_different <= relaxations->allow);
 		assert(v->judgement != TS_UNLIKE || v->n_different > 0);
 	}

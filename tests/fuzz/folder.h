@@ -10,7 +10,7 @@
 #include "../../src/trace/npy.h"
 
 static char fuzz_root[] = "/tmp/touchstone-fuzz-XXXXXX";
-static char fuzz_path[16][64];
+static char fuzz_path[32][64];
 static int n_fuzz_paths;
 
 static inline void fuzz_end(void)

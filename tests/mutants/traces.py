@@ -13,6 +13,7 @@ FACES = ("+X", "-X", "+Y", "-Y", "+Z", "-Z")
 NONE = 0xffffffff
 EMPTY = 0xffffffffffffffff
 RECORDS = subprocess.check_output(["scripts/assembled", "include/touchstone/records.def"], text=True)
+SUMS = set(re.findall(r'^SUM\((\w+),', RECORDS, re.M))
 NOUNS = dict(re.findall(r'^DIM\((\w+), "([^"]+)"', RECORDS, re.M))
 
 
@@ -153,7 +154,7 @@ class Trace:
 			return self.pixel(*self["mirror_pixel.record"].get(row, "index"), True)
 		if shape[0] == "points":
 			return f"key ({self.key(self['points.key'].words()[row])})"
-		if shape[0] == "texels":
+		if shape[0] in ("texels", "texels+1"):
 			return self.texel(row)
 		last = shape[0].removesuffix("+1").split("*")[-1]
 		return f"{NOUNS.get(last, 'element')} {row}"
@@ -184,16 +185,29 @@ class Trace:
 		return f"element {texel}"
 
 
+def counts(sums):
+	return [sums[0]] + [after - before for before, after in zip(sums, sums[1:])]
+
+
 class Difference:
-	"""Where two buffers of the same order first differ, and in how many elements."""
+	"""Where two buffers of the same order first differ, and in how many elements; of prefix sums, in how many counts."""
 
 	def __init__(self, reference, candidate, name):
 		ref, cand = reference[name], candidate[name]
 		both = min(ref.n, cand.n)
-		unlike = [i for i in range(both) if ref.element(i) != cand.element(i)] if ref.data != cand.data else []
+		sums = name.replace(".", "_") in SUMS
+		unlike = []
+		if ref.data != cand.data:
+			ours, theirs = (counts(b.words()) if sums else b.elements() for b in (ref, cand))
+			unlike = [i for i in range(both) if ours[i] != theirs[i]]
 		self.n = len(unlike) + ref.n + cand.n - 2 * both
 		self.first = unlike[0] if unlike else None
-		if self.first is not None:
+		if self.first == 0 and sums:
+			self.where, self.field = "element 0, where the sums begin", None
+		elif self.first is not None and sums:
+			thing, sum_before = reference.where(name, self.first - 1), self.first - 1
+			self.where, self.field = f"count of {thing} (element {self.first} less element {sum_before})", None
+		elif self.first is not None:
 			self.where, self.field = reference.where(name, self.first), self.first_field(ref, cand)
 		elif self.n:
 			self.where = f"{ref.n} elements, candidate {cand.n}"
