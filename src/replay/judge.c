@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "../trace/item.h"
 
 static bool same_shape(const ts_buffer *ours, const ts_trace_item *item)
 {
@@ -39,6 +40,10 @@ static void tell_first(ts_judged *judged)
 	if (v->has_first) {
 		snprintf(judged->text, sizeof judged->text, "%s%s%s: %s is right, %s was found", where,
 		         name[0] != 0 ? ", field " : "", name, right, found);
+	} else if (v->n_missing + v->n_extra == 0) {
+		snprintf(judged->text, sizeof judged->text, "element %" PRIu64 ": %s",
+		         v->n_ref < v->n_cand ? v->n_ref : v->n_cand,
+		         v->n_ref < v->n_cand ? "beside the right ones" : "missing");
 	} else {
 		snprintf(judged->text, sizeof judged->text, "%" PRIu64 " records missing, %" PRIu64 " beside", v->n_missing,
 		         v->n_extra);
@@ -64,6 +69,14 @@ static void put_item(ts_trace_item *item, const ts_buffer *ours, ts_buffer_id id
 	                        .memory = ours->data,
 	                        .npy = {.n_dims = ours->n_dims, .n = ours->n}};
 	memcpy(item->npy.shape, ours->shape, sizeof item->npy.shape);
+}
+
+/* A number of things that the stage itself counts may be another, and the elements are compared all the same. */
+static bool can_match(const ts_buffer *ours, const ts_trace_item *item, ts_buffer_id id)
+{
+	ts_trace_item right;
+	put_item(&right, ours, id);
+	return same_shape(ours, item) || (ours->n_dims == item->npy.n_dims && ts_item_match(id, &right, item) == TS_OK);
 }
 
 /* What the stage was given takes the place of the reference's, so that places are named by it. */
@@ -109,7 +122,7 @@ ts_status ts_judge(ts_judged *judged, const ts_load *load, ts_buffer_id id, cons
 	                      .item = ts_load_item(load->reference, load->candidate, id),
 	                      .verdict = {.list = judged->verdict.list}};
 	if (judged->item == NULL) return TS_OK;
-	judged->shape_differs = !same_shape(ours, judged->item);
+	judged->shape_differs = !can_match(ours, judged->item, id);
 	if (judged->shape_differs) {
 		judged->verdict.judgement = TS_UNLIKE;
 		judged->verdict.n_ref = ours->n;

@@ -149,6 +149,41 @@ assert "n\\xe9/10-points.offset.npy" in why["points"]'
 verdict $? 'a folder with a name of any bytes'
 refuses 'points.offset.npy: element .* would be right' compare r/trace-epr $'n\xe9' --forced --ignore points.offset
 
+# Points in the order of their arrival: one is missing, one is there twice, and three are wrong.
+plant arrival <<'PY'
+import json
+trace = json.load(open(sys.argv[1] + "/trace.json"))
+json.dump(dict(trace, order="arrival"), open(sys.argv[1] + "/trace.json", "w"))
+keys, records = words("points.key"), words("points.record")
+n = len(keys) // 2
+order = [*range(n - 1, 500, -1), *range(500)] + [7]
+for buffer, size in (keys, 2), (records, 8):
+	old = list(buffer)
+	for place, point in enumerate(order):
+		buffer[size * place:size * place + size] = array.array("I", old[size * point:size * point + size])
+for point in 3, 600, 900:
+	records[8 * order.index(point) + 3] ^= 1
+PY
+python3 - <<'PY'
+import struct
+def words(name, size):
+	data = open(f"r/trace-epr/{name}.npy", "rb").read()[128:]
+	return [data[i:i + size] for i in range(0, len(data), size)]
+def name(key):
+	key, = struct.unpack("<Q", key)
+	return f"key (piece {key >> 32}, x {(key & 0xffff) - 32768}, y {(key >> 16 & 0xffff) - 32768})"
+keys = words("11-points.key", 8)
+open("right", "w").write("".join(f"  {line}\n" for line in [name(keys[500]) + ": missing", name(keys[7]) + ": twice"] +
+                                 [name(keys[i]) + ", field length:" for i in (3, 600, 900)]))
+PY
+run compare r/trace-epr arrival --first 9 --ignore points.key,splat.depth_index,lookup.point,lookup.second_point,lookup.third_point,lookup.second_parent,lookup.third_parent
+grep -a '^stage 11 points, buffer points.record, key (' stdout | sed 's/^.*record, /  /; s/ — .*//' | cat - <(grep -a '^  key' stdout | sed 's/length: .*/length:/') | cmp -s - right
+verdict $? 'points in order of arrival, by their keys'
+tells 'points.record: elements that differ, by field: length 3' 'and fields of those that are there'
+run compare r/trace-epr arrival --forced --first 2
+grep -aA2 '^stage 11 points: different' stdout | grep -qF "points.key,$(sed -n '1s/^ //p' right) — first of 1 missing, 1 beside"
+verdict $? 'a point too few is missing from what the stage makes'
+
 # The scene is no stage, and is judged all the same.
 echo 'words("scene.vertex")[0] ^= 1' | plant scene
 run compare r/trace-epr scene --tap
