@@ -8,7 +8,7 @@
 enum { TS_DIFFERENCE_TEXT = 512, TS_FIRST_TEXT = 1152, TS_LINE_TEXT = 2048 };
 
 /* "pixel (35, 0), field normal[1]: ref 1 = 0x1p+0 (3f800000) candidate -1 = -0x1p+0 (bf800000) -2130706433 ulp". */
-void ts_compare_difference(char text[TS_DIFFERENCE_TEXT], ts_buffer_id id, const struct ts_named *named);
+void ts_compare_difference(char text[TS_DIFFERENCE_TEXT], ts_buffer_id id, const ts_named *named);
 /* The first difference of a buffer that is unlike, " — first of " and how many there are. */
 void ts_compare_first(char text[TS_FIRST_TEXT], ts_buffer_id id, const ts_verdict *verdict);
 /* The line that can be pasted: that, behind stage and buffer, and whether the stage's inputs were the same. */

@@ -47,7 +47,7 @@ i64 ts_compare_ulps(ts_buffer_id id, const ts_difference *d)
 	return fields.field[d->field].kind == 'f' ? ts_field_ulps(d->ref, d->cand) : 0;
 }
 
-void ts_compare_difference(char text[TS_DIFFERENCE_TEXT], ts_buffer_id id, const struct ts_named *named)
+void ts_compare_difference(char text[TS_DIFFERENCE_TEXT], ts_buffer_id id, const ts_named *named)
 {
 	const ts_difference *d = &named->difference;
 	char name[64], ref[TS_VALUE_TEXT], cand[TS_VALUE_TEXT], apart[48] = "";

@@ -50,7 +50,7 @@ static json_int_t element_of(ts_buffer_id id, const ts_difference *d)
 	return (json_int_t)d->element - (ts_sum_of(id) != NULL);
 }
 
-static json_t *difference_json(ts_buffer_id id, const struct ts_named *named)
+static json_t *difference_json(ts_buffer_id id, const ts_named *named)
 {
 	const ts_difference *d = &named->difference;
 	static const char *const how[] = {"unequal", "missing", "beside", "twice"};

@@ -42,7 +42,7 @@ typedef struct {
 	bool forced;               /* judged by ts_compare_forced: */
 	char refusal[TS_WHY_TEXT]; /* the first reason why a stage could not be run on its inputs; "" if there was none */
 	ts_buffer_id first;        /* first buffer, in the order of the pipeline, that is unlike; TS_N_BUFFERS: none */
-	struct ts_named *named;    /* room of the lists of all verdicts; NULL: they have none */
+	ts_named *named;           /* room of the lists of all verdicts; NULL: they have none */
 	u32 most;                  /* differences that each list has room for */
 } ts_comparison;
 

@@ -21,12 +21,15 @@ typedef struct {
 	                  TS_BESIDE and TS_TWICE `cand` is the key */
 } ts_difference;
 
+/* A difference, and where it is: "pixel (12, 40)". */
+typedef struct {
+	ts_difference difference;
+	char where[TS_WHERE_TEXT];
+} ts_named;
+
 /* The first differences of a buffer, in room that the caller owns; all zero: none are wanted. */
 typedef struct {
-	struct ts_named {
-		ts_difference difference;
-		char where[TS_WHERE_TEXT];
-	} * items;
+	ts_named *items;
 	u32 n, most;
 } ts_differences;
 

@@ -180,7 +180,7 @@ static void insert(ts_differences *list, u32 first, const ts_difference *d, cons
 	list->n -= list->n == list->most;
 	ts_differences_add(list, reference, id, d);
 	for (u32 at = list->n - 1; at > first && list->items[at - 1].difference.cand > d->cand; at--) {
-		struct ts_named greater = list->items[at - 1];
+		ts_named greater = list->items[at - 1];
 		list->items[at - 1] = list->items[at];
 		list->items[at] = greater;
 	}

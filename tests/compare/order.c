@@ -25,7 +25,7 @@ static ts_trace side(const char *name, const u64 *keys, u64 n, bool arrival)
 }
 
 /* Keys without a partner, as the last call of `make` found them. */
-static struct ts_named named[2 * MOST];
+static ts_named named[2 * MOST];
 static ts_differences unmet = {.most = 2 * MOST};
 
 static ts_status make(ts_order *order, const u64 *ref, u64 n_ref, const u64 *cand, u64 n_cand, bool arrival)

@@ -170,7 +170,7 @@ static void test_names(void **state)
 	const planted own[] = {{TS_B_mirror_pixel_record, &pixel}, {TS_B_shade_radiance, &light}};
 	ts_trace *candidate = traces_plant(0, own, 2, "canonical", "");
 	assert_int_equal(ts_compare_forced(c, traces[0], candidate, &exactly, 2), TS_DIFFERENT);
-	const struct ts_named *first = &c->verdict[TS_B_shade_radiance].list.items[0];
+	const ts_named *first = &c->verdict[TS_B_shade_radiance].list.items[0];
 	assert_true(c->verdict[TS_B_shade_radiance].judgement == TS_UNLIKE && first->difference.element == 0);
 	snprintf(right, sizeof right, "pixel (%u, %u) [0]", (unsigned)(pixels[0].index % 64),
 	         (unsigned)(pixels[0].index / 64));
