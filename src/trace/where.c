@@ -86,6 +86,20 @@ static bool where_sample(char *text, const ts_trace *reference, ts_buffer_id id,
 	return true;
 }
 
+/* Of a row of all pixels, one after the other, and of all samples of them; false: its shape is another. */
+static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, u64 element)
+{
+	ts_view eye;
+	const ts_axis *pixels = &ts_buffer_shape(id)->axis[0];
+	bool image = pixels->n_factors == 2 && pixels->factor[1] == TS_DIM_width;
+	if (!image || !ts_where_fetch(reference, TS_B_eye_view, 0, &eye) || eye.width == 0 || eye.height == 0) return false;
+	u64 y = element / eye.width, sample = y / eye.height;
+	bool several = reference->item[id].npy.n > (u64)eye.width * eye.height + 1;
+	int n = snprintf(text, TS_WHERE_TEXT, "pixel (%" PRIu64 ", %" PRIu64 ")", element % eye.width, y % eye.height);
+	if (several) snprintf(text + n, TS_WHERE_TEXT - (size_t)n, ", sample %" PRIu64, sample);
+	return true;
+}
+
 /* What is of no family. */
 static const ts_where_rule general[] = {
 	{TS_DIM_texels, where_texel},
@@ -107,7 +121,7 @@ static bool where_by(const ts_where_rule *rule, char *text, const ts_trace *refe
 static bool find(char *text, const ts_trace *reference, ts_buffer_id id, u64 index)
 {
 	assert(lists != NULL);
-	bool found = where_by(general, text, reference, id, index);
+	bool found = where_by(general, text, reference, id, index) || where_pixel(text, reference, id, index);
 	for (const ts_where_rule *const *list = lists; *list != NULL && !found; list++) {
 		found = where_by(*list, text, reference, id, index);
 	}

@@ -107,6 +107,23 @@ def _(ref, cand, _bench):
 	return Planted("points.key", ref.where("points.key", n // 3), None, n - n // 3)
 
 
+@mutant("count of a piece")
+def _(ref, cand, _bench):
+	"""All sums behind it are wrong, and one count."""
+	sums = cand["points.offset"].words()
+	piece = len(sums) // 2
+	put_words(cand, "points.offset", sums[:piece + 1] + [total + 2 for total in sums[piece + 1:]])
+	return Planted("points.offset", f"count of piece {piece} (element {piece + 1} less element {piece})", None, 1)
+
+
+@mutant("sums that include their own counts")
+def _(ref, cand, _bench):
+	sums = cand["points.offset"].words()
+	put_words(cand, "points.offset", sums[1:] + sums[-1:])
+	planted = first(ref, cand, "points.offset")
+	return Planted("points.offset", "element 0, where the sums begin", None, planted.n)
+
+
 @mutant("point twice", arrival=True)
 def _(ref, cand, _bench):
 	n = ref["points.key"].n

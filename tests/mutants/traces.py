@@ -150,6 +150,8 @@ class Trace:
 	def place(self, shape, row):
 		if is_image(shape):
 			return self.pixel(row, shape[0] != "height")
+		if shape[0] in ("height*width+1", "eye_rows*width+1"):
+			return self.pixel(row, shape[0][0] == "e")
 		if shape[0] == "mirror_pixels":
 			return self.pixel(*self["mirror_pixel.record"].get(row, "index"), True)
 		if shape[0] == "points":

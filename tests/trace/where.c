@@ -103,6 +103,24 @@ static void test_nouns(void **state)
 	assert_true(n > 40);
 }
 
+/* Sums over all pixels, and over all of their samples. */
+static void test_pixels(void **state)
+{
+	(void)state;
+	const ts_view eye = {.width = 64, .height = 36};
+	ts_trace_item *view = &trace.item[TS_B_eye_view], *offset = &trace.item[TS_B_mirror_pixel_offset];
+	put(TS_B_eye_view, &eye, 1, 1, 0, 0);
+	offset->npy.n = 64 * 36 + 1;
+	is(TS_B_mirror_pixel_offset, 70, "pixel (6, 1)");
+	is(TS_B_fragment_list_offset, 64 * 36 - 1, "pixel (63, 35)");
+	offset->npy.n = 4 * 64 * 36 + 1;
+	is(TS_B_mirror_pixel_offset, 70, "pixel (6, 1), sample 0");
+	is(TS_B_mirror_pixel_offset, 3 * 64 * 36 + 70, "pixel (6, 1), sample 3");
+	offset->npy.n = 0;
+	free(view->path);
+	*view = (ts_trace_item){.path = NULL};
+}
+
 static void test_crop(void **state)
 {
 	(void)state;
@@ -137,10 +155,8 @@ static void test_absent(void **state)
 int main(void)
 {
 	const struct CMUnitTest where[] = {
-		cmocka_unit_test(test_places),
-		cmocka_unit_test(test_nouns),
-		cmocka_unit_test(test_crop),
-		cmocka_unit_test(test_absent),
+		cmocka_unit_test(test_places), cmocka_unit_test(test_nouns),  cmocka_unit_test(test_pixels),
+		cmocka_unit_test(test_crop),   cmocka_unit_test(test_absent),
 	};
 	return cmocka_run_group_tests(where, begin, end);
 }
