@@ -1,7 +1,6 @@
 /* One difference, as a line. */
 #include "compare.h"
 #include <inttypes.h>
-#include <string.h>
 #include "../trace/emit.h"
 
 enum { INPUTS_TEXT = 600 };

@@ -1,8 +1,6 @@
 /* The verdicts of stages: as text, as JSON, as TAP and as JUnit XML. */
 #include "../output/file.h"
 #include "compare.h"
-#include <inttypes.h>
-#include <string.h>
 #include "../scene/print.h"
 #include "../trace/emit.h"
 
