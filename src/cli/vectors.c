@@ -19,14 +19,22 @@ static ts_status write_file(const char *name, const char *descr, u32 n_dims, con
 }
 
 /* The dtype of a record is the text of a list of fields, that of a number its name alone. */
+static json_t *describe_out(const ts_vector *v, const char *file, const char *descr)
+{
+	u64 dims[TS_MAX_DIMS];
+	u32 n_dims = ts_vector_out_shape(dims, v);
+	json_t *shape = json_array();
+	for (u32 i = 0; i < n_dims; i++) json_array_append_new(shape, json_integer((json_int_t)dims[i]));
+	size_t quote = ts_vector_gives_record(v) ? 0 : 1;
+	return json_pack("{ss, ss%, so}", "file", file, "dtype", descr + quote, strlen(descr) - 2 * quote, "shape", shape);
+}
+
 static json_t *describe(const ts_vector *v, const char *in_file, const char *in_descr, const char *out_file,
                         const char *out_descr)
 {
-	json_t *shape = v->out.count > 1 ? json_pack("[ii]", (int)TS_VECTOR_ITEMS, (int)v->out.count)
-	                                 : json_pack("[i]", (int)TS_VECTOR_ITEMS);
-	return json_pack("{ss, ss, ss, s{ss, ss, s[i]}, s{ss, ss%, so}}", "name", v->name, "rule", v->rule, "doc", v->doc,
-	                 "in", "file", in_file, "dtype", in_descr, "shape", (int)TS_VECTOR_ITEMS, "out", "file", out_file,
-	                 "dtype", out_descr + 1, strlen(out_descr) - 2, "shape", shape);
+	return json_pack("{ss, ss, ss, s{ss, ss, s[i]}, so}", "name", v->name, "rule", v->rule, "doc", v->doc, "in", "file",
+	                 in_file, "dtype", in_descr, "shape", (int)TS_VECTOR_ITEMS, "out",
+	                 describe_out(v, out_file, out_descr));
 }
 
 static ts_status write_primitive(const ts_vector *v, ts_vector_rows *rows, json_t *list)

@@ -57,7 +57,7 @@ static value_text print_value(ts_vector_type type, const u32 *row)
 /* One line of text and an array of values, for the elements of an argument or of an output. */
 static json_t *tell_values(check *c, const char *name, ts_vector_type type, u32 count, const u32 *row)
 {
-	char line[512];
+	char line[TS_VECTOR_WORDS * 64];
 	size_t used = 0;
 	json_t *list = json_array();
 	for (u32 k = 0; k < count; k++) {
@@ -85,20 +85,53 @@ static i64 distance(ts_vector_type type, const u32 *out, const u32 *found)
 	}
 }
 
+/* " in arrives", " in element 1 of l", " in element 2"; nothing where there is but one. */
+static void name_spot(char *text, size_t bytes, const ts_vector_spot *spot)
+{
+	size_t used = 0;
+	bool named = spot->column->name[0] != 0;
+	text[0] = 0;
+	if (spot->column->count > 1) used = (size_t)snprintf(text, bytes, " in element %" PRIu32, spot->element);
+	if (named) snprintf(text + used, bytes - used, "%s%s", used > 0 ? " of " : " in ", spot->column->name);
+}
+
 /* How far the first wrong element is off. */
 static json_t *tell_distance(check *c, const ts_vector *v, u32 element, const u32 *out, const u32 *found)
 {
-	char where[24] = "";
-	u32 at = element * ts_vector_type_words(v->out.type);
-	bool is_float = v->out.type == TS_VECTOR_F32;
-	if (v->out.count > 1) snprintf(where, sizeof where, " in element %" PRIu32, element);
+	char where[80];
+	ts_vector_spot spot = ts_vector_out_spot(v, element);
+	u32 at = spot.word;
+	bool is_float = spot.column->type == TS_VECTOR_F32;
+	name_spot(where, sizeof where, &spot);
 	if (is_float && is_nan(found[at])) {
 		tell(c, "  %-10s not a number%s", "apart", where);
 		return json_null();
 	}
-	i64 apart = distance(v->out.type, out + at, found + at);
+	i64 apart = distance(spot.column->type, out + at, found + at);
 	tell(c, "  %-10s %+" PRId64 "%s%s", "apart", apart, is_float ? " ulp" : "", where);
 	return json_integer(apart);
+}
+
+/* A line and a member of `to` for each column. */
+static void tell_columns(check *c, json_t *to, const char *before, const ts_vector_column *of, const u32 *row)
+{
+	char name[80];
+	for (const ts_vector_column *a = of; a->name != NULL; a++) {
+		snprintf(name, sizeof name, "%s%s", before, a->name);
+		json_object_set_new(to, a->name, tell_values(c, name, a->type, a->count, row));
+		row += a->count * ts_vector_type_words(a->type);
+	}
+}
+
+/* Of records an object of the columns, else the array. */
+static json_t *tell_outputs(check *c, const ts_vector *v, const char *what, const u32 *row)
+{
+	char before[40];
+	if (!ts_vector_gives_record(v)) return tell_values(c, what, v->out[0].type, v->out[0].count, row);
+	json_t *all = json_object();
+	snprintf(before, sizeof before, "%s ", what);
+	tell_columns(c, all, before, v->out, row);
+	return all;
 }
 
 static json_t *tell_fault(check *c, const ts_vector_verdict *verdict)
@@ -119,22 +152,19 @@ static json_t *tell_fault(check *c, const ts_vector_verdict *verdict)
 
 static void tell_first(check *c, const ts_vector *v, const ts_vector_verdict *verdict)
 {
-	u32 in_words = ts_vector_in_words(v), out_words = ts_vector_out_words(v);
-	const u32 *row = c->rows->in + (size_t)verdict->first * in_words;
+	u32 out_words = ts_vector_out_words(v);
+	const u32 *row = c->rows->in + (size_t)verdict->first * ts_vector_in_words(v);
 	const u32 *out = c->rows->out + (size_t)verdict->first * out_words;
 	const u32 *found = c->rows->found + (size_t)verdict->first * out_words;
 	json_t *item = json_object(), *in = json_object();
 	tell(c, "%s, item %" PRIu32 ", the first of %" PRIu32 " wrong: %s (%s%s)", v->name, verdict->first,
 	     verdict->n_wrong, v->doc, v->rule[0] >= '0' && v->rule[0] <= '9' ? "rule " : "", v->rule);
-	for (const ts_vector_column *a = v->in; a->name != NULL; a++) {
-		json_object_set_new(in, a->name, tell_values(c, a->name, a->type, a->count, row));
-		row += a->count * ts_vector_type_words(a->type);
-	}
+	tell_columns(c, in, "", v->in, row);
 	json_object_set_new(item, "primitive", json_string(v->name));
 	json_object_set_new(item, "item", json_integer(verdict->first));
 	json_object_set_new(item, "in", in);
-	json_object_set_new(item, "expected", tell_values(c, "expected", v->out.type, v->out.count, out));
-	json_object_set_new(item, "found", tell_values(c, "found", v->out.type, v->out.count, found));
+	json_object_set_new(item, "expected", tell_outputs(c, v, "expected", out));
+	json_object_set_new(item, "found", tell_outputs(c, v, "found", found));
 	json_object_set_new(item, "element", json_integer(verdict->first_element));
 	json_object_set_new(item, "apart", tell_distance(c, v, verdict->first_element, out, found));
 	json_object_set_new(item, "fault", tell_fault(c, verdict));
@@ -167,8 +197,7 @@ static ts_status read_outputs(bool *there, check *c, const ts_vector *v, const c
 	snprintf(name, sizeof name, "%s.out.npy", v->name);
 	ts_vector_out_descr(descr, v);
 	u32 n_dims = ts_vector_out_shape(shape, v);
-	return ts_vectors_read(c->rows->found, there, dir, name, descr, ts_vector_type_words(v->out.type) * sizeof(u32),
-	                       n_dims, shape);
+	return ts_vectors_read(c->rows->found, there, dir, name, descr, ts_vector_out_bytes(v), n_dims, shape);
 }
 
 /* A port that started from other inputs is not judged. */

@@ -20,10 +20,18 @@ static u32 explain(const ts_vector *v, const u32 *in, const u32 *found)
 	return faults;
 }
 
+static u32 elements(const ts_vector *v)
+{
+	u32 n = 0;
+	for (const ts_vector_column *c = v->out; c->name != NULL; c++) n += c->count;
+	return n;
+}
+
 static u32 first_difference(const ts_vector *v, const u32 *out, const u32 *found)
 {
-	u32 words = ts_vector_type_words(v->out.type), k = 0;
-	while (memcmp(out + k * words, found + k * words, words * sizeof *out) == 0) k++;
+	u32 word = 0, k = 0;
+	while (out[word] == found[word]) word++;
+	while (k + 1 < elements(v) && ts_vector_out_spot(v, k + 1).word <= word) k++;
 	return k;
 }
 

@@ -129,6 +129,22 @@ static bool enumerate(const ts_vector *v, u32 i, u32 *row)
 	return true;
 }
 
+/* What lies in the column's range stays as it is; else the nearest that does. */
+static u32 limit_f32(u32 u, const ts_vector_column *c)
+{
+	u32 exponent = u >> 23 & 255, sign = c->is_signed ? u & 0x80000000u : 0;
+	if (exponent < (u32)c->low || (u & 0x7fffffffu) == 0) return c->low == 0 ? u : 0;
+	return exponent > (u32)c->high ? sign | (u32)c->high << 23 | 0x7fffffu : u;
+}
+
+static void limit_row(const ts_vector *v, u32 *row)
+{
+	for (const ts_vector_column *c = v->in; c->name != NULL; c++) {
+		for (u32 k = 0; k < c->count && c->type == TS_VECTOR_F32; k++) row[k] = limit_f32(row[k], c);
+		row += c->count * ts_vector_type_words(c->type);
+	}
+}
+
 static void draw_row(source *s, const ts_vector *v, u32 i, u32 *row)
 {
 	style how = i < MIXED_FROM ? SPECIAL : i < MODERATE_FROM ? N_STYLES : i < BITS_FROM ? MODERATE : BITS;
@@ -139,12 +155,16 @@ static void draw_row(source *s, const ts_vector *v, u32 i, u32 *row)
 		at += c->count * ts_vector_type_words(c->type);
 	}
 	if (v->relate != NULL) v->relate(row, next(s));
+	limit_row(v, row);
 }
 
 static bool is_finite(const ts_vector *v, const u32 *out)
 {
-	for (u32 k = 0; k < v->out.count && v->out.type == TS_VECTOR_F32; k++) {
-		if ((out[k] & 0x7fffffffu) >= 0x7f800000u) return false;
+	for (const ts_vector_column *c = v->out; c->name != NULL; c++) {
+		for (u32 k = 0; k < c->count && c->type == TS_VECTOR_F32; k++) {
+			if ((out[k] & 0x7fffffffu) >= 0x7f800000u) return false;
+		}
+		out += c->count * ts_vector_type_words(c->type);
 	}
 	return true;
 }

@@ -1,12 +1,14 @@
 /* What the tables of primitives share: models of faults, ranges of arguments. */
 #ifndef TS_TRACE_VECTORS_ROW_H
 #define TS_TRACE_VECTORS_ROW_H
+#include "../kernels/vectors/composites.h"
 #include "../kernels/vectors/vectors.h"
 #include "vectors.h"
 
 /* The tables of what all methods share, each ended by a row without a name. */
 extern const ts_vector ts_vectors_arithmetic[], ts_vectors_number[], ts_vectors_vector[], ts_vectors_raster[],
 	ts_vectors_cube[], ts_vectors_texture[];
+extern const ts_vector ts_composites_geometry[], ts_composites_shade[], ts_composites_lattice[];
 
 /* The first fields of a ts_vector: the kernels' item of that name. */
 #define PRIMITIVE(n) .name = #n, .item = ts_k_vector_##n
@@ -43,6 +45,12 @@ static inline f32 flushed_result(double x)
 #define UNSIGNED(name, count, low, high) { name, TS_VECTOR_U32, count, low, high, false }
 /* clang-format on */
 #define ALL_U32(name, count) UNSIGNED(name, count, 0, UINT32_MAX)
+
+/* What comes out: elements of one type, or several columns with names. */
+/* clang-format off */
+#define GIVES(type, count) { COLUMN("", type, count) }
+#define COLUMN(name, type, count) { name, TS_VECTOR_##type, count, 0, 0, false }
+/* clang-format on */
 
 #define EDGES(list) .edges = list, .n_edges = sizeof list / sizeof list[0]
 

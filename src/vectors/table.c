@@ -5,15 +5,20 @@
 #include <stdio.h>
 #include "row.h"
 
-static const ts_launch launch = TS_LAUNCH(vectors, TS_ALL);
+static const ts_launch launch = TS_LAUNCH(vectors, TS_ALL), launch_composites = TS_LAUNCH(composites, TS_ALL);
 
 /* clang-format off */
-static const ts_vector_set shared = {
-	&launch,
+static const ts_vector_set primitives = {
+	&launch, false,
 	{ts_vectors_arithmetic, ts_vectors_number, ts_vectors_vector, ts_vectors_raster, ts_vectors_cube,
 	ts_vectors_texture},
 };
+static const ts_vector_set composites = {&launch_composites, true,
+	{ts_composites_geometry, ts_composites_shade, ts_composites_lattice}};
 /* clang-format on */
+
+/* What all methods share. */
+static const ts_vector_set *const shared[] = {&primitives, &composites, NULL};
 
 static const ts_vector_set *const none = NULL;
 static const ts_vector_set *const *families = &none;
@@ -50,12 +55,14 @@ static u32 count(const ts_vector_set *set)
 	return n;
 }
 
-u32 ts_vectors_count(void)
+static u32 count_all(const ts_vector_set *const *sets)
 {
-	u32 n = count(&shared);
-	for (const ts_vector_set *const *set = families; *set != NULL; set++) n += count(*set);
+	u32 n = 0;
+	for (; *sets != NULL; sets++) n += count(*sets);
 	return n;
 }
+
+u32 ts_vectors_count(void) { return count_all(shared) + count_all(families); }
 
 static const ts_vector *vector_of(const ts_vector_set *set, u32 index)
 {
@@ -69,13 +76,12 @@ static const ts_vector *vector_of(const ts_vector_set *set, u32 index)
 
 ts_vector_place ts_vectors_place(u32 index)
 {
-	const ts_vector_set *set = &shared;
-	for (const ts_vector_set *const *next = families; set != NULL && index >= count(set); next++) {
-		index -= count(set);
-		set = *next;
-	}
-	if (set == NULL) return (ts_vector_place){0};
-	return (ts_vector_place){vector_of(set, index), set->launch, index};
+	u32 n_shared = count_all(shared);
+	const ts_vector_set *const *set = index < n_shared ? shared : families;
+	index -= index < n_shared ? 0 : n_shared;
+	for (; *set != NULL && index >= count(*set); set++) index -= count(*set);
+	if (*set == NULL) return (ts_vector_place){0};
+	return (ts_vector_place){vector_of(*set, index), (*set)->launch, index, (*set)->composed};
 }
 
 const ts_vector *ts_vectors_at(u32 index) { return ts_vectors_place(index).vector; }
@@ -91,15 +97,30 @@ const ts_vector *ts_vectors_find(const char *name)
 
 u32 ts_vector_type_words(ts_vector_type type) { return type == TS_VECTOR_I64 || type == TS_VECTOR_U64 ? 2 : 1; }
 
-u32 ts_vector_in_words(const ts_vector *vector)
+static u32 words_of(const ts_vector_column *columns)
 {
 	u32 n = 0;
-	for (const ts_vector_column *c = vector->in; c->name != NULL; c++) n += c->count * ts_vector_type_words(c->type);
+	for (const ts_vector_column *c = columns; c->name != NULL; c++) n += c->count * ts_vector_type_words(c->type);
 	assert(n <= TS_VECTOR_WORDS);
 	return n;
 }
 
-u32 ts_vector_out_words(const ts_vector *vector) { return vector->out.count * ts_vector_type_words(vector->out.type); }
+u32 ts_vector_in_words(const ts_vector *vector) { return words_of(vector->in); }
+
+u32 ts_vector_out_words(const ts_vector *vector) { return words_of(vector->out); }
+
+ts_vector_spot ts_vector_out_spot(const ts_vector *vector, u32 element)
+{
+	ts_vector_spot r = {vector->out, element, 0};
+	for (; r.element >= r.column->count; r.column++) {
+		r.element -= r.column->count;
+		r.word += r.column->count * ts_vector_type_words(r.column->type);
+	}
+	r.word += r.element * ts_vector_type_words(r.column->type);
+	return r;
+}
+
+bool ts_vector_gives_record(const ts_vector *vector) { return vector->out[0].name[0] != 0; }
 
 static const char *type_descr(ts_vector_type type)
 {
@@ -110,26 +131,39 @@ static const char *type_descr(ts_vector_type type)
 	return descr[type];
 }
 
-void ts_vector_in_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector)
+static void descr_of(char descr[TS_VECTOR_DESCR], const ts_vector_column *columns)
 {
 	size_t used = 0;
-	for (const ts_vector_column *c = vector->in; c->name != NULL; c++) {
+	for (const ts_vector_column *c = columns; c->name != NULL; c++) {
 		char count[24] = "";
 		if (c->count > 1) snprintf(count, sizeof count, ", (%" PRIu32 ",)", c->count);
 		used += (size_t)snprintf(descr + used, TS_VECTOR_DESCR - used, "%s('%s', '%s'%s)", used == 0 ? "[" : ", ",
 		                         c->name, type_descr(c->type), count);
 	}
+	assert(used < TS_VECTOR_DESCR - 1);
 	snprintf(descr + used, TS_VECTOR_DESCR - used, "]");
 }
 
+void ts_vector_in_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector) { descr_of(descr, vector->in); }
+
 void ts_vector_out_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector)
 {
-	snprintf(descr, TS_VECTOR_DESCR, "'%s'", type_descr(vector->out.type));
+	if (ts_vector_gives_record(vector)) {
+		descr_of(descr, vector->out);
+	} else {
+		snprintf(descr, TS_VECTOR_DESCR, "'%s'", type_descr(vector->out[0].type));
+	}
 }
 
 u32 ts_vector_out_shape(u64 shape[TS_MAX_DIMS], const ts_vector *vector)
 {
 	shape[0] = TS_VECTOR_ITEMS;
-	shape[1] = vector->out.count;
-	return vector->out.count > 1 ? 2 : 1;
+	shape[1] = vector->out[0].count;
+	return !ts_vector_gives_record(vector) && vector->out[0].count > 1 ? 2 : 1;
+}
+
+u32 ts_vector_out_bytes(const ts_vector *vector)
+{
+	bool record = ts_vector_gives_record(vector);
+	return (record ? ts_vector_out_words(vector) : ts_vector_type_words(vector->out[0].type)) * (u32)sizeof(u32);
 }

@@ -7,7 +7,7 @@
 #include "../model/core.h"
 #include "../kernels/base/compat.h"
 
-enum { TS_VECTOR_ITEMS = 4096, TS_VECTOR_COLUMNS = 6, TS_VECTOR_WORDS = 16, TS_VECTOR_VARIANTS = 6 };
+enum { TS_VECTOR_ITEMS = 4096, TS_VECTOR_COLUMNS = 60, TS_VECTOR_WORDS = 128, TS_VECTOR_VARIANTS = 6 };
 enum { TS_VECTOR_TABLES = 6, TS_VECTOR_DESCR = 2048 };
 
 typedef enum { TS_VECTOR_F32, TS_VECTOR_I32, TS_VECTOR_U32, TS_VECTOR_I64, TS_VECTOR_U64 } ts_vector_type;
@@ -61,20 +61,19 @@ typedef struct {
 	const char *rule;     /* of CONTRACT, or the kernel that defines it */
 	const char *doc;      /* one line */
 	ts_vector_column in[TS_VECTOR_COLUMNS + 1];
-	struct {
-		ts_vector_type type;
-		u32 count;
-	} out;
+	ts_vector_column out[TS_VECTOR_COLUMNS + 1];        /* one without a name: an array; with names: a record */
 	ts_vector_variant variants[TS_VECTOR_VARIANTS + 1]; /* ended by one without an item */
 	const f32 *edges;                                   /* values at which the primitive changes its mind */
 	u32 n_edges;
-	/* Brings the arguments of a row into a relation, with random bits; NULL: they have none. Keeps the ranges. */
+	/* Brings the arguments of a row into a relation, with random bits; NULL: they have none. Integers keep their
+	 * ranges; floats are brought back into theirs. */
 	void (*relate)(u32 *in, u32 random);
 } ts_vector;
 
 /* The primitives of one kernel, in the order of its list. */
 typedef struct {
 	const ts_launch *launch;
+	bool composed; /* composites: functions made of primitives, which no backend is asked for before it runs */
 	const ts_vector *tables[TS_VECTOR_TABLES + 1]; /* each ended by a row without a name; all by NULL */
 } ts_vector_set;
 
@@ -92,6 +91,7 @@ typedef struct {
 	const ts_vector *vector; /* NULL: there is none of that index */
 	const ts_launch *launch;
 	u32 primitive;
+	bool composed;
 } ts_vector_place;
 ts_vector_place ts_vectors_place(u32 index);
 
@@ -99,11 +99,24 @@ ts_vector_place ts_vectors_place(u32 index);
 u32 ts_vector_in_words(const ts_vector *vector);
 u32 ts_vector_out_words(const ts_vector *vector);
 u32 ts_vector_type_words(ts_vector_type type);
+
+/* Where in the outputs an element is, counted through all columns. */
+typedef struct {
+	const ts_vector_column *column;
+	u32 element, word; /* of the column; of the row */
+} ts_vector_spot;
+ts_vector_spot ts_vector_out_spot(const ts_vector *vector, u32 element);
+
+/* Whether what comes out is a record. */
+bool ts_vector_gives_record(const ts_vector *vector);
 /* The dtypes of the two files as numpy writes them. */
 void ts_vector_in_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector);
 void ts_vector_out_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector);
-/* The shape of the file of outputs: items, and elements if there are several. Returns the dimensions. */
+/* The shape of the file of outputs: items, and elements if there are several that are no record. Returns the
+ * dimensions. */
 u32 ts_vector_out_shape(u64 shape[TS_MAX_DIMS], const ts_vector *vector);
+/* Bytes of one element of that shape. */
+u32 ts_vector_out_bytes(const ts_vector *vector);
 
 /* Fills TS_VECTOR_ITEMS rows of inputs and of outputs, always the same: special values first, then random ones over
  * the whole range, then ones for which each of the primitive's faults gives another result. No float that comes
@@ -120,10 +133,12 @@ typedef struct {
 } ts_vector_verdict;
 ts_vector_verdict ts_vector_judge(const ts_vector *vector, const u32 *in, const u32 *out, const u32 *found);
 
-/* Runs every primitive on a backend and keeps what that told in backend->arithmetic. A backend that computes one of
- * them otherwise is refused with a message that names it, unless `inexact`; flushed denormals are no such
- * difference. */
+/* Runs every primitive on a backend, or every composite, and keeps what that told in backend->arithmetic. A backend
+ * that computes one of them otherwise is refused with a message that names it, unless `inexact`; flushed denormals are
+ * no such difference. What takes the primitives needs not take the composites before it runs, since these are made of
+ * them: kernels of their own compute them, which a device would have to build first. */
 ts_status ts_vectors_verify(ts_backend *backend, bool inexact);
+ts_status ts_vectors_verify_composites(ts_backend *backend);
 
 /* Steps between two floats on the line of all floats, on which -0 lies one below +0; NaN is as far as its bits say. */
 i64 ts_vector_ulps(u32 from, u32 to);

@@ -17,7 +17,7 @@ static ts_status compute(ts_backend *backend, rows *r, const ts_vector_place *at
 	ts_frame frame;
 	memset(&frame, 0, sizeof frame);
 	ts_vectors_args args = {r->in, r->found, at->primitive, ts_vector_in_words(v), ts_vector_out_words(v)};
-	memset(r->found, 0, sizeof r->found);
+	memset(r->found, 0, (size_t)TS_VECTOR_ITEMS * args.out_words * sizeof(u32));
 	ts_frame_lend(&frame, TS_WORK_tallies, r->in, (u64)TS_VECTOR_ITEMS * args.in_words * sizeof(u32));
 	ts_frame_lend(&frame, TS_WORK_other, r->found, (u64)TS_VECTOR_ITEMS * args.out_words * sizeof(u32));
 	ts_status status = backend->launch(backend, &frame, at->launch, &args, TS_VECTOR_ITEMS);
@@ -50,12 +50,13 @@ static void name_it(char *text, size_t bytes, const ts_vector *v, const ts_vecto
 	         known ? ts_vector_fault_table[verdict->fault].name : "");
 }
 
-static ts_status verify(ts_backend *backend, rows *r, char *wrong, size_t bytes)
+static ts_status verify(ts_backend *backend, bool composed, rows *r, char *wrong, size_t bytes)
 {
 	backend->arithmetic = (ts_measured){.rounds_to_nearest = true, .keeps_denormals = true};
 	for (u32 i = 0; i < ts_vectors_count(); i++) {
 		ts_vector_place at = ts_vectors_place(i);
 		const ts_vector *v = at.vector;
+		if (at.composed != composed) continue;
 		ts_vector_make(v, r->in, r->out);
 		if (compute(backend, r, &at) != TS_OK) return TS_ERROR;
 		ts_vector_verdict verdict = ts_vector_judge(v, r->in, r->out, r->found);
@@ -67,15 +68,19 @@ static ts_status verify(ts_backend *backend, rows *r, char *wrong, size_t bytes)
 	return backend->finish(backend);
 }
 
-ts_status ts_vectors_verify(ts_backend *backend, bool inexact)
+static ts_status verify_set(ts_backend *backend, bool composed, bool inexact)
 {
 	char wrong[512] = "";
 	rows *r = ts_alloc(1, sizeof *r, "arithmetic vectors");
 	if (r == NULL) return TS_ERROR;
-	ts_status status = verify(backend, r, wrong, sizeof wrong);
+	ts_status status = verify(backend, composed, r, wrong, sizeof wrong);
 	free(r);
 	if (status != TS_OK || backend->arithmetic.n_wrong == 0 || inexact) return status;
 	return ts_fail("backend %s: %s breaks the numeric contract, so nothing it computes can be relied on, in %" PRIu32
 	               " primitives: %s; --inexact runs it all the same",
 	               backend->name, backend->device, backend->arithmetic.n_wrong, wrong);
 }
+
+ts_status ts_vectors_verify(ts_backend *backend, bool inexact) { return verify_set(backend, false, inexact); }
+
+ts_status ts_vectors_verify_composites(ts_backend *backend) { return verify_set(backend, true, false); }

@@ -34,6 +34,15 @@ static ts_status verify(ts_measured *arithmetic, const char *build, bool inexact
 	return status;
 }
 
+static void verify_composites(const char *build)
+{
+	ts_backend *backend = NULL;
+	const ts_backend_options options = {.work_group = 64, .build = build};
+	assert_int_equal(ts_opencl_kind.open(&backend, &options), TS_OK);
+	if (ts_vectors_verify_composites(backend) != TS_OK) fail_msg("%s", ts_error_message());
+	backend->close(backend);
+}
+
 static void breaks(const char *build, const char *primitive)
 {
 	ts_measured a;
@@ -51,6 +60,8 @@ static void test_vectors(void **state)
 	ts_measured a;
 	if (verify(&a, "", false) != TS_OK) fail_msg("%s", ts_error_message());
 	assert_true(a.n_wrong == 0 && a.rounds_to_nearest && !a.contracts);
+	verify_composites("");
+	verify_composites("-cl-denorms-are-zero");
 	if (verify(&a, "-cl-denorms-are-zero", false) != TS_OK) fail_msg("%s", ts_error_message());
 	assert_true(a.n_wrong == 0 && a.rounds_to_nearest && !a.keeps_denormals);
 	breaks("-cl-fast-relaxed-math", "(");

@@ -37,6 +37,7 @@ static void test_vectors(void **state)
 	ts_backend *backend = device_open(&ts_vulkan_kind, (ts_backend_options){.work_group = 64});
 	if (ts_vectors_verify(backend, false) != TS_OK) fail_msg("%s", ts_error_message());
 	assert_true(backend->arithmetic.rounds_to_nearest && !backend->arithmetic.contracts);
+	if (ts_vectors_verify_composites(backend) != TS_OK) fail_msg("%s", ts_error_message());
 	backend->close(backend);
 }
 

@@ -49,10 +49,11 @@ verdict $? 'their headers say what vectors.json says, and what is in them is rig
 
 if python3 -c 'import numpy' 2> /dev/null; then
 	python3 - << 'END'
-import json, numpy
+import ast, json, numpy
 for p in json.load(open("v/vectors.json"))["primitives"]:
     rows, results = numpy.load("v/" + p["in"]["file"]), numpy.load("v/" + p["out"]["file"])
-    assert rows.shape == (4096,) and list(results.shape) == p["out"]["shape"] and results.dtype == p["out"]["dtype"]
+    dtype = ast.literal_eval(p["out"]["dtype"]) if p["out"]["dtype"][0] == "[" else p["out"]["dtype"]
+    assert rows.shape == (4096,) and list(results.shape) == p["out"]["shape"] and results.dtype == dtype
     if p["name"] == "add":
         assert (rows["a"] + rows["b"] == results).all()
 END

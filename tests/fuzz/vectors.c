@@ -19,8 +19,7 @@ static ts_status read_outputs(u32 primitive, const uint8_t *data, size_t n)
 	u32 n_dims = ts_vector_out_shape(shape, v);
 	ts_status status = ts_vectors_check_names(fuzz_root);
 	assert(status == TS_OK);
-	status = ts_vectors_read(rows.found, &there, fuzz_root, name, descr,
-	                         ts_vector_type_words(v->out.type) * sizeof(u32), n_dims, shape);
+	status = ts_vectors_read(rows.found, &there, fuzz_root, name, descr, ts_vector_out_bytes(v), n_dims, shape);
 	assert(there && ts_vectors_read_contract(fuzz_root) == TS_OK);
 	unlink(path);
 	if (status != TS_OK) return status;

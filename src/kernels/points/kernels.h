@@ -2,6 +2,7 @@
 #ifndef TS_KERNELS_POINTS_KERNELS_H
 #define TS_KERNELS_POINTS_KERNELS_H
 #include "align.h"
+#include "composites.h"
 #include "cube_size.h"
 #include "cull_margin.h"
 #include "environment_map.h"

@@ -1,6 +1,7 @@
 /* All kernels of deferred surface splatting: for backends. */
 #ifndef TS_KERNELS_SURFELS_KERNELS_H
 #define TS_KERNELS_SURFELS_KERNELS_H
+#include "composites.h"
 #include "deferred.h"
 #include "deferred_margin.h"
 #include "fragment_list.h"

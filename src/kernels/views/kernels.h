@@ -2,6 +2,7 @@
 #ifndef TS_KERNELS_VIEWS_KERNELS_H
 #define TS_KERNELS_VIEWS_KERNELS_H
 #include "bilateral.h"
+#include "composites.h"
 #include "cube_view.h"
 #include "octree.h"
 #include "octree_reflector.h"

@@ -62,17 +62,17 @@ static const ts_vector light[] = {
 	  "integral of a spherical Gaussian and the cosine; method 0 SSAGH's, 1 constant, 2 a Gaussian, 3 quadrature",
 	  { POSITIVE("lambda", 1, 107, 143), { "cos_beta", TS_VECTOR_F32, 1, 97, 127, true },
 	    UNSIGNED("method", 1, TS_COSINE_IS_OURS, TS_COSINE_IS_QUADRATURE), UNSIGNED("printed", 1, 0, 1) },
-	  { TS_VECTOR_F32, 1 } },
+	  GIVES(F32, 1) },
 	{ PRIMITIVE(sg_sharpness), "ts_k_sg_sharpness", "of the length of a mean; vmf 0 Toksvig's, 1 of a von Mises-Fisher",
-	  { POSITIVE("r", 1, 97, 127), UNSIGNED("vmf", 1, 0, 1) }, { TS_VECTOR_F32, 1 }, EDGES(sharpness_edges) },
+	  { POSITIVE("r", 1, 97, 127), UNSIGNED("vmf", 1, 0, 1) }, GIVES(F32, 1), EDGES(sharpness_edges) },
 	{ PRIMITIVE(solid_angle), "ts_k_solid_angle", "of a triangle seen from p",
-	  { SPACE("p"), SPACE("a"), SPACE("b"), SPACE("c") }, { TS_VECTOR_F32, 1 }, .relate = relate_point },
+	  { SPACE("p"), SPACE("a"), SPACE("b"), SPACE("c") }, GIVES(F32, 1), .relate = relate_point },
 	{ PRIMITIVE(form_factor), "ts_k_form_factor", "of a triangle that shines on p, n the normal there",
-	  { SPACE("p"), SPACE("n"), SPACE("a"), SPACE("b"), SPACE("c") }, { TS_VECTOR_F32, 1 }, .relate = relate_surface },
+	  { SPACE("p"), SPACE("n"), SPACE("a"), SPACE("b"), SPACE("c") }, GIVES(F32, 1), .relate = relate_surface },
 	{ PRIMITIVE(sg_product), "ts_k_sg_product", "of two spherical Gaussians: mu, lambda, phi",
-	  { LOBE("1"), LOBE("2") }, { TS_VECTOR_F32, 5 }, .relate = relate_lobes },
+	  { LOBE("1"), LOBE("2") }, GIVES(F32, 5), .relate = relate_lobes },
 	{ PRIMITIVE(gloss_lobe), "ts_k_gloss_lobe", "of a surface, n its normal, v to the eye: mu, lambda, phi",
-	  { SPACE("n"), SPACE("v"), POSITIVE("alpha_squared", 1, 109, 126) }, { TS_VECTOR_F32, 5 },
+	  { SPACE("n"), SPACE("v"), POSITIVE("alpha_squared", 1, 109, 126) }, GIVES(F32, 5),
 	  .relate = relate_gloss },
 	{ 0 },
 };
@@ -80,4 +80,4 @@ static const ts_vector light[] = {
 
 static const ts_launch launch = TS_LAUNCH(hulls_vectors, TS_ALL);
 
-const ts_vector_set ts_hulls_vectors = {&launch, {light}};
+const ts_vector_set ts_hulls_vectors = {&launch, false, {light}};
