@@ -29,15 +29,15 @@ static json_t *describe_out(const ts_vector *v, const char *file, const char *de
 	return json_pack("{ss, ss%, so}", "file", file, "dtype", descr + quote, strlen(descr) - 2 * quote, "shape", shape);
 }
 
-static json_t *describe(const ts_vector *v, const char *in_file, const char *in_descr, const char *out_file,
+static json_t *describe(const ts_vector *v, bool composed, const char *in_file, const char *in_descr, const char *out_file,
                         const char *out_descr)
 {
-	return json_pack("{ss, ss, ss, s{ss, ss, s[i]}, so}", "name", v->name, "rule", v->rule, "doc", v->doc, "in", "file",
-	                 in_file, "dtype", in_descr, "shape", (int)TS_VECTOR_ITEMS, "out",
+	return json_pack("{ss, ss, ss, sb, s{ss, ss, s[i]}, so}", "name", v->name, "rule", v->rule, "doc", v->doc, "composed",
+	                 composed, "in", "file", in_file, "dtype", in_descr, "shape", (int)TS_VECTOR_ITEMS, "out",
 	                 describe_out(v, out_file, out_descr));
 }
 
-static ts_status write_primitive(const ts_vector *v, ts_vector_rows *rows, json_t *list)
+static ts_status write_primitive(const ts_vector *v, bool composed, ts_vector_rows *rows, json_t *list)
 {
 	char in_file[64], out_file[64], in_descr[TS_VECTOR_DESCR], out_descr[TS_VECTOR_DESCR];
 	u64 shape[TS_MAX_DIMS];
@@ -53,7 +53,7 @@ static ts_status write_primitive(const ts_vector *v, ts_vector_rows *rows, json_
 	if (status == TS_OK) {
 		status = write_file(out_file, out_descr, n_dims, shape, rows->out, ts_vector_out_words(v) * word_bytes);
 	}
-	json_array_append_new(list, describe(v, in_file, in_descr, out_file, out_descr));
+	json_array_append_new(list, describe(v, composed, in_file, in_descr, out_file, out_descr));
 	return status;
 }
 
@@ -82,7 +82,7 @@ static ts_status write_all(void)
 	ts_vector_rows *rows = ts_alloc(1, sizeof *rows, "arithmetic vectors");
 	ts_status status = rows != NULL ? TS_OK : TS_ERROR;
 	for (u32 i = 0; status == TS_OK && (v = ts_vectors_at(i)) != NULL; i++) {
-		status = write_primitive(v, rows, list);
+		status = write_primitive(v, ts_vectors_place(i).composed, rows, list);
 		ts_progress("vectors", i + 1, ts_vectors_count());
 	}
 	if (status == TS_OK) status = write_index(list);

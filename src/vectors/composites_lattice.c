@@ -55,7 +55,7 @@ const ts_vector ts_composites_lattice[] = {
 	  { PIECE("piece"), POSITIVE("s", 1, 119, 135) },
 	  { COLUMN("c", F32, 3), COLUMN("s", F32, 1), COLUMN("u", F32, 3), COLUMN("pad0", U32, 1), COLUMN("v", F32, 3),
 	    COLUMN("pad1", U32, 1), COLUMN("q", I32, 6), COLUMN("pad2", U32, 2) }, .relate = relate_align },
-	{ PRIMITIVE(lattice_weights), "22", "weights of sample (x, y) on a triangle a b c that is in the lattice",
+	{ PRIMITIVE(lattice_weights), "ts_k_weights_around", "weights of sample (x, y) on a triangle a b c that is in the lattice",
 	  { LATTICE("a"), LATTICE("b"), LATTICE("c"), INTEGER("x", 1, -32768, 32767), INTEGER("y", 1, -32768, 32767) },
 	  GIVES(F32, 3), .relate = relate_weights },
 	{ PRIMITIVE(sample_centre), "ts_k_sample_centre",

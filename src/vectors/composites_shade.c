@@ -157,8 +157,9 @@ const ts_vector ts_composites_shade[] = {
 	    NEAR("object.spin", 1), VERTEX("a"), VERTEX("b"), VERTEX("c"), SHARE("w", 3), LENGTH("footprint", 1) },
 	  { SURFACE_OUT }, .relate = relate_surface },
 	{ PRIMITIVE(shadow_bias), "ts_k_shadow_bias", "of a depth map at p with normal n, whose axial depth is z",
-	  { VIEW("view"), FLAG("orthographic"), LENGTH("bias", 1), LENGTH("slope", 1), WORLD("p", 3), UNIT("n"),
-	    POSITIVE("z", 1, 107, 150) }, GIVES(F32, 1), .relate = relate_bias },
+	  { VIEW("view"), FLAG("orthographic"), LENGTH("bias", 1), LENGTH("slope", 1),
+	    { "p", TS_VECTOR_F32, 3, 107, 133, true }, UNIT("n"), POSITIVE("z", 1, 107, 150) }, GIVES(F32, 1),
+	  .relate = relate_bias },
 	{ 0 },
 };
 /* clang-format on */

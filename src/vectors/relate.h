@@ -27,6 +27,13 @@ static inline void ts_relate_v3(u32 *at, ts_v3 a)
 	ts_relate_f32(at + 1, a.y);
 	ts_relate_f32(at + 2, a.z);
 }
+/* The same in the range of NEAR, for what is computed from there on. */
+static inline void ts_relate_near(u32 *at, ts_v3 a)
+{
+	const f32 of[3] = {a.x, a.y, a.z};
+	for (u32 k = 0; k < 3; k++) at[k] = ts_f2u(ts_abs(of[k]) < 0.00390625f ? 0 : ts_clamp(of[k], -31, 31));
+}
+
 /* From [0, 2) to [0, 1], whose end is there too. */
 static inline void ts_relate_shares(u32 *at, u32 n)
 {
@@ -53,7 +60,7 @@ static inline ts_v3 ts_relate_across(u32 *at, ts_v3 n)
 {
 	ts_v3 v = ts_row_v3(at, 0);
 	ts_v3 across = ts_mad(v, n, -ts_dot(n, v));
-	if (!(ts_length(across) > 0.0009765625f * ts_length(v))) across = ts_k_across(n);
+	if (!(ts_length(across) > 0.0625f * ts_length(v))) across = ts_k_across(n);
 	ts_relate_v3(at, ts_normalize(across));
 	return ts_row_v3(at, 0);
 }
@@ -92,9 +99,9 @@ static inline void ts_relate_triangle(u32 *a, u32 *b, u32 *c, u32 *random)
 	u32 k = (ts_more(random) >> 8) % 32;
 	if (k == 0) memcpy(b, a, 3 * sizeof *a);
 	if (k == 1) memcpy(c, b, 3 * sizeof *b);
-	if (k == 2) ts_relate_v3(c, ts_mad(pa, ab, 2));
-	if (k == 3) ts_relate_v3(c, ts_add(pa, ts_v3_make(-ab.x, ab.y, ab.z)));
-	if (k == 4) ts_relate_v3(c, ts_add(pa, ts_v3_make(ab.y, -ab.x, ab.z)));
+	if (k == 2) ts_relate_near(c, ts_mad(pa, ab, 2));
+	if (k == 3) ts_relate_near(c, ts_add(pa, ts_v3_make(-ab.x, ab.y, ab.z)));
+	if (k == 4) ts_relate_near(c, ts_add(pa, ts_v3_make(ab.y, -ab.x, ab.z)));
 	if (k == 5) memcpy(b, a, 3 * sizeof *a), memcpy(c, a, 3 * sizeof *a);
 }
 
@@ -103,8 +110,8 @@ static inline void ts_relate_area(u32 *a, u32 *b, u32 *c)
 {
 	ts_v3 pa = ts_row_v3(a, 0), n = ts_cross(ts_sub(ts_row_v3(b, 0), pa), ts_sub(ts_row_v3(c, 0), pa));
 	if (!ts_k_is_degenerate(n)) return;
-	ts_relate_v3(b, ts_sub(pa, ts_v3_make(pa.x < 0 ? -1 : 1, 0, 0)));
-	ts_relate_v3(c, ts_sub(pa, ts_v3_make(0, pa.y < 0 ? -1 : 1, 0)));
+	ts_relate_near(b, ts_sub(pa, ts_v3_make(pa.x < 0 ? -1 : 1, 0, 0)));
+	ts_relate_near(c, ts_sub(pa, ts_v3_make(0, pa.y < 0 ? -1 : 1, 0)));
 }
 
 /* A ts_piece's columns. */

@@ -22,12 +22,12 @@ static void relate_disc(u32 *in, u32 random)
 	ts_camera_k view = ts_k_view(&of);
 	view.orthographic = in[TS_VIEW_WORDS];
 	f32 power = 1 / (f32)(1u << (ts_more(&random) >> 8) % 8);
-	ts_v3 u = ts_relate_unit(in + SURFEL_U), v = ts_relate_across(in + SURFEL_V, u);
-	ts_v3 centre = ts_row_v3(in, SURFEL);
+	ts_v3 u = ts_relate_unit(in + SURFEL_U), v, centre = ts_row_v3(in, SURFEL);
 	if (!ts_once_in(&random, 8)) centre = place_in(&view, 1 + ts_abs(ts_k_to_view(&view, centre).z), &random);
 	if (ts_once_in(&random, 8)) centre = ts_mad(view.eye, view.back, -view.near * (2 * ts_uniform(ts_more(&random))));
-	if (ts_once_in(&random, 16)) v = ts_normalize(ts_sub(centre, view.eye));
-	if (ts_once_in(&random, 16)) u = view.back, v = view.right;
+	if (ts_once_in(&random, 16)) u = ts_normalize(ts_sub(centre, view.eye));
+	if (ts_once_in(&random, 16)) u = view.back;
+	v = ts_relate_across(in + SURFEL_V, u);
 	ts_v3 to_eye = view.orthographic != 0 ? view.back : ts_sub(view.eye, centre);
 	bool back = ts_dot(ts_cross(u, v), to_eye) < 0 && !ts_once_in(&random, 8);
 	ts_relate_v3(in + SURFEL, centre);
@@ -36,7 +36,16 @@ static void relate_disc(u32 *in, u32 random)
 	ts_relate_shares(in + SURFEL_COLOUR, 3);
 }
 
-enum { FRACTION = 2, DEPTH = 10, DISC_FLAGS = 11, CONIC = 16, DISC_NORMAL = 20, FRAGMENT_NEAR = 31, AT = 32 };
+enum {
+	FRACTION = 2,
+	DEPTH = 10,
+	DISC_FLAGS = 11,
+	CONIC = 16,
+	DISC_NORMAL = 20,
+	FRAGMENT_FILTER = 24,
+	FRAGMENT_NEAR = 31,
+	AT = 32
+};
 
 /* A pixel about the centre; a Gaussian that falls in all directions. */
 static void relate_fragment(u32 *in, u32 random)
@@ -46,6 +55,7 @@ static void relate_fragment(u32 *in, u32 random)
 		in[AT + k] = (u32)(ts_row_i32(in, k) + (i32)((ts_more(&random) >> 8) % 9) - 4);
 	}
 	f32 most = ts_sqrt(ts_abs(ts_row_f32(in, CONIC)) * ts_abs(ts_row_f32(in, CONIC + 2)));
+	if (in[FRAGMENT_FILTER] >= TS_FILTER_IS_SCREEN) in[DISC_FLAGS] &= ~TS_DISC_CROSSES;
 	bool crosses = (in[DISC_FLAGS] & TS_DISC_CROSSES) != 0;
 	ts_relate_f32(in + CONIC, ts_abs(ts_row_f32(in, CONIC)));
 	ts_relate_f32(in + CONIC + 1, crosses ? 0.5f : (ts_uniform(ts_more(&random)) - 0.5f) * most);
