@@ -29,12 +29,12 @@ static json_t *describe_out(const ts_vector *v, const char *file, const char *de
 	return json_pack("{ss, ss%, so}", "file", file, "dtype", descr + quote, strlen(descr) - 2 * quote, "shape", shape);
 }
 
-static json_t *describe(const ts_vector *v, bool composed, const char *in_file, const char *in_descr, const char *out_file,
-                        const char *out_descr)
+static json_t *describe(const ts_vector *v, bool composed, const char *in_file, const char *in_descr,
+                        const char *out_file, const char *out_descr)
 {
-	return json_pack("{ss, ss, ss, sb, s{ss, ss, s[i]}, so}", "name", v->name, "rule", v->rule, "doc", v->doc, "composed",
-	                 composed, "in", "file", in_file, "dtype", in_descr, "shape", (int)TS_VECTOR_ITEMS, "out",
-	                 describe_out(v, out_file, out_descr));
+	return json_pack("{ss, ss, ss, sb, s{ss, ss, s[i]}, so}", "name", v->name, "rule", v->rule, "doc", v->doc,
+	                 "composed", composed, "in", "file", in_file, "dtype", in_descr, "shape", (int)TS_VECTOR_ITEMS,
+	                 "out", describe_out(v, out_file, out_descr));
 }
 
 static ts_status write_primitive(const ts_vector *v, bool composed, ts_vector_rows *rows, json_t *list)
