@@ -44,7 +44,7 @@ const ts_command ts_command_table[] = {
      ts_explain_command, NULL},
 	{"info", "SCENE", "what was loaded, and what in the file was not understood", "", 1, 1, WHERE | TS_OPT(JSON),
      ts_info_command, NULL},
-	{"list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends or benches",
+	{"list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends, vectors or benches",
      "params --method NAME: those that the method, of --effect or of any, and its scene read.", 1, 1,
      TS_OPT(EFFECT) | TS_OPT(METHOD) | TS_OPT(JSON), ts_list_command, NULL},
 	{"bench", "TABLE", "the papers' tables, measured here; and what the backends take",

@@ -7,6 +7,7 @@
 #include "../study/methods.h"
 #include "../study/reads.h"
 #include "../study/truths.h"
+#include "../vectors/vectors.h"
 
 static const ts_column stage_columns[] = {{"name", "stage", false},
                                           {"kind", "kind", false},
@@ -49,6 +50,8 @@ static const ts_column backend_columns[] = {
 	{"name", "backend", false},         {"index", "device", true},          {"device", "name", false},
 	{"rounded", "divide, root", false}, {"denormals", "denormals", false},  {"atomics", "64-bit atomics", false},
 	{"memory_mib", "MiB", true},        {"most_mib", "MiB a buffer", true}, {0}};
+static const ts_column vector_columns[] = {
+	{"name", "vector", false}, {"rule", "rule", false}, {"kind", "kind", false}, {"doc", "what comes out", false}, {0}};
 static const ts_column plain_columns[] = {{"name", "name", false}, {"doc", "what", false}, {0}};
 
 /* The methods whose table it is; none: of all. */
@@ -211,14 +214,28 @@ static ts_table list_backends(void)
 	return table;
 }
 
+static ts_table list_vectors(void)
+{
+	ts_table table = ts_table_begin("vectors", "", vector_columns);
+	for (u32 i = 0; i < ts_vectors_count(); i++) {
+		ts_vector_place at = ts_vectors_place(i);
+		ts_table_text(&table, at.vector->name);
+		ts_table_text(&table, at.vector->rule);
+		ts_table_text(&table, at.composed ? "composite" : "primitive");
+		ts_table_text(&table, at.vector->doc);
+	}
+	return table;
+}
+
 static const struct {
 	const char *name;
 	ts_table (*make)(void);
 	ts_table (*make_of)(const ts_listed *of); /* instead: of methods */
 } lists[] = {
-	{"stages", list_stages, NULL}, {"buffers", list_buffers, NULL},   {"sizes", list_sizes, NULL},
-	{"params", NULL, list_params}, {"methods", list_methods, NULL},   {"truths", list_truths, NULL},
-	{"scenes", list_scenes, NULL}, {"backends", list_backends, NULL}, {"benches", ts_bench_list, NULL},
+	{"stages", list_stages, NULL},    {"buffers", list_buffers, NULL},   {"sizes", list_sizes, NULL},
+	{"params", NULL, list_params},    {"methods", list_methods, NULL},   {"truths", list_truths, NULL},
+	{"scenes", list_scenes, NULL},    {"backends", list_backends, NULL}, {"vectors", list_vectors, NULL},
+	{"benches", ts_bench_list, NULL},
 };
 
 enum { N_LISTS = sizeof lists / sizeof lists[0] };

@@ -12,7 +12,7 @@ result() { # GOOD NAME
 }
 
 # The command's lists, once.
-for list in stages buffers sizes params methods truths benches; do
+for list in stages buffers sizes params methods truths vectors benches; do
 	"$TOUCHSTONE" list "$list" --json > "$folder/$list.json"
 done
 "$TOUCHSTONE" bench list --json > "$folder/list.json"
@@ -46,6 +46,7 @@ sees "columns, at most 120" METHODS.md '/^Whole pictures/s/.*/& &/'
 sees "no kernel has the constant 0x1.94aa36p-4" CONTRACT.md 's/`0x1.0001p-16`/`0x1.94aa36p-4`/'
 sees "ts_log2: its coefficients" CONTRACT.md 's/1.709a16p-3/1.8b4f7ap-3/'
 sees "ts_sincos_turn: its coefficients" CONTRACT.md 's/s \* 0x1.921fb6p+2/s/'
+sees "stale" CONTRACT.md '/^| `brdf` |/d'
 sees "not numbered" CONTRACT.md 's/^\*\*12\. /**13. /'
 sees "stale" METHODS.md '/^## 5\. /s/$/ and more/'
 sees "stale" VERDICTS.md '/^| SSAGH | figure 7 /s/holds/differs/'
