@@ -97,6 +97,13 @@ assert [p["wrong"] for p in r["primitives"] if p["primitive"] == "dot"] == [1]
 END
 verdict $? 'and in JSON'
 
+# Of a record the column is named.
+mkdir record && cp v/light.out.npy record && poke record/light.out.npy 4 1
+run vectors --check record
+[ "$status" -eq 1 ] && grep -q '^light, item 4095, the first of 1 wrong' stdout && grep -q 'apart .* ulp in arrives$' stdout &&
+	grep -q '^  expected l  *[-0-9]' stdout && grep -q '^  found arrives  *[-0-9]' stdout
+verdict $? 'a wrong column of a record is named'
+
 # A port that fuses, one that flushes and one that multiplies by reciprocals, in exact arithmetic of fractions.
 python3 - << 'END'
 import math, struct
