@@ -35,9 +35,9 @@ const ts_command ts_command_table[] = {
 	{"explain", "TRACE [OTHER]", "what one item of a stage computes, line by line",
      "TRACE: a folder that render --trace wrote. The stage is replayed, and one item of its kernels tells each\n"
      "parameter, variable, decision, store and result, with its bits and its place in src/kernels. With --inputs the\n"
-     "port's buffers are what it begins with. With OTHER, of the same method and parameters, it is explained from each\n"
-     "trace's buffers, TRACE's where OTHER lacks one: < and > mark what differs, and the exit code is 1 if anything\n"
-     "does.",
+     "port's buffers are what it begins with. With OTHER, of the same method and parameters, it is explained from\n"
+     "each trace's buffers, TRACE's where OTHER lacks one: < and > mark what differs, and the exit code is 1 if\n"
+     "anything does.",
      1, 2,
      TS_OPT(STAGE) | TS_OPT(ITEM) | TS_OPT(KERNEL) | TS_OPT(ELEMENT) | TS_OPT(INPUTS) | TS_OPT(PRIMITIVES) |
          TS_OPT(LINES) | TS_OPT(JSON),

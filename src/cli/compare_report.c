@@ -100,6 +100,18 @@ static void tell_unlike(ts_report *report, const ts_comparison *c, const ts_trac
 	ts_report_value(report, "differences", array);
 }
 
+/* The command that explains the first value that differs; of sums, the count before. */
+static void advise(ts_report *report, const ts_comparison *c, const ts_trace *reference)
+{
+	if (c->first == TS_N_BUFFERS || !c->verdict[c->first].has_first || !reference->has_params) return;
+	const ts_step *step = ts_pipeline_maker(reference->pipeline, c->first);
+	u64 element = c->verdict[c->first].first.element;
+	if (ts_sum_of(c->first) != NULL && element > 0) element--;
+	if (step == NULL || ts_stage_find(step->stage)->launches == NULL) return;
+	ts_report_line(report, "how the reference computes it: %s explain %s --stage %s --element %s:%" PRIu64, ts_program,
+	               reference->dir, step->stage, ts_buffer_table[c->first].name, element);
+}
+
 void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
                        const ts_judging *judging)
 {
@@ -116,6 +128,7 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
 	ts_report_table(report, &table);
 	ts_report_line(report, "%s", "");
 	tell_unlike(report, c, reference, ids);
+	if (!c->forced) advise(report, c, reference);
 	if (c->n_unable > 0) snprintf(unable, sizeof unable, ", %u not judged", (unsigned)c->n_unable);
 	ts_report_line(report, "%u buffers judged, %u different, %u missing%s%s%s", (unsigned)c->n_judged,
 	               (unsigned)c->n_unlike, (unsigned)c->n_missing, unable, relaxed[0] != 0 ? "; relaxed:" : "", relaxed);

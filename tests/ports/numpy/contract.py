@@ -41,9 +41,26 @@ def cross(a, b):
 	return np.stack((ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx), -1)
 
 
+def fused(a, b, c):
+	"""a·b + c rounded once, as a compiler that contracts gives it: the product is exact in binary64, and the sum is
+	rounded there to odd, after which rounding to binary32 is that of the exact sum (Boldo and Melquiond, 2008)."""
+	product, c = a.astype(np.float64) * b, c.astype(np.float64)
+	total = product + c
+	part = total - product
+	error = (product - (total - part)) + (c - part)
+	between = (error != 0) & (total.view(np.uint64) % np.uint64(2) == 0)
+	return np.where(between, np.nextafter(total, np.copysign(np.inf, error)), total).astype(np.float32)
+
+
 def length(v):
 	"""Rule 34."""
 	return np.sqrt(flush(dot(v, v)))
+
+
+def contracted_length(v):
+	"""As a compiler that contracts computes it."""
+	x, y, z = components(v)
+	return np.sqrt(flush(fused(z, z, fused(y, y, x * x))))
 
 
 def key(depth, index):

@@ -160,7 +160,7 @@ def main():
 	parser.add_argument('candidate')
 	parser.add_argument('stage', choices=STAGES)
 	parser.add_argument('seed', type=int)
-	parser.add_argument('--break', dest='broken', type=int, default=0, choices=range(10))
+	parser.add_argument('--break', dest='broken', type=int, default=0, choices=range(14))
 	given = parser.parse_args()
 	trace = Trace(given.trace)
 	stage, inputs = STAGES[given.stage]

@@ -9,7 +9,9 @@ port.py TRACE CANDIDATE [--stages visibility,splat] [--arrival] [--break N]
 --break N damages one line, for tests of the comparison:
 	1 a plane of the frustum belongs to the outside     2 back faces are seen
 	3 all half a texel to the right and down            4 splat.clip=off: the whole box of a splat, not only the piece's texels
-	5 axial depth instead of distance
+	5 axial depth instead of distance                   10 contracted: the distance's sum is fused
+	11 the last writer wins, not the least key          12 boxes shifted as unsigned numbers
+	13 squares of half size 128, not 129
 and these take what the documents say otherwise, where few scenes tell:
 	6 rule 19: a polygon without area keeps its box     7 rule 16: sides through the axis, 1 for f
 	8 visibility: the sides in texels, f X > f z        9 splat: a piece that is clipped away has points all the same
@@ -33,7 +35,7 @@ def arguments():
 	parser.add_argument('candidate')
 	parser.add_argument('--stages', default='visibility,splat', type=lambda names: names.split(','))
 	parser.add_argument('--arrival', action='store_true', help='points in the reverse order')
-	parser.add_argument('--break', dest='broken', type=int, default=0, choices=range(10), help='damage a line')
+	parser.add_argument('--break', dest='broken', type=int, default=0, choices=range(14), help='damage a line')
 	return parser.parse_args()
 
 

@@ -71,12 +71,14 @@ class Outlines:
 
 	def __init__(self, pixels, broken):
 		corners = fix(pixels, 8, 23).astype(np.int64)
-		self.low, self.high = (corners.min(1) - REACH + 127) >> 8, (corners.max(1) + REACH - 128) >> 8
+		reach = 128 if broken == 13 else REACH
+		low, high = corners.min(1) - reach + 127, corners.max(1) + reach - 128
+		self.low, self.high = (low & 0xffffffff if broken == 12 else low) >> 8, high >> 8
 		(x, y), (dx, dy) = components(corners), components(np.roll(corners, -1, 1) - corners)
 		area = (x * dy - y * dx).sum(1, keepdims=True)
 		turn = np.sign(area) if broken == 6 else np.where(area < 0, -1, 1)
 		a, b = -turn * dy, turn * dx
-		self.edges = np.stack((a, b, REACH * (abs(dx) + abs(dy)) - a * x - b * y)).transpose(2, 0, 1).copy()
+		self.edges = np.stack((a, b, reach * (abs(dx) + abs(dy)) - a * x - b * y)).transpose(2, 0, 1).copy()
 
 	def meet(self, low, high, which, bounded):
 		"""The boxes low to high, where bounded within the box of polygon `which`."""

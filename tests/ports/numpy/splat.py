@@ -1,7 +1,7 @@
 """Stage `splat` of METHODS.md, section 2: points into cube faces; rules 15 to 19, 24 and 25 of CONTRACT.md."""
 import numpy as np
 
-from contract import EMPTY, floor_i32, key, length
+from contract import EMPTY, contracted_length, floor_i32, key, length
 from cube import views
 from raster import Outlines, clip, spread
 
@@ -51,8 +51,9 @@ def farthest_first(points, shown, view, broken):
 	"""Step 4: the points shown and their keys, descending, so that the least is written last (rule 25)."""
 	index = np.flatnonzero(shown)
 	centre = points['centre'][index]
-	keys = key(view.see(centre)[:, 2] if broken == 5 else length(centre - view.centre), index)
-	order = np.argsort(keys)[::-1]
+	distance = contracted_length if broken == 10 else length
+	keys = key(view.see(centre)[:, 2] if broken == 5 else distance(centre - view.centre), index)
+	order = np.arange(len(keys)) if broken == 11 else np.argsort(keys)[::-1]
 	return index[order], keys[order]
 
 

@@ -11,17 +11,6 @@ import numpy as np
 import contract
 
 
-def fused(a, b, c):
-	"""a·b + c rounded once, as a compiler that contracts gives it: the product is exact in binary64, and the sum is
-	rounded there to odd, after which rounding to binary32 is that of the exact sum (Boldo and Melquiond, 2008)."""
-	product, c = a.astype(np.float64) * b, c.astype(np.float64)
-	total = product + c
-	part = total - product
-	error = (product - (total - part)) + (c - part)
-	between = (error != 0) & (total.view(np.uint64) % np.uint64(2) == 0)
-	return np.where(between, np.nextafter(total, np.copysign(np.inf, error)), total).astype(np.float32)
-
-
 def footprint(width, d, n, divided=False):
 	"""Rule 32: by the product of two lengths; divided: by one after the other."""
 	lengths = contract.length(d) * contract.length(n)
@@ -43,7 +32,7 @@ PRIMITIVES = {
 def main(vectors, out, variant=''):
 	out = pathlib.Path(out)
 	out.mkdir(parents=True, exist_ok=True)
-	faults = {'fused': {'muladd': fused}, 'divided': {'footprint': lambda *given: footprint(*given, divided=True)}}
+	faults = {'fused': {'muladd': contract.fused}, 'divided': {'footprint': lambda *given: footprint(*given, divided=True)}}
 	primitives = PRIMITIVES | faults.get(variant, {})
 	for name, primitive in primitives.items():
 		given = np.load(pathlib.Path(vectors, f'{name}.in.npy'))
