@@ -346,9 +346,12 @@ install: all $(PLAIN)/made $(PTX)
 	rm -rf $(TO)/share/touchstone/glsl
 	cp -R $(PLAIN) $(TO)/share/touchstone/glsl
 	rm $(TO)/share/touchstone/glsl/made
+	install -d $(TO)/share/doc/touchstone/reference
+	install -m 644 README.md CHANGELOG.md LICENSE $(TO)/share/doc/touchstone
+	install -m 644 $(wildcard $(patsubst %,reference/*.%,md json png)) $(TO)/share/doc/touchstone/reference
 uninstall:
 	rm -f $(TO)/bin/touchstone $(patsubst %,$(TO)/lib/libtouchstone%,.a .so .so.0 -image.so)
-	rm -rf $(TO)/include/touchstone $(TO)/share/touchstone
+	rm -rf $(TO)/include/touchstone $(TO)/share/touchstone $(TO)/share/doc/touchstone
 
 ##   clean              removes build/
 clean:
