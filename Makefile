@@ -53,6 +53,10 @@ WERROR ?= 0
 WARN := -Wall -Wextra -Wshadow $(if $(filter 1,$(WERROR)),-Werror)
 # The numeric contract: these come after the user's flags.
 EXACT := -ffp-contract=off -fno-math-errno -fno-trapping-math
+# Where gcc computes in double what C lets it: s390x.
+ifeq (1,$(shell echo __FLT_EVAL_METHOD__ | $(CC) -std=c11 -E -P - 2>/dev/null))
+EXACT += -fexcess-precision=fast
+endif
 # gcc 12 stops with an internal error in its straight-line vectorizer when items.c is built for AVX-512.
 ifneq (,$(findstring -march=,$(OPT)))
 EXACT += -fno-tree-slp-vectorize

@@ -1,6 +1,7 @@
 /* The first difference of two goldens, in the order of the pipeline, then of the elements. */
 #include <inttypes.h>
 #include <stdio.h>
+#include "../model/order.h"
 #include "golden.h"
 
 static void add(char *text, size_t text_bytes, const char *format, ...) __attribute__((format(printf, 3, 4)));
@@ -13,17 +14,12 @@ static void add(char *text, size_t text_bytes, const char *format, ...)
 	va_end(arguments);
 }
 
-static size_t type_bytes(const char *type) { return strcmp(type, "u64") == 0 ? 8 : strcmp(type, "u8") == 0 ? 1 : 4; }
-
 /* Floats exactly, with their bits, also of NaNs. */
 static void add_value(char *text, size_t text_bytes, const char *type, const char *at)
 {
-	u64 u = 0;
-	f32 f;
-	memcpy(&u, at, type_bytes(type));
+	u64 u = ts_order_read(at, ts_type_bytes(type));
 	if (strcmp(type, "f32") == 0) {
-		memcpy(&f, at, 4);
-		add(text, text_bytes, "%a (%08" PRIx64 ")", (double)f, u);
+		add(text, text_bytes, "%a (%08" PRIx64 ")", (double)ts_u2f((u32)u), u);
 	} else if (strcmp(type, "i32") == 0) {
 		add(text, text_bytes, "%" PRId32 " (0x%08" PRIx64 ")", (i32)(u32)u, u);
 	} else {
@@ -56,7 +52,7 @@ static const char *add_field(char *text, size_t text_bytes, ts_buffer_id id, siz
 	const ts_field_info *fields = ts_field_table(&n);
 	for (size_t i = 0; i < n; i++) {
 		if (strcmp(fields[i].record, element) != 0) continue;
-		size_t size = type_bytes(fields[i].type), bytes = fields[i].count * size;
+		size_t size = ts_type_bytes(fields[i].type), bytes = fields[i].count * size;
 		if (*at < begin + bytes) {
 			size_t k = (*at - begin) / size;
 			add(text, text_bytes, ", field %s", fields[i].name);

@@ -1,5 +1,6 @@
 /* Computing a golden: a traced run whose files are digested, looked through, and kept if small. */
 #include <stdlib.h>
+#include "../model/order.h"
 #include "golden.h"
 
 /* True if word `at` of an element is a float. */
@@ -11,7 +12,7 @@ static bool is_float(ts_buffer_id id, size_t at)
 	const ts_field_info *fields = ts_field_table(&n);
 	for (size_t i = 0; i < n; i++) {
 		if (strcmp(fields[i].record, element) != 0) continue;
-		size_t words = fields[i].count * (strcmp(fields[i].type, "u64") == 0 ? 2u : 1u);
+		size_t words = fields[i].count * (ts_type_bytes(fields[i].type) / 4);
 		if (at >= word && at < word + words) return strcmp(fields[i].type, "f32") == 0;
 		word += words;
 	}
@@ -25,8 +26,7 @@ u64 ts_golden_infinite(ts_buffer_id id, const void *data, u64 bytes)
 	for (size_t i = 0; i < n_words && i < 64; i++) any |= floats[i] = is_float(id, i);
 	u64 count = 0;
 	for (u64 i = 0; any && i < bytes / 4; i++) {
-		u32 bits;
-		memcpy(&bits, (const char *)data + 4 * i, 4);
+		u64 bits = ts_order_read((const u8 *)data + 4 * i, 4);
 		count += floats[i % n_words] && (bits & 0x7f800000u) == 0x7f800000u;
 	}
 	return count;

@@ -58,7 +58,7 @@ ts_status ts_golden_judge(const char *path);
 /* Releases what it holds. */
 void ts_golden_free(ts_golden *golden);
 
-/* Floats in elements of a buffer that are no numbers or not finite. */
+/* Floats in elements of a buffer's file that are no numbers or not finite. */
 u64 ts_golden_infinite(ts_buffer_id id, const void *data, u64 bytes);
 /* True if each pixel of the computed image.srgb is the same, or there is none. */
 bool ts_golden_is_constant(const ts_golden *golden);

@@ -78,6 +78,8 @@ const ts_field_info *ts_field_table(size_t *n)
 	return fields;
 }
 
+size_t ts_type_bytes(const char *type) { return strcmp(type, "u64") == 0 ? 8 : strcmp(type, "u8") == 0 ? 1 : 4; }
+
 const ts_shape *ts_buffer_shape(ts_buffer_id id)
 {
 	require();

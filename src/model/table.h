@@ -34,6 +34,8 @@ typedef struct {
 	const char *doc;
 } ts_field_info;
 const ts_field_info *ts_field_table(size_t *n);
+/* Bytes of a number of that type: of `type` above, or of an element that is no record. */
+size_t ts_type_bytes(const char *type);
 
 /* One SUM row; NULL: the buffer has no sums. */
 typedef struct {

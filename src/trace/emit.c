@@ -1,6 +1,8 @@
 /* From a run's buffers to the parts of files. */
 #include "emit.h"
 #include <stdio.h>
+#include <stdlib.h>
+#include "../model/order.h"
 
 bool ts_emit_is_scene(ts_buffer_id id) { return strncmp(ts_buffer_table[id].name, "scene.", 6) == 0; }
 
@@ -22,6 +24,19 @@ static u64 all_rows(const ts_run *run, ts_buffer_id id)
 	return ts_axis_size(&ts_buffer_shape(id)->axis[0], &sizes);
 }
 
+/* Where memory has another byte order than files, a copy is taken. */
+static ts_status give(ts_chunk *chunk, ts_take_chunk *take, void *user)
+{
+	if (TS_LITTLE_ENDIAN) return take(user, chunk);
+	void *file = ts_alloc((size_t)chunk->bytes, 1, ts_buffer_table[chunk->id].name);
+	if (file == NULL) return TS_ERROR;
+	ts_order_reverse(file, chunk->data, chunk->id, chunk->bytes / ts_buffer_table[chunk->id].element_bytes);
+	chunk->data = file;
+	ts_status status = take(user, chunk);
+	free(file);
+	return status;
+}
+
 static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, void *user)
 {
 	const ts_buffer *buffer = &run->frame.buffer[id];
@@ -34,7 +49,7 @@ static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, 
 	              .bytes = buffer->bytes};
 	memcpy(p.shape, buffer->shape, sizeof p.shape);
 	if (part) p.shape[0] = all_rows(run, id);
-	return take(user, &p);
+	return give(&p, take, user);
 }
 
 ts_status ts_emit_scene(const ts_run *run, ts_take_chunk *take, void *user)

@@ -13,7 +13,7 @@ typedef struct {
 	u32 n_dims;
 	u64 shape[TS_MAX_DIMS]; /* of the whole file */
 	bool first;             /* begins the file: its header comes before */
-	const void *data;
+	const void *data;       /* in the byte order of files */
 	u64 bytes;
 } ts_chunk;
 

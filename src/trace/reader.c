@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "../model/order.h"
+
+_Static_assert(TS_LITTLE_ENDIAN, "on a big-endian machine make core alone: traces are read as they are");
 
 enum { BLOCK_BYTES = 1 << 16, N_BLOCKS = 64 };
 

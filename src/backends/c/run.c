@@ -1,5 +1,6 @@
 /* The reference backend: a threaded loop over the items of a kernel. The Makefile gives TS_FLAGS. */
 #include "../../model/core.h"
+#include "../../model/order.h"
 #include "../fast.h"
 
 #ifndef TS_FLAGS
@@ -131,7 +132,7 @@ static u32 devices(ts_device list[TS_MAX_DEVICES])
 	                      .denormals = true,
 	                      .atomics = true,
 	                      .unified = true,
-	                      .little_endian = true,
+	                      .little_endian = TS_LITTLE_ENDIAN,
 	                      .memory = ts_memory_total(),
 	                      .most = ts_memory_limit()};
 	return 1;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../model/core.h"
+#include "../../../model/order.h"
 #include "../../fast.h"
 #include "asked_texels.h"
 #include "splat_extent.h"
@@ -255,10 +256,8 @@ static bool is_cluster_needless(const job *j, const worker *w, u64 of)
 /* Eight rows at once, most of which the face does not see. */
 static void splat_cluster(const job *j, worker *w, const u8 *faces, u64 of)
 {
-	u64 eight[CLUSTER / 8];
-	memcpy(eight, faces, sizeof eight);
 	for (u32 k = 0; k < CLUSTER / 8; k++) {
-		for (u64 bits = eight[k] >> w->face.side & EIGHT; bits != 0; bits &= bits - 1) {
+		for (u64 bits = ts_order_read(faces + 8 * k, 8) >> w->face.side & EIGHT; bits != 0; bits &= bits - 1) {
 			w->batch.live[w->batch.n++] = (u32)of * CLUSTER + k * 8 + (u32)__builtin_ctzll(bits) / 8;
 			if (w->batch.n == TS_SPLAT_PIECES) splat_batch(j, w);
 		}
