@@ -53,9 +53,12 @@ WERROR ?= 0
 WARN := -Wall -Wextra -Wshadow $(if $(filter 1,$(WERROR)),-Werror)
 # The numeric contract: these come after the user's flags.
 EXACT := -ffp-contract=off -fno-math-errno -fno-trapping-math
-# Where gcc computes in double what C lets it: s390x.
-ifeq (1,$(shell echo __FLT_EVAL_METHOD__ | $(CC) -std=c11 -E -P - 2>/dev/null))
+# 1: gcc computes in double where C lets it, on s390x. 2: in the registers of x87.
+EVALUATES := $(shell echo __FLT_EVAL_METHOD__ | $(CC) $(CPPFLAGS) $(CFLAGS) $(OPT) -std=c11 -E -P - 2>/dev/null)
+ifeq ($(EVALUATES),1)
 EXACT += -fexcess-precision=fast
+else ifeq ($(EVALUATES),2)
+$(error $(CC) computes floats in the registers of x87: OPT="$(OPT) -msse2 -mfpmath=sse" would be right)
 endif
 # gcc 12 stops with an internal error in its straight-line vectorizer when items.c is built for AVX-512.
 ifneq (,$(findstring -march=,$(OPT)))
@@ -93,8 +96,8 @@ LIB_C := $(filter-out src/cli/% $(ITEMS_C),$(call every,src,c))
 IMAGE_CC := src/image/openimageio.cc
 LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
-CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends backends/c backends/c/* methods methods/* families golden vectors)) \
-	src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
+CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/* methods methods/* families golden vectors)) \
+	src/backends/args.c src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
 		methods nearest options parse reads say sweep truths words worker)))

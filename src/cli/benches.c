@@ -27,8 +27,7 @@ ts_status ts_bench_command(ts_cli *cli)
 	const ts_bench_row *row = *named;
 	for (u32 i = 0; i < TS_N_OPTIONS; i++) {
 		const char *option = ts_option_table[i].name;
-		bool given = ts_cli_given(cli, TS_OPT_AT(i));
-		if (given && says_nothing(row, option)) return ts_fail("bench %s: takes no --%s", row->name, option);
+		if (cli->given[i] && says_nothing(row, option)) return ts_fail("bench %s: takes no --%s", row->name, option);
 	}
 	if (TS_PARAM(&cli->job.params, truth_rays) > 0)
 		return ts_fail("bench %s: truth.rays=%u: tables judge by whole truths; leave it out", row->name,

@@ -8,17 +8,14 @@
 #include "../study/job.h"
 #include "../study/words.h"
 
-/* Options: their places in the table, and their bits, by which a command says which it takes. */
+/* Options: their places in the table, and how the row of a command says that it takes one. */
 enum {
 #define OPTION(id, ...) TS_OPTION_##id,
 #include "options.def"
 #undef OPTION
 	TS_N_OPTIONS,
 };
-__extension__ typedef unsigned __int128 ts_option_set;
-#define TS_OPT_AT(place) ((ts_option_set)1 << (place))
-#define TS_OPT(id) TS_OPT_AT(TS_OPTION_##id)
-_Static_assert(TS_N_OPTIONS <= 128, "sets of options have 128 bits");
+#define TS_OPT(id) .options[TS_OPTION_##id] = true
 
 enum { TS_MAX_ARGUMENTS = 2 };
 
@@ -35,7 +32,7 @@ typedef struct {
 
 /* What was typed. Strings belong to argv. */
 typedef struct {
-	ts_option_set given; /* TS_OPT of the options */
+	bool given[TS_N_OPTIONS];
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
 	ts_job job;
@@ -64,7 +61,7 @@ typedef struct {
 	const char *doc;       /* one line */
 	const char *details;   /* for `help NAME`, may be empty */
 	u32 min_arguments, max_arguments;
-	ts_option_set options; /* TS_OPT of those it takes */
+	bool options[TS_N_OPTIONS]; /* those it takes */
 	ts_status (*run)(ts_cli *cli);
 	void (*print_more)(void); /* prints what `help NAME` has from tables; NULL: nothing */
 } ts_command;
@@ -102,7 +99,6 @@ int ts_cli_main(int argc, char **argv);
 
 /* Reads argv[1...] of a command into *cli. */
 ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **argv);
-bool ts_cli_given(const ts_cli *cli, ts_option_set option);
 
 /* Commands. */
 ts_status ts_help_command(ts_cli *cli);

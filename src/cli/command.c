@@ -47,7 +47,7 @@ static ts_status read_task(task *t, int argc, char **argv)
 	const ts_command *command = ts_cli_require(argv[1]);
 	ts_status status = command != NULL ? ts_cli_parse(&t->cli, command, argc - 1, argv + 1) : TS_ERROR;
 	if (status != TS_OK) return status;
-	if (ts_cli_given(&t->cli, TS_OPT(HELP))) {
+	if (t->cli.given[TS_OPTION_HELP]) {
 		ts_help_print(command);
 		return TS_OK;
 	}

@@ -23,7 +23,7 @@ typedef struct {
 static ts_status open_sides(sides *s, const ts_cli *cli)
 {
 	const char *ref = cli->arguments[0], *cand = cli->arguments[1];
-	if (ts_cli_given(cli, TS_OPT(ORDER)) && cli->judging.layout == NULL) {
+	if (cli->given[TS_OPTION_ORDER] && cli->judging.layout == NULL) {
 		return ts_fail("--order: only with --layout; a trace.json has its own");
 	}
 	if (ends_in(ref, ".npy")) {

@@ -8,12 +8,10 @@
 /* What getopt_long answers for the first long option, above every letter. */
 enum { LONG = 256 };
 
-bool ts_cli_given(const ts_cli *cli, ts_option_set option) { return (cli->given & option) != 0; }
-
 bool ts_command_takes(const ts_command *command, u32 option)
 {
-	ts_option_set all = TS_OPT(TIMEOUT) | TS_OPT(MEMORY) | TS_OPT(NO_WORKER) | TS_OPT(HELP);
-	return ((command->options | all) >> option & 1) != 0;
+	static const ts_command each = {TS_OPT(TIMEOUT), TS_OPT(MEMORY), TS_OPT(NO_WORKER), TS_OPT(HELP)};
+	return each.options[option] || command->options[option];
 }
 
 /* What getopt_long knows of a command's options. */
@@ -117,7 +115,7 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 	for (int answer; (answer = getopt_long(argc, argv, k.letters, k.options, NULL)) != -1;) {
 		if (answer == '?' || answer == ':') return refuse(command, &k, answer, argv);
 		const ts_option *o = option_of(answer);
-		cli->given |= TS_OPT_AT(o - ts_option_table);
+		cli->given[o - ts_option_table] = true;
 		if (o->take((char *)cli + o->at, o, optarg) != TS_OK) return TS_ERROR;
 	}
 	if (cli->job.scene.n_mirrors > 0 && !cli->job.mirrored) {
@@ -128,5 +126,5 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 		return ts_fail("--frame and --frames: either one frame or several");
 	cli->job.typed = argv + 1;
 	cli->job.n_typed = (u32)optind - 1;
-	return ts_cli_given(cli, TS_OPT(HELP)) ? TS_OK : take_arguments(cli, command, argc - optind, argv + optind);
+	return cli->given[TS_OPTION_HELP] ? TS_OK : take_arguments(cli, command, argc - optind, argv + optind);
 }

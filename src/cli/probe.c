@@ -178,7 +178,7 @@ ts_status ts_probe_command(ts_cli *cli)
 {
 	ts_probe *probe;
 	json_t *answer = NULL;
-	int asked = (cli->place.pixel != NULL) + (cli->place.point != NULL) + ts_cli_given(cli, TS_OPT(TRIANGLE));
+	int asked = (cli->place.pixel != NULL) + (cli->place.point != NULL) + cli->given[TS_OPTION_TRIANGLE];
 	if (asked != 1) return ts_fail("probe: one of --pixel X,Y, --triangle T and --point P must be given");
 	if (cli->place.view != NULL && cli->place.pixel == NULL) return ts_fail("probe: --view goes with --pixel");
 	if (ts_probe_open(&probe, cli->arguments[0]) != TS_OK) return TS_ERROR;

@@ -55,9 +55,9 @@ static void take(int n, char **words)
 		fuzz_refused();
 		return;
 	}
-	for (u32 i = 0; i < TS_N_OPTIONS; i++) assert((cli.given >> i & 1) == 0 || ts_command_takes(command, i));
+	for (u32 i = 0; i < TS_N_OPTIONS; i++) assert(!cli.given[i] || ts_command_takes(command, i));
 	assert(ts_params_check(&cli.job.params) == TS_OK);
-	if (ts_cli_given(&cli, TS_OPT(HELP))) return;
+	if (cli.given[TS_OPTION_HELP]) return;
 	assert(cli.n_arguments >= command->min_arguments && cli.n_arguments <= command->max_arguments);
 	check_sweep(&cli.job);
 	check_names(&cli.job);
