@@ -1,24 +1,28 @@
-/* Loops for vectors: compiled for each width that processors have, with all that they call, and the widest taken when
- * the program starts. The bits are the same, as nothing is contracted and no sum is reordered (CONTRACT rule 4). Not
- * where threads are watched: what chooses runs before the watcher. Clang makes their names global: no two share one. */
+/* Loops for vectors: compiled for each width that processors have, with all that they call, and the widest that this
+ * processor has is taken at each call. The bits are the same, as nothing is contracted and no sum is reordered
+ * (CONTRACT rule 4). Not by the loader (target_clones): that of static programs of musl takes none. */
 #ifndef TS_BACKENDS_C_WIDE_H
 #define TS_BACKENDS_C_WIDE_H
 
-#if defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-#define TS_WIDE
-#endif
-#endif
-
-#define TS_WIDTHS target_clones("avx512f", "avx2", "default")
-#if !defined(TS_WIDE) && defined(__x86_64__) && defined(__ELF__)
-#if defined(__clang__) /* which takes no other attribute beside it */
-#define TS_WIDE __attribute__((TS_WIDTHS))
+/* The head of a function: type, name, parameters and their names, these two in parentheses. */
+#if defined(__x86_64__)
+#define TS_WIDE(type, name, parameters, names) \
+	static inline __attribute__((always_inline)) type name##_of_any_width parameters; \
+	static __attribute__((target("avx512f"), flatten)) type name##_of_16 parameters \
+	{ \
+		return name##_of_any_width names; \
+	} \
+	static __attribute__((target("avx2"), flatten)) type name##_of_8 parameters { return name##_of_any_width names; } \
+	static __attribute__((noinline, flatten)) type name##_of_4 parameters { return name##_of_any_width names; } \
+	static type name parameters \
+	{ \
+		if (__builtin_cpu_supports("avx512f")) return name##_of_16 names; \
+		if (__builtin_cpu_supports("avx2")) return name##_of_8 names; \
+		return name##_of_4 names; \
+	} \
+	static inline type name##_of_any_width parameters
 #else
-#define TS_WIDE __attribute__((TS_WIDTHS, flatten))
-#endif
-#elif !defined(TS_WIDE)
-#define TS_WIDE
+#define TS_WIDE(type, name, parameters, names) static type name parameters
 #endif
 
 #endif

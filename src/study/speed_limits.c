@@ -18,7 +18,7 @@ static void choose(u32 *at, u64 *key, u32 first, u32 n_texels)
 }
 
 /* The next block's texels are on their way while this one's are lowered. */
-TS_WIDE static void offer(u64 *texels, u32 n_texels, u32 first, u32 n)
+TS_WIDE(void, offer, (u64 * texels, u32 n_texels, u32 first, u32 n), (texels, n_texels, first, n))
 {
 	u32 at[2][BLOCK];
 	u64 key[2][BLOCK];
@@ -55,7 +55,7 @@ ts_status ts_limit_minima(double *a_second, u64 bytes, u32 threads)
 	return TS_OK;
 }
 
-TS_WIDE static void stream(u64 *restrict to, const u64 *restrict from, u32 n)
+TS_WIDE(void, stream, (u64 *restrict to, const u64 *restrict from, u32 n), (to, from, n))
 {
 	for (u32 i = 0; i < n; i++) to[i] = from[i] + 1;
 }

@@ -81,7 +81,7 @@ static void project(u32 *restrict at, u64 *restrict key, const ts_limit_points *
 	}
 }
 
-TS_WIDE static void draw_cube(const ts_limit_points *points, const ts_face *cube)
+TS_WIDE(void, draw_cube, (const ts_limit_points *points, const ts_face *cube), (points, cube))
 {
 	u32 at[BLOCK];
 	u64 key[BLOCK], *texels = points->texels + cube->offset;

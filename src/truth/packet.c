@@ -35,7 +35,8 @@ typedef struct {
 } packet;
 
 /* Lanes that met another primitive than the first are not followed. */
-TS_WIDE static void leave_others(i32 *restrict valid, i32 *restrict doubt, const u32 *restrict met, u32 primitive)
+TS_WIDE(void, leave_others, (i32 *restrict valid, i32 *restrict doubt, const u32 *restrict met, u32 primitive),
+        (valid, doubt, met, primitive))
 {
 	for (u32 i = 0; i < PACKET; i++) {
 		i32 other = valid[i] & (met[i] != primitive ? -1 : 0);
@@ -45,8 +46,10 @@ TS_WIDE static void leave_others(i32 *restrict valid, i32 *restrict doubt, const
 }
 
 /* The normal (b - a) x (c - a) and the ray's direction say on which side of the triangle the ray begins. */
-TS_WIDE static void guess_facing(i32 *restrict valid, guess *restrict g, const struct RTCRay16 *restrict ray,
-                                 const struct RTCHit16 *restrict hit)
+TS_WIDE(void, guess_facing,
+        (i32 *restrict valid, guess *restrict g, const struct RTCRay16 *restrict ray,
+         const struct RTCHit16 *restrict hit),
+        (valid, g, ray, hit))
 {
 	for (u32 i = 0; i < PACKET; i++) {
 		f32 slope = hit->Ng_x[i] * ray->dir_x[i] + hit->Ng_y[i] * ray->dir_y[i] + hit->Ng_z[i] * ray->dir_z[i];
@@ -58,7 +61,8 @@ TS_WIDE static void guess_facing(i32 *restrict valid, guess *restrict g, const s
 }
 
 /* As ts_k_is_facing has it for a single-sided triangle. */
-TS_WIDE static void prove_facing(i32 *restrict doubt, const guess *restrict g, const struct RTCRay16 *restrict ray)
+TS_WIDE(void, prove_facing, (i32 *restrict doubt, const guess *restrict g, const struct RTCRay16 *restrict ray),
+        (doubt, g, ray))
 {
 	ts_v3 n = ts_load3(g->facet->normal), a = ts_load3(g->facet->corner);
 	for (u32 i = 0; i < PACKET; i++) {
@@ -69,7 +73,8 @@ TS_WIDE static void prove_facing(i32 *restrict doubt, const guess *restrict g, c
 }
 
 /* Accepts what is nearer than all before, and moves the ray's end there and AS_FAR beyond. */
-TS_WIDE static void accept_nearest(i32 *restrict valid, f32 *restrict t, f32 *restrict nearest, f32 *restrict second)
+TS_WIDE(void, accept_nearest, (i32 *restrict valid, f32 *restrict t, f32 *restrict nearest, f32 *restrict second),
+        (valid, t, nearest, second))
 {
 	for (u32 i = 0; i < PACKET; i++) {
 		f32 here = valid[i] != 0 ? t[i] : INFINITY, before = nearest[i];

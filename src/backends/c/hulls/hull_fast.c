@@ -39,7 +39,7 @@ static void add_pixel(const ts_hull_args *args, lobes *l, u64 i)
 	for (u32 c = 0; c < 3; c++) add(l, i * 3 + c, ts_k_lobes_blend(args->lobes + (u64)box * 4, &shares, c), n);
 }
 
-TS_WIDE static void integrate(lobes *l)
+TS_WIDE(void, integrate, (lobes * l), (l))
 {
 	for (u32 i = 0; i < LOBES; i++) {
 		ts_v3 phi = ts_normalize(ts_v3_make(l->phi[0][i], l->phi[1][i], l->phi[2][i]));

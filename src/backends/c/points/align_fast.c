@@ -27,7 +27,7 @@ static inline void put(f32 to[3][PIECES], u32 i, ts_v3 p)
 }
 
 /* ts_k_lattice_align */
-TS_WIDE static void align(part *restrict p)
+TS_WIDE(void, align, (part *restrict p), (p))
 {
 	for (u32 i = 0; i < PIECES; i++) {
 		ts_v3 a = ts_v3_make(p->corner[0][i], p->corner[1][i], p->corner[2][i]);

@@ -21,7 +21,7 @@
 
 static inline f32 extent_of(ts_v3 p) { return ts_abs(p.x) + ts_abs(p.y) + ts_abs(p.z); }
 
-TS_WIDE static void enclose(ts_density_part *restrict p)
+TS_WIDE(void, enclose, (ts_density_part *restrict p), (p))
 {
 	for (u32 i = 0; i < p->n; i++) {
 		ts_v3 a = ts_part_corner(p, 0, i), b = ts_part_corner(p, 1, i), c = ts_part_corner(p, 2, i);
@@ -47,7 +47,8 @@ void ts_density_begin(ts_density_part *p)
 	}
 }
 
-TS_WIDE static void find_lanes(u32 *restrict may, const ts_density_part *restrict p, ts_density_cube r, f32 slack)
+TS_WIDE(void, find_lanes, (u32 *restrict may, const ts_density_part *restrict p, ts_density_cube r, f32 slack),
+        (may, p, r, slack))
 {
 	ts_v3 to_eye = ts_sub(r.eye, r.centre);
 	f32 eye = ts_length(to_eye);

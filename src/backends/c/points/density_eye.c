@@ -33,7 +33,7 @@ static inline step step_of(const ts_density_cube *r, ts_v3 t)
 	return (step){ts_choose_lane(meets, near, ts_mad(r->centre, out, r->radius / distance)), meets};
 }
 
-TS_WIDE static void measure(seen *restrict to, const ts_density_part *restrict of, ts_density_cube r)
+TS_WIDE(void, measure, (seen *restrict to, const ts_density_part *restrict of, ts_density_cube r), (to, of, r))
 {
 	u32 n = (to->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {
@@ -94,7 +94,8 @@ static ts_density_cube cube_of(const ts_density_args *args, u32 r)
 }
 
 /* As the end of ts_k_density, and the start of ts_k_split. */
-TS_WIDE static void finish(densities *restrict to, const ts_density_part *restrict p, f32 wanted, u32 cap)
+TS_WIDE(void, finish, (densities *restrict to, const ts_density_part *restrict p, f32 wanted, u32 cap),
+        (to, p, wanted, cap))
 {
 	for (u32 i = 0; i < p->n; i++) {
 		ts_v3 a = ts_part_corner(p, 0, i), b = ts_part_corner(p, 1, i), c = ts_part_corner(p, 2, i);

@@ -35,7 +35,8 @@ static void set(lanes *to, f32 *room, const ts_offscreen *views, u32 n)
 	}
 }
 
-TS_WIDE static void rates(f32 *restrict s, lanes l, u32 n, u32 rate, ts_v3 normal, ts_v3 a, ts_v3 b, ts_v3 c)
+TS_WIDE(void, rates, (f32 *restrict s, lanes l, u32 n, u32 rate, ts_v3 normal, ts_v3 a, ts_v3 b, ts_v3 c),
+        (s, l, n, rate, normal, a, b, c))
 {
 	ts_v3 none = ts_v3_make(0, 0, 0);
 	for (u32 v = 0; v < n; v++) {

@@ -91,7 +91,8 @@ typedef struct {
 } samples;
 
 /* ts_k_lattice_point and ts_k_is_in_piece. */
-TS_WIDE static void make_samples(samples of, f32 *restrict x, f32 *restrict y, f32 *restrict z, u32 *restrict in)
+TS_WIDE(void, make_samples, (samples of, f32 *restrict x, f32 *restrict y, f32 *restrict z, u32 *restrict in),
+        (of, x, y, z, in))
 {
 	ts_v2 q0 = of.corner[0], q1 = of.corner[1], q2 = of.corner[2];
 	f32 row = of.middle;
@@ -117,7 +118,7 @@ typedef struct {
 } strays;
 
 /* ts_k_closest_on_border */
-TS_WIDE static void move_strays(strays *restrict to, samples of, ts_v3 a, ts_v3 b, ts_v3 c)
+TS_WIDE(void, move_strays, (strays *restrict to, samples of, ts_v3 a, ts_v3 b, ts_v3 c), (to, of, a, b, c))
 {
 	for (u32 i = 0; i < padded(to->n); i++) {
 		ts_v3 on_lattice = ts_mad(ts_mad(of.c, of.u, to->column[i] / of.s), of.v, of.down);

@@ -22,7 +22,7 @@ static inline i32 plus(i32 a, i32 b) { return (i32)((u32)a + (u32)b); }
 static inline i32 minus(i32 a, i32 b) { return (i32)((u32)a - (u32)b); }
 
 /* ts_k_lattice_cover, and ts_k_square_meets at the first sample of the box. */
-TS_WIDE static void find_borders(edges *restrict e, ts_narrow_pieces *restrict to, i32 half_size)
+TS_WIDE(void, find_borders, (edges *restrict e, ts_narrow_pieces *restrict to, i32 half_size), (e, to, half_size))
 {
 	for (u32 i = 0; i < PIECES; i++) {
 		i32 x[] = {e->q[0][i], e->q[2][i], e->q[4][i]}, y[] = {e->q[1][i], e->q[3][i], e->q[5][i]};
@@ -48,7 +48,7 @@ TS_WIDE static void find_borders(edges *restrict e, ts_narrow_pieces *restrict t
 }
 
 /* And goes down. */
-TS_WIDE static void find_row(u32 *restrict row, u32 *restrict n, edges *restrict e, i32 y)
+TS_WIDE(void, find_row, (u32 *restrict row, u32 *restrict n, edges *restrict e, i32 y), (row, n, e, y))
 {
 	for (u32 i = 0; i < PIECES; i++) {
 		i32 a = e->at[0][i], b = e->at[1][i], c = e->at[2][i];

@@ -12,7 +12,7 @@ static inline ts_v2 lattice_of(const ts_point_batch *from, ts_v3 p, u32 i)
 }
 
 /* ts_k_lattice_weights, and the triangle's normal. */
-TS_WIDE static void weigh(found *restrict to, const ts_point_batch *restrict from)
+TS_WIDE(void, weigh, (found *restrict to, const ts_point_batch *restrict from), (to, from))
 {
 	u32 n = ts_whole_lanes(from->n);
 	for (u32 i = 0; i < n; i++) {

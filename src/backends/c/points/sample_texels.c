@@ -49,7 +49,7 @@ static inline u32 index_of(ts_v3 d, u32 n)
 	return (face * n + texel_of(t / major, n)) * n + texel_of(s / major, n);
 }
 
-TS_WIDE static void find_texels(u32 *restrict to, const ts_sample_offsets *restrict o, pixel of)
+TS_WIDE(void, find_texels, (u32 *restrict to, const ts_sample_offsets *restrict o, pixel of), (to, o, of))
 {
 	for (u32 k = 0; k < SAMPLES; k++) {
 		ts_v3 p = ts_mad(ts_mad(of.position, of.position_dx, o->x[k]), of.position_dy, o->y[k]);

@@ -149,8 +149,10 @@ static void fill_pieces(job *j, pool *to)
 }
 
 /* Texel and depth bits of n points in a view; -1: none. Selects, so that it is vectorized. */
-TS_WIDE static void place(ts_camera_k view, const f32 *restrict x, const f32 *restrict y, const f32 *restrict z, u32 n,
-                          i32 *restrict texel, u32 *restrict depth)
+TS_WIDE(void, place,
+        (ts_camera_k view, const f32 *restrict x, const f32 *restrict y, const f32 *restrict z, u32 n,
+         i32 *restrict texel, u32 *restrict depth),
+        (view, x, y, z, n, texel, depth))
 {
 	f32 width = (f32)view.width, height = (f32)view.height;
 	f32 middle_x = width * 0.5f, middle_y = height * 0.5f;

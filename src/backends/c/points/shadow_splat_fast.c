@@ -50,8 +50,9 @@ typedef struct {
 
 /* ts_k_is_within_texel, and the texel of ts_k_scatter_into. What lies farther outside a plane of the view than its
  * square reaches, by the margins of ts_k_misses, is no square. */
-TS_WIDE static void place_points(places *restrict to, const block *restrict b, ts_camera_k view, ts_v2 reach,
-                                 f32 length, f32 cell)
+TS_WIDE(void, place_points,
+        (places *restrict to, const block *restrict b, ts_camera_k view, ts_v2 reach, f32 length, f32 cell),
+        (to, b, view, reach, length, cell))
 {
 	f32 far = 2.0f * cell, far_x = far * (1.0f + reach.x), far_y = far * (1.0f + reach.y);
 	for (u32 i = 0; i < b->n; i++) {
@@ -78,7 +79,7 @@ TS_WIDE static void place_points(places *restrict to, const block *restrict b, t
 }
 
 /* The texels of the projected squares, like ts_k_splat_box where no corner is behind the near plane. */
-TS_WIDE static void put_boxes(squares *restrict to, ts_camera_k view, ts_v3 du, ts_v3 dv)
+TS_WIDE(void, put_boxes, (squares *restrict to, ts_camera_k view, ts_v3 du, ts_v3 dv), (to, view, du, dv))
 {
 	f32 width = (f32)view.width, height = (f32)view.height;
 	for (u32 i = 0; i < to->n; i++) {

@@ -75,8 +75,9 @@ static inline i32 area_of(i32 a, i32 b, i32 c, i32 d)
 	return (i32)(high + (u32)(low >> 9));
 }
 
-TS_WIDE static void place_pieces(ts_splat_batch *restrict b, lanes f, const u32 *restrict tiny, ends from, ends to,
-                                 ends last)
+TS_WIDE(void, place_pieces,
+        (ts_splat_batch *restrict b, lanes f, const u32 *restrict tiny, ends from, ends to, ends last),
+        (b, f, tiny, from, to, last))
 {
 	u32 n = (b->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {

@@ -89,8 +89,10 @@ static inline u32 of_box(i32 across, i32 down)
 }
 
 /* Texels of the squares' boxes, like ts_k_splat_box; distances; what is covered. Returns how many texels are. */
-TS_WIDE static u32 place_splats(places *restrict to, ts_splat_block *restrict b, u32 n_points, lanes f,
-                                const f32 *const centre[3], const u32 axis[3])
+TS_WIDE(u32, place_splats,
+        (places *restrict to, ts_splat_block *restrict b, u32 n_points, lanes f, const f32 *const centre[3],
+         const u32 axis[3]),
+        (to, b, n_points, f, centre, axis))
 {
 	const f32 *x = centre[0], *y = centre[1], *z = centre[2];
 	const f32 *right = centre[axis[0]], *up = centre[axis[1]], *ahead = centre[axis[2]];
@@ -284,7 +286,7 @@ static common common_of(const ts_splat_face *f, const ts_splat_live *live, const
 }
 
 /* From point `at` on. */
-TS_WIDE static void add_common(ts_splat_block *b, const common *c, u32 at, u32 n)
+TS_WIDE(void, add_common, (ts_splat_block * b, const common *c, u32 at, u32 n), (b, c, at, n))
 {
 	for (u32 begin = at; begin < at + n; begin += LANES) {
 		for (u32 s = 0; s < TS_SPLAT_SIDES; s++) {

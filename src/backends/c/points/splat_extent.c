@@ -78,7 +78,7 @@ f32 ts_splat_nearest(ts_v3 eye, const ts_splat_bounds *points)
 }
 
 /* Bit 63: one is `least` or more, both but for TS_EMPTY below 2^63. */
-TS_WIDE static u64 any_beyond(const u64 *key, u32 n, u64 least)
+TS_WIDE(u64, any_beyond, (const u64 *key, u32 n, u64 least), (key, n, least))
 {
 	u64 any = 0;
 	for (u32 i = 0; i < n; i++) any |= (least - 1 - key[i]) | key[i];

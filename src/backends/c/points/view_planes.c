@@ -42,7 +42,7 @@ void ts_view_planes_set(ts_view_planes *p, u32 at, const ts_camera_k *view)
 	for (u32 k = 0; k < TS_PLANES; k++) p->error[k][at] *= scale;
 }
 
-TS_WIDE static void part_views(u32 *restrict out, const ts_view_planes *restrict p, ts_bounds box)
+TS_WIDE(void, part_views, (u32 *restrict out, const ts_view_planes *restrict p, ts_bounds box), (out, p, box))
 {
 	for (u32 k = 0; k < TS_PLANES; k++) {
 		const f32 *nx = p->normal[k][0], *ny = p->normal[k][1], *nz = p->normal[k][2];

@@ -62,8 +62,9 @@ static inline u32 faces_outside(u32 behind)
 	return sides | (behind & 63u);
 }
 
-TS_WIDE static void see_faces(sight *restrict to, const ts_draw_block *restrict b, ts_v3 centre, f32 half_size,
-                              f32 near, u32 object)
+TS_WIDE(void, see_faces,
+        (sight *restrict to, const ts_draw_block *restrict b, ts_v3 centre, f32 half_size, f32 near, u32 object),
+        (to, b, centre, half_size, near, object))
 {
 	u32 n = (b->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {
@@ -111,7 +112,7 @@ static void begin(worker *w, const ts_arrays *scene, const ts_face *cube)
 	}
 }
 
-TS_WIDE static void keep_least_keys(u64 *restrict to, const u64 *restrict from, u64 n)
+TS_WIDE(void, keep_least_keys, (u64 *restrict to, const u64 *restrict from, u64 n), (to, from, n))
 {
 	for (u64 i = 0; i < n; i++) to[i] = from[i] < to[i] ? from[i] : to[i];
 }

@@ -57,7 +57,7 @@ static inline void cut_rows(pixels *restrict to, const tile *restrict t, u32 k, 
 	}
 }
 
-TS_WIDE static void find_spans(pixels *restrict p, const tile *restrict t, i32 n)
+TS_WIDE(void, find_spans, (pixels *restrict p, const tile *restrict t, i32 n), (p, t, n))
 {
 	for (i32 j = 0; j < n; j++) {
 		p->begin[j] = 0.0;
@@ -74,7 +74,7 @@ TS_WIDE static void find_spans(pixels *restrict p, const tile *restrict t, i32 n
 }
 
 /* Rows are written with room for lanes, which the next overwrites. */
-TS_WIDE static void find_edges(pixels *restrict to, const tile *restrict t, i32 n_rows)
+TS_WIDE(void, find_edges, (pixels *restrict to, const tile *restrict t, i32 n_rows), (to, t, n_rows))
 {
 	for (u32 k = 0; k < 3; k++) {
 		f32 *row = to->edge[k];
@@ -88,7 +88,7 @@ TS_WIDE static void find_edges(pixels *restrict to, const tile *restrict t, i32 
 	}
 }
 
-TS_WIDE static void find_pixel_depths(pixels *restrict to, const tile *restrict t)
+TS_WIDE(void, find_pixel_depths, (pixels *restrict to, const tile *restrict t), (to, t))
 {
 	u32 n = (to->n_pixels + LANES - 1) / LANES * LANES;
 	f32 area = t->area, za = t->z[0], zb = t->z[1], zc = t->z[2];
@@ -99,7 +99,7 @@ TS_WIDE static void find_pixel_depths(pixels *restrict to, const tile *restrict 
 }
 
 /* Of an orthographic view. */
-TS_WIDE static void find_pixel_depths_parallel(pixels *restrict to, const tile *restrict t)
+TS_WIDE(void, find_pixel_depths_parallel, (pixels *restrict to, const tile *restrict t), (to, t))
 {
 	u32 n = (to->n_pixels + LANES - 1) / LANES * LANES, b = 1 + t->swapped, c = 2 - t->swapped;
 	f32 area = t->area, za = t->z[0], zb = t->z[b], zc = t->z[c];
@@ -109,7 +109,8 @@ TS_WIDE static void find_pixel_depths_parallel(pixels *restrict to, const tile *
 	}
 }
 
-TS_WIDE static void write_keys(u64 *restrict to, i32 width, const pixels *restrict p, u32 triangle, i32 n_rows)
+TS_WIDE(void, write_keys, (u64 *restrict to, i32 width, const pixels *restrict p, u32 triangle, i32 n_rows),
+        (to, width, p, triangle, n_rows))
 {
 	const u32 *depth = p->depth;
 	for (i32 j = 0; j < n_rows; depth += p->n[j], to += width, j++) {
@@ -121,7 +122,7 @@ TS_WIDE static void write_keys(u64 *restrict to, i32 width, const pixels *restri
 	}
 }
 
-TS_WIDE static void write_depths(u32 *restrict to, i32 width, const pixels *restrict p, i32 n_rows)
+TS_WIDE(void, write_depths, (u32 *restrict to, i32 width, const pixels *restrict p, i32 n_rows), (to, width, p, n_rows))
 {
 	const u32 *depth = p->depth;
 	for (i32 j = 0; j < n_rows; depth += p->n[j], to += width, j++) {

@@ -87,7 +87,7 @@ static inline void put_edge(placed *restrict to, u32 i, u32 k, snapped a, snappe
 	to->least[k][i] = 1 + ((i32)(((u32)dy << 16) - (u32)dx) >> 31);
 }
 
-TS_WIDE static void place_triangles(placed *restrict to, const ts_draw_batch *restrict b, lanes f)
+TS_WIDE(void, place_triangles, (placed *restrict to, const ts_draw_batch *restrict b, lanes f), (to, b, f))
 {
 	u32 n = (b->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {
@@ -125,7 +125,7 @@ TS_WIDE static void place_triangles(placed *restrict to, const ts_draw_batch *re
 }
 
 /* Depths like ts_k_fragment's. */
-TS_WIDE static void find_depths(fragments *restrict l)
+TS_WIDE(void, find_depths, (fragments *restrict l), (l))
 {
 	u32 n = (l->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {
@@ -139,7 +139,7 @@ TS_WIDE static void find_depths(fragments *restrict l)
 }
 
 /* Like ts_k_fragment_parallel's, which adds in the order of the source's corners. */
-TS_WIDE static void find_depths_parallel(fragments *restrict l)
+TS_WIDE(void, find_depths_parallel, (fragments *restrict l), (l))
 {
 	u32 n = (l->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {

@@ -33,7 +33,8 @@ static inline u32 corner_behind(const ts_camera_k *view, const ts_corner *p)
 }
 
 /* As ts_k_offscreen_may_show and ts_k_is_outside. */
-TS_WIDE static void see_view(sight *restrict to, const ts_draw_block *restrict b, ts_camera_k view, u32 object)
+TS_WIDE(void, see_view, (sight *restrict to, const ts_draw_block *restrict b, ts_camera_k view, u32 object),
+        (to, b, view, object))
 {
 	u32 n = (b->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {

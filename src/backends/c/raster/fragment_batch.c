@@ -33,7 +33,8 @@ static inline double edge(snapped a, snapped b) { return a.x * b.y - a.y * b.x; 
 
 /* ts_k_fragment where nothing clips: each edge by the area is the same turned to positive area or not; the sum goes by
  * the turned corners. */
-TS_WIDE static void find_weights(ts_fragment_batch *restrict to, corners *restrict from, ts_camera_k view, u32 n)
+TS_WIDE(void, find_weights, (ts_fragment_batch *restrict to, corners *restrict from, ts_camera_k view, u32 n),
+        (to, from, view, n))
 {
 	for (u32 i = 0; i < n; i++) {
 		ts_v3 a = ts_lane3(&from->at[0], i), b = ts_lane3(&from->at[1], i), c = ts_lane3(&from->at[2], i);
@@ -57,7 +58,7 @@ TS_WIDE static void find_weights(ts_fragment_batch *restrict to, corners *restri
 }
 
 /* ts_k_fragment_footprint */
-TS_WIDE static void find_footprints(ts_fragment_batch *restrict to, ts_camera_k view, u32 n)
+TS_WIDE(void, find_footprints, (ts_fragment_batch *restrict to, ts_camera_k view, u32 n), (to, view, n))
 {
 	for (u32 i = 0; i < n; i++) {
 		f32 width = (to->z[i] / view.focal) * view.side;

@@ -11,8 +11,10 @@ typedef struct {
 } view;
 
 /* What shines without lights; as the start of ts_k_shade_lit. */
-TS_WIDE static void start(ts_lanes3 *restrict sum, view *restrict to, const ts_surface_batch *restrict of,
-                          const ts_surfaces *restrict s, f32 ambient, u32 two_sided, u32 n)
+TS_WIDE(void, start,
+        (ts_lanes3 *restrict sum, view *restrict to, const ts_surface_batch *restrict of, const ts_surfaces *restrict s,
+         f32 ambient, u32 two_sided, u32 n),
+        (sum, to, of, s, ambient, two_sided, n))
 {
 	for (u32 i = 0; i < n; i++) {
 		ts_v3 v = ts_normalize(ts_sub(ts_lane3(&of->viewer, i), ts_lane3(&of->p, i))), normal = ts_lane3(&s->n, i);
@@ -70,21 +72,26 @@ static inline void add(ts_lanes3 *restrict sum, const view *restrict from, const
 	}
 }
 
-TS_WIDE static void add_directional(ts_lanes3 *restrict sum, const view *restrict from,
-                                    const ts_surface_batch *restrict of, const ts_surfaces *restrict s, ts_light light,
-                                    u32 n)
+TS_WIDE(void, add_directional,
+        (ts_lanes3 *restrict sum, const view *restrict from, const ts_surface_batch *restrict of,
+         const ts_surfaces *restrict s, ts_light light, u32 n),
+        (sum, from, of, s, light, n))
 {
 	add(sum, from, of, s, &light, TS_LIGHT_KIND_DIRECTIONAL, n);
 }
 
-TS_WIDE static void add_point(ts_lanes3 *restrict sum, const view *restrict from, const ts_surface_batch *restrict of,
-                              const ts_surfaces *restrict s, ts_light light, u32 n)
+TS_WIDE(void, add_point,
+        (ts_lanes3 *restrict sum, const view *restrict from, const ts_surface_batch *restrict of,
+         const ts_surfaces *restrict s, ts_light light, u32 n),
+        (sum, from, of, s, light, n))
 {
 	add(sum, from, of, s, &light, TS_LIGHT_KIND_POINT, n);
 }
 
-TS_WIDE static void add_spot(ts_lanes3 *restrict sum, const view *restrict from, const ts_surface_batch *restrict of,
-                             const ts_surfaces *restrict s, ts_light light, u32 n)
+TS_WIDE(void, add_spot,
+        (ts_lanes3 *restrict sum, const view *restrict from, const ts_surface_batch *restrict of,
+         const ts_surfaces *restrict s, ts_light light, u32 n),
+        (sum, from, of, s, light, n))
 {
 	add(sum, from, of, s, &light, TS_LIGHT_KIND_SPOT, n);
 }
@@ -94,7 +101,7 @@ static void find_shares(view *to, const ts_surface_batch *of, const ts_lamp *lam
 	for (u32 i = 0; i < of->n; i++) to->share[i] = ts_k_share(of->lit[i], lamps, light);
 }
 
-TS_WIDE static void flush_sums(ts_lanes3 *sum, u32 n)
+TS_WIDE(void, flush_sums, (ts_lanes3 * sum, u32 n), (sum, n))
 {
 	for (u32 i = 0; i < n; i++) {
 		sum->x[i] = ts_flush(sum->x[i]);

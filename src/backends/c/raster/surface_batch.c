@@ -51,7 +51,8 @@ static inline void copy_edges(corners *to, u32 i, const ts_vertex *const v[3])
 }
 
 /* sets: 1 for each set of texture coordinates that a slot reads; bumpy: there is a normal map. */
-TS_WIDE static void copy_corners(corners *to, const ts_arrays *scene, const ts_surface_batch *of, u32 sets, bool bumpy)
+TS_WIDE(void, copy_corners, (corners * to, const ts_arrays *scene, const ts_surface_batch *of, u32 sets, bool bumpy),
+        (to, scene, of, sets, bumpy))
 {
 	for (u32 i = 0; i < of->n; i++) {
 		const ts_triangle *t = &scene->triangles[of->triangle[i]];
@@ -66,8 +67,8 @@ TS_WIDE static void copy_corners(corners *to, const ts_arrays *scene, const ts_s
 }
 
 /* As the start of ts_k_surface_geometry. */
-TS_WIDE static void find_geometry(ts_surfaces *restrict to, corners *restrict c, const ts_surface_batch *restrict of,
-                                  u32 n)
+TS_WIDE(void, find_geometry,
+        (ts_surfaces *restrict to, corners *restrict c, const ts_surface_batch *restrict of, u32 n), (to, c, of, n))
 {
 	for (u32 i = 0; i < n; i++) {
 		ts_v3 across = ts_lane3(&of->normal, i), face = ts_normalize(across);
@@ -103,8 +104,10 @@ static inline ts_tangent tangent_of(const corners *c, const ts_uv_batch *uv, con
 }
 
 /* As ts_k_normal_map from what the map holds. */
-TS_WIDE static void turn_normals(ts_surfaces *restrict to, const corners *restrict c, const ts_uv_batch *restrict uv,
-                                 const ts_lanes3 *restrict held, bumps m, u32 n)
+TS_WIDE(void, turn_normals,
+        (ts_surfaces *restrict to, const corners *restrict c, const ts_uv_batch *restrict uv,
+         const ts_lanes3 *restrict held, bumps m, u32 n),
+        (to, c, uv, held, m, n))
 {
 	for (u32 i = 0; i < n; i++) {
 		ts_tangent tangent = tangent_of(c, uv, &m, i);
@@ -120,7 +123,7 @@ TS_WIDE static void turn_normals(ts_surfaces *restrict to, const corners *restri
 }
 
 /* As ts_k_surface_material without textures. */
-TS_WIDE static void find_material(ts_surfaces *restrict to, const corners *restrict c, ts_material m, u32 n)
+TS_WIDE(void, find_material, (ts_surfaces *restrict to, const corners *restrict c, ts_material m, u32 n), (to, c, m, n))
 {
 	for (u32 i = 0; i < n; i++) {
 		ts_set_lane3(&to->base, i, ts_mul(ts_v3_make(m.base[0], m.base[1], m.base[2]), ts_lane3(&c->colour, i)));
@@ -131,12 +134,12 @@ TS_WIDE static void find_material(ts_surfaces *restrict to, const corners *restr
 	}
 }
 
-TS_WIDE static void tint(ts_lanes3 *restrict to, const ts_lanes3 *restrict by, u32 n)
+TS_WIDE(void, tint, (ts_lanes3 *restrict to, const ts_lanes3 *restrict by, u32 n), (to, by, n))
 {
 	for (u32 i = 0; i < n; i++) ts_set_lane3(to, i, ts_mul(ts_lane3(to, i), ts_lane3(by, i)));
 }
 
-TS_WIDE static void scale_metal(ts_surfaces *restrict to, const ts_lanes3 *restrict by, u32 n)
+TS_WIDE(void, scale_metal, (ts_surfaces *restrict to, const ts_lanes3 *restrict by, u32 n), (to, by, n))
 {
 	for (u32 i = 0; i < n; i++) {
 		to->roughness[i] = to->roughness[i] * by->y[i];
@@ -144,13 +147,14 @@ TS_WIDE static void scale_metal(ts_surfaces *restrict to, const ts_lanes3 *restr
 	}
 }
 
-TS_WIDE static void occlude(ts_surfaces *restrict to, const ts_lanes3 *restrict by, f32 strength, u32 n)
+TS_WIDE(void, occlude, (ts_surfaces *restrict to, const ts_lanes3 *restrict by, f32 strength, u32 n),
+        (to, by, strength, n))
 {
 	for (u32 i = 0; i < n; i++) to->occlusion[i] = 1.0f + strength * (by->x[i] - 1.0f);
 }
 
 /* ts_k_surface_mirror */
-TS_WIDE static void dull_mirrors(ts_surfaces *restrict to, const corners *restrict c, u32 n)
+TS_WIDE(void, dull_mirrors, (ts_surfaces *restrict to, const corners *restrict c, u32 n), (to, c, n))
 {
 	for (u32 i = 0; i < n; i++) {
 		to->metallic[i] = c->mirror[i] != 0u ? 0.0f : to->metallic[i];

@@ -79,8 +79,10 @@ static inline void read_level(read *restrict r, const texture *t, u32 i, ts_v2 u
 	r->fy[i] = (u32)y & 255u;
 }
 
-TS_WIDE static void find_reads(reads *restrict to, const ts_surface_batch *restrict of, const ts_uv_batch *restrict uv,
-                               const f32 *restrict area, texture t)
+TS_WIDE(void, find_reads,
+        (reads *restrict to, const ts_surface_batch *restrict of, const ts_uv_batch *restrict uv,
+         const f32 *restrict area, texture t),
+        (to, of, uv, area, t))
 {
 	u32 n = ts_whole_lanes(of->n);
 	for (u32 i = 0; i < n; i++) {
@@ -135,7 +137,7 @@ static inline u32 high_of(const u32 (*texel)[N], const read *r, u32 i)
 }
 
 /* A level that is not read has no weight, whatever is there. */
-TS_WIDE static void mix_reads(ts_lanes3 *restrict to, const reads *restrict from, u32 n)
+TS_WIDE(void, mix_reads, (ts_lanes3 *restrict to, const reads *restrict from, u32 n), (to, from, n))
 {
 	const read *p = &from->of[0], *q = &from->of[1];
 	n = ts_whole_lanes(n);

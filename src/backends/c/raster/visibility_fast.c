@@ -88,7 +88,8 @@ static bool is_inside(const extent *e, u32 axis, f32 sign, f32 near)
 }
 
 /* Which triangles the cube may show at all, as ts_k_may_show has it: by those faces. */
-TS_WIDE static void find_shown(sight *restrict to, const batch *restrict b, u32 n, ts_v3 centre, u32 object, u32 faces)
+TS_WIDE(void, find_shown, (sight *restrict to, const batch *restrict b, u32 n, ts_v3 centre, u32 object, u32 faces),
+        (to, b, n, centre, object, faces))
 {
 	for (u32 i = 0; i < n; i++) {
 		ts_v3 a = ts_v3_make(centre.x - b->corner[0][i], centre.y - b->corner[1][i], centre.z - b->corner[2][i]);
@@ -100,7 +101,7 @@ TS_WIDE static void find_shown(sight *restrict to, const batch *restrict b, u32 
 }
 
 /* Corners from a cube's centre. */
-TS_WIDE static void turn_to_cube(sight *restrict to, const batch *restrict b, u32 n, ts_v3 centre)
+TS_WIDE(void, turn_to_cube, (sight *restrict to, const batch *restrict b, u32 n, ts_v3 centre), (to, b, n, centre))
 {
 	for (u32 i = 0; i < n; i++) {
 		for (u32 k = 0; k < 3 * AXES; k += AXES) {
@@ -117,7 +118,7 @@ static inline u32 all_above(f32 a, f32 b, f32 c, f32 x, f32 y, f32 z)
 }
 
 /* ts_k_outside_plane for a face that looks along an axis, forwards or back. */
-TS_WIDE static void look(sight *restrict to, u32 n, u32 axis, f32 sign, f32 near, u32 bit)
+TS_WIDE(void, look, (sight *restrict to, u32 n, u32 axis, f32 sign, f32 near, u32 bit), (to, n, axis, sign, near, bit))
 {
 	const f32 *x = to->corner[(axis + 1) % AXES], *y = to->corner[(axis + 2) % AXES], *z = to->corner[axis];
 	for (u32 i = 0; i < n; i++) {

@@ -92,7 +92,7 @@ static void depth_surfel(block *b, u64 *keys, const ts_camera_k *view, ts_disc d
 	}
 }
 
-TS_WIDE static void depth_tile(const ts_surfel_depth_args *args, const ts_surfel_bins *b, u32 tile)
+TS_WIDE(void, depth_tile, (const ts_surfel_depth_args *args, const ts_surfel_bins *b, u32 tile), (args, b, tile))
 {
 	block pixels = {.n = 0};
 	ts_camera_k view = ts_k_view(args->view);
@@ -213,7 +213,7 @@ static u32 blend_surfel(block *b, const ts_surfel_blend_args *args, const ts_cam
 	return fragments;
 }
 
-TS_WIDE static void blend_tile(const ts_surfel_blend_args *args, const ts_surfel_bins *b, u32 tile)
+TS_WIDE(void, blend_tile, (const ts_surfel_blend_args *args, const ts_surfel_bins *b, u32 tile), (args, b, tile))
 {
 	block in = {.n = 0};
 	ts_camera_k view = ts_k_view(args->view);

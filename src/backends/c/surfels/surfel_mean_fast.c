@@ -33,7 +33,7 @@ static void add(lot *l, const ts_surfel_blend_mean_args *args, u64 first, u32 at
 }
 
 /* ts_k_surfel_blend_mean_item, by selects. */
-TS_WIDE static void mean_lot(lot *restrict l, ts_camera_k view, f32 epsilon)
+TS_WIDE(void, mean_lot, (lot *restrict l, ts_camera_k view, f32 epsilon), (l, view, epsilon))
 {
 	for (u32 i = 0; i < padded(l->n); i++) {
 		f32 weight = l->sum[TS_BLEND_WEIGHT][i];

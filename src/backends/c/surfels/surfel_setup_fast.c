@@ -103,7 +103,7 @@ static void store(ts_disc *d, const lot *l, u32 i)
 	for (u32 k = 0; k < 3; k++) d->normal[k] = l->normal[k][i];
 }
 
-TS_WIDE static void set_up(const ts_surfel_setup_args *args, u64 first, u32 n, i64 tally[FATES])
+TS_WIDE(void, set_up, (const ts_surfel_setup_args *args, u64 first, u32 n, i64 tally[FATES]), (args, first, n, tally))
 {
 	ts_camera_k view = ts_k_view(args->view);
 	lot l = {.first = args->surfels + first, .n = n};

@@ -98,8 +98,9 @@ static void load(const job *j)
 }
 
 /* ts_k_pair_is_culled of views [begin, end). */
-TS_WIDE static void leave_seen(u32 *restrict left, const u32 *restrict asked, lanes of, u32 begin, u32 end, ts_ball s,
-                               f32 radius)
+TS_WIDE(void, leave_seen,
+        (u32 *restrict left, const u32 *restrict asked, lanes of, u32 begin, u32 end, ts_ball s, f32 radius),
+        (left, asked, of, begin, end, s, radius))
 {
 	for (u32 i = begin; i < end; i++) {
 		ts_ball v = {.p = ts_v3_make(of.at[0][i], of.at[1][i], of.at[2][i]), .r = radius};
@@ -130,7 +131,7 @@ static void ask_below(const job *j, const flags *f, u32 node, u32 level)
 	leave(j, f->asked, f->other, node, level + 1);
 }
 
-TS_WIDE static u32 count_left(const u32 *left, u32 n)
+TS_WIDE(u32, count_left, (const u32 *left, u32 n), (left, n))
 {
 	u32 sum = 0;
 	for (u32 i = 0; i < n; i++) sum += left[i];

@@ -37,7 +37,7 @@ typedef struct {
 } asked;
 
 /* ts_k_drawn_view up to the rank. */
-TS_WIDE static void draw_ranks(drawn *restrict d, u32 first, u32 seed, u32 views)
+TS_WIDE(void, draw_ranks, (drawn *restrict d, u32 first, u32 seed, u32 views), (d, first, seed, views))
 {
 	for (u32 i = 0; i < LOT; i++) {
 		u32 chance = ts_random(first + i, TS_STREAM_VPL, seed);
@@ -46,7 +46,7 @@ TS_WIDE static void draw_ranks(drawn *restrict d, u32 first, u32 seed, u32 views
 }
 
 /* Leaves out the first half of what is left of a list where not all of the views before the rank are in it. */
-TS_WIDE static void skip_half(drawn *restrict d, const u32 *restrict sums, u32 half)
+TS_WIDE(void, skip_half, (drawn *restrict d, const u32 *restrict sums, u32 half), (d, sums, half))
 {
 	for (u32 i = 0; i < LOT; i++) d->at[i] += sums[(i32)(d->at[i] + half - 1)] <= d->rank[i] ? half : 0u;
 }
@@ -77,7 +77,7 @@ static void load_lights(drawn *d, const ts_vpl_gather_args *args, ts_v3 p)
 }
 
 /* ts_k_vpl_form by selects, and the texels. */
-TS_WIDE static void weigh_lights(drawn *restrict d, ts_v3 n, f32 least, u32 px)
+TS_WIDE(void, weigh_lights, (drawn *restrict d, ts_v3 n, f32 least, u32 px), (d, n, least, px))
 {
 	for (u32 i = 0; i < LOT; i++) {
 		ts_v3 way = ts_lane3(&d->way, i), from = ts_lane3(&d->from, i);
@@ -121,7 +121,7 @@ static void load_maps(asked *a, const drawn *d, const job *j)
 }
 
 /* A place is no farther than ts_k_vpl_reach; where the map shows nothing, it may be. */
-TS_WIDE static void reach_lights(asked *restrict a, ts_vpl_gather_args args, ts_v3 n)
+TS_WIDE(void, reach_lights, (asked *restrict a, ts_vpl_gather_args args, ts_v3 n), (a, args, n))
 {
 	for (u32 i = 0; i < LOT; i++) {
 		ts_v3 way = ts_lane3(&a->way, i);
