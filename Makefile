@@ -64,10 +64,20 @@ endif
 ifneq (,$(findstring -march=,$(OPT)))
 EXACT += -fno-tree-slp-vectorize
 endif
-COMMON = $(OPT) $(EXACT) -fPIC -fvisibility=hidden -fopenmp $(WARN) -Iinclude -MMD -MP
+# musl: one thread, for it has no OpenMP; libcrypto, whose SHA-256 calls nothing of its libc, is the system's.
+ifneq (,$(findstring musl,$(CC)))
+SYSTEM := $(shell $(CC) -print-multiarch)
+THREADED := -Isrc/model/serial -idirafter /usr/include -idirafter /usr/include/$(SYSTEM) \
+	-Wno-unknown-pragmas -Wno-unused-parameter -Wno-unused-variable
+CORE_LIBS = /usr/lib/$(SYSTEM)/libcrypto.a -lm
+else
+THREADED := -fopenmp
+CORE_LIBS = -lcrypto -lm
+endif
+COMMON = $(OPT) $(EXACT) -fPIC -fvisibility=hidden $(THREADED) $(WARN) -Iinclude -MMD -MP
 C_FLAGS = $(CPPFLAGS) $(CFLAGS) -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON)
 CXX_FLAGS = $(CPPFLAGS) $(CXXFLAGS) -std=c++17 $(COMMON)
-LINK_FLAGS = $(LDFLAGS) $(OPT) -fopenmp
+LINK_FLAGS = $(LDFLAGS) $(OPT) $(filter -fopenmp,$(THREADED))
 # Where the image module stands beside what is built or installed; as RPATH, which also holds where a sanitizer opens it.
 FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN:$$ORIGIN/../lib'
 
@@ -77,7 +87,6 @@ packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf zlib)
 LIBS := -lembree$(EMBREE) $(call packages,--libs,jansson libcrypto zlib OpenCL) $(call packages,--libs,tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
-CORE_LIBS = -lcrypto -lm
 # These do without, or install it first.
 WITHOUT := core %/touchstone-core golden demo test test-long fuzz matrix matrix-short mutants faults release-check style format deps uninstall clean help
 ifeq (,$(EMBREE))

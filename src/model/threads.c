@@ -42,7 +42,8 @@ static uint32_t others(uint32_t most)
 uint32_t ts_threads_ready(uint32_t wanted)
 {
 	static atomic_uint ready = 1;
-	uint32_t n = wanted < 1 ? 1 : wanted < TS_MOST_THREADS ? wanted : TS_MOST_THREADS;
+	uint32_t limit = (uint32_t)omp_get_thread_limit(), most = limit < TS_MOST_THREADS ? limit : TS_MOST_THREADS;
+	uint32_t n = wanted < 1 ? 1 : wanted < most ? wanted : most;
 	if (n <= atomic_load(&ready)) return n;
 	uint32_t had = others(n - 1);
 	/* Where they end, the work needs what half of them take. */

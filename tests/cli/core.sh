@@ -16,4 +16,9 @@ run "${small[@]}"
 "$large" "${small[@]}" | cmp -s - "$scratch/stdout"
 verdict $? 'the same digests'
 
+limited=(digest atrium:triangles=10000 --size 64x36 --method mvr --threads 3)
+run "${limited[@]}"
+OMP_THREAD_LIMIT=1 "$touchstone" "${limited[@]}" 2> /dev/null | cmp -s - "$scratch/stdout"
+verdict $? 'the same digests with fewer threads than were asked for, where OpenMP has a limit'
+
 finish

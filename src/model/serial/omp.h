@@ -1,0 +1,9 @@
+/* What is called of OpenMP, where there is none: one thread. */
+#ifndef TS_MODEL_SERIAL_OMP_H
+#define TS_MODEL_SERIAL_OMP_H
+
+static inline int omp_get_thread_num(void) { return 0; }
+static inline int omp_get_num_procs(void) { return 1; }
+static inline int omp_get_thread_limit(void) { return 1; }
+
+#endif
