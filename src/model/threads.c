@@ -42,17 +42,17 @@ static uint32_t others(uint32_t most)
 uint32_t ts_threads_ready(uint32_t wanted)
 {
 	static atomic_uint ready = 1;
-	uint32_t limit = (uint32_t)omp_get_thread_limit(), most = limit < TS_MOST_THREADS ? limit : TS_MOST_THREADS;
-	uint32_t n = wanted < 1 ? 1 : wanted < most ? wanted : most;
+	uint32_t n = wanted < 1 ? 1 : wanted < TS_MOST_THREADS ? wanted : TS_MOST_THREADS;
 	if (n <= atomic_load(&ready)) return n;
 	uint32_t had = others(n - 1);
 	/* Where they end, the work needs what half of them take. */
 	uint32_t there = had == n - 1 ? n : 1 + had / 2;
 	if (there < n) ts_say("%u threads wanted, %u are taken of what is there", (unsigned)n, (unsigned)there);
-/* OpenMP makes its own now, while what they need is there. */
+	/* OpenMP makes its own now, while what they need is there; its environment may have it give fewer. */
+	omp_set_dynamic(0);
 #pragma omp parallel num_threads((int)there)
-	{
-	}
+#pragma omp single
+	there = (uint32_t)omp_get_num_threads();
 	atomic_store(&ready, there);
 	return there;
 }
