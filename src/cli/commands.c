@@ -54,8 +54,8 @@ const ts_command ts_command_table[] = {
      "port's buffers are what it begins with. With OTHER, of the same method and parameters, it is explained from\n"
      "each trace's buffers, TRACE's where OTHER lacks one: < and > mark what differs, and the exit code is 1 if\n"
      "anything does.",
-     1, 2, TS_OPT(STAGE), TS_OPT(ITEM), TS_OPT(KERNEL), TS_OPT(ELEMENT), TS_OPT(INPUTS), TS_OPT(PRIMITIVES), TS_OPT(LINES),
-     TS_OPT(JSON), .run = ts_explain_command},
+     1, 2, TS_OPT(STAGE), TS_OPT(ITEM), TS_OPT(KERNEL), TS_OPT(ELEMENT), TS_OPT(INPUTS), TS_OPT(PRIMITIVES),
+     TS_OPT(LINES), TS_OPT(JSON), .run = ts_explain_command},
 	{"info", "SCENE", "what was loaded, and what in the file was not understood", "", 1, 1, WHERE, TS_OPT(JSON),
      .run = ts_info_command},
 	{"list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends, vectors or benches",

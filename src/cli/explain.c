@@ -47,7 +47,7 @@ static ts_status ask(ts_question *q, const ts_cli *cli, const ts_stage *stage)
 	                   .buffer = TS_N_BUFFERS,
 	                   .primitives = cli->place.primitives,
 	                   .most = cli->place.lines != 0 ? cli->place.lines : LINES};
-	if (ts_cli_given(cli, TS_OPT(ITEM))) q->subject = TS_EXPLAIN_ITEM;
+	if (cli->given[TS_OPTION_ITEM]) q->subject = TS_EXPLAIN_ITEM;
 	if (cli->place.kernel != NULL && take_kernel(q, cli->place.kernel) != TS_OK) return TS_ERROR;
 	if (cli->place.element == NULL) return TS_OK;
 	if (q->subject == TS_EXPLAIN_ITEM || cli->place.kernel != NULL)
