@@ -58,7 +58,7 @@ const ts_command ts_command_table[] = {
      TS_OPT(LINES), TS_OPT(JSON), .run = ts_explain_command},
 	{"info", "SCENE", "what was loaded, and what in the file was not understood", "", 1, 1, WHERE, TS_OPT(JSON),
      .run = ts_info_command},
-	{"list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends, vectors or benches",
+	{"list", "WHAT", "stages, buffers, sizes, params, methods, truths, scenes, backends, vectors or benches",
      "params --method NAME: those that the method, of --effect or of any, and its scene read.", 1, 1, TS_OPT(EFFECT),
      TS_OPT(METHOD), TS_OPT(JSON), .run = ts_list_command},
 	{"bench",

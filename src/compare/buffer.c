@@ -130,9 +130,8 @@ static ts_status count_element(judge *j, outcome worst, const ts_difference *fir
 	v->has_first = true;
 	v->n_different++;
 	for (u32 f = 0; f < j->fields.n; f++) v->n_field[f] += unlike >> f & 1;
-	ts_differences_add(&v->list, j->reference, j->id, first);
 	if (v->marks != NULL) v->marks[first->element] = 1;
-	return TS_OK;
+	return ts_differences_add(&v->list, j->reference, j->id, first);
 }
 
 static ts_status judge_element(judge *j, u64 element, const void *ref, const void *cand)

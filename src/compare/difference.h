@@ -33,14 +33,15 @@ typedef struct {
 	u32 n, most;
 } ts_differences;
 
-/* Names the place while its reference is there. Does nothing where the room is full. */
-void ts_differences_add(ts_differences *list, const ts_trace *reference, ts_buffer_id id,
-                        const ts_difference *difference);
+/* Names the place while its reference is there. Does nothing where the room is full. TS_ERROR with the
+ * message set: the place cannot be read. */
+ts_status ts_differences_add(ts_differences *list, const ts_trace *reference, ts_buffer_id id,
+                             const ts_difference *difference);
 
 /* "pixel (12, 40)", "key (piece 812, x 5, y 3)", "count of piece 17 (element 18 less element 17)". Without a reference,
- * NULL, an element has its number only: "element 12". */
-void ts_difference_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id,
-                         const ts_difference *difference);
+ * NULL, an element has its number only: "element 12", which cannot fail. */
+ts_status ts_difference_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id,
+                              const ts_difference *difference);
 /* One of the two values, `bits`, by ts_field_show; of a count the number. */
 void ts_difference_show(char text[TS_VALUE_TEXT], ts_buffer_id id, const ts_difference *difference, u64 bits);
 /* "normal[1]", or "" of a scalar. */

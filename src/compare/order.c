@@ -178,7 +178,7 @@ static void insert(ts_differences *list, u32 first, const ts_difference *d, cons
 {
 	if (list->n == list->most && list->items[list->n - 1].difference.cand <= d->cand) return;
 	list->n -= list->n == list->most;
-	ts_differences_add(list, reference, id, d);
+	(void)ts_differences_add(list, reference, id, d); /* by its key */
 	for (u32 at = list->n - 1; at > first && list->items[at - 1].difference.cand > d->cand; at--) {
 		ts_named greater = list->items[at - 1];
 		list->items[at - 1] = list->items[at];
@@ -215,7 +215,8 @@ ts_status ts_order_unmet(ts_differences *list, const ts_order *order, ts_buffer_
 {
 	for (u64 i = 0; i < order->n_ref && list->n < list->most; i++) {
 		const ts_difference d = {.how = TS_LACKED, .element = i};
-		if (order->cand_of_ref[i] == TS_NONE) ts_differences_add(list, reference, id, &d);
+		if (order->cand_of_ref[i] != TS_NONE) continue;
+		if (ts_differences_add(list, reference, id, &d) != TS_OK) return TS_ERROR;
 	}
 	bool more = order->n_extra > 0 && list->n < list->most;
 	return more ? list_extra(list, order, id, reference, candidate) : TS_OK;

@@ -33,7 +33,7 @@ static void tell_first(ts_judged *judged)
 {
 	const ts_verdict *v = &judged->verdict;
 	char where[TS_WHERE_TEXT], name[64], right[TS_VALUE_TEXT], found[TS_VALUE_TEXT];
-	ts_difference_where(where, NULL, judged->id, &v->first);
+	(void)ts_difference_where(where, NULL, judged->id, &v->first);
 	ts_difference_field(name, judged->id, &v->first);
 	ts_difference_show(right, judged->id, &v->first, v->first.ref);
 	ts_difference_show(found, judged->id, &v->first, v->first.cand);

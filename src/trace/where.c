@@ -7,6 +7,7 @@
 #include "reader.h"
 
 static const ts_where_rule *const *lists;
+static _Thread_local bool failed; /* a row that is there could not be read */
 
 void ts_where_use(const ts_where_rule *const *rules) { lists = rules; }
 
@@ -20,6 +21,7 @@ bool ts_where_fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void 
 	const void *from = reader != NULL ? ts_reader_at(reader, index, &held) : NULL;
 	if (from != NULL) memcpy(to, from, bytes);
 	ts_reader_close(reader);
+	failed |= from == NULL;
 	return from != NULL;
 }
 
@@ -135,13 +137,14 @@ static const char *noun(const ts_axis *axis)
 	return named ? ts_dim_table[axis->factor[axis->n_factors - 1]].noun : "element";
 }
 
-void ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element)
+ts_status ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element)
 {
 	const ts_shape *shape = ts_buffer_shape(id);
 	const ts_npy *npy = &reference->item[id].npy;
 	u64 row_elements = 1;
 	char row_text[TS_WHERE_TEXT] = "";
 	for (u32 i = ts_shape_is_image(shape) ? 2 : 1; i < npy->n_dims; i++) row_elements *= npy->shape[i];
+	failed = false;
 	u64 row = row_elements != 0 ? element / row_elements : 0, inside = row_elements != 0 ? element % row_elements : 0;
 	if (!find(row_text, reference, id, row)) {
 		snprintf(row_text, sizeof row_text, "%s %" PRIu64, noun(&shape->axis[0]), row);
@@ -149,4 +152,5 @@ void ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id 
 	bool lights = shape->n == 3 && ts_axis_counts(&shape->axis[2]) == TS_DIM_lamps;
 	const char *format = lights ? "%.90s, light %" PRIu64 : row_elements > 1 ? "%.90s [%" PRIu64 "]" : "%.90s";
 	snprintf(text, TS_WHERE_TEXT, format, row_text, inside);
+	return failed ? TS_ERROR : TS_OK;
 }

@@ -15,11 +15,13 @@ typedef struct {
 
 /* Takes the rules of all families: lists ended by NULL, each ended by a row without `where`. They must stay. */
 void ts_where_use(const ts_where_rule *const *rules);
-/* For rules. Copies element `index` of a buffer of the reference; false if it is not there. */
+/* For rules. Copies element `index` of a buffer of the reference; false if it is not there or cannot be
+ * read. */
 bool ts_where_fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void *to);
 
-/* Of an element of the reference. What it cannot find out there it leaves out. */
-void ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element);
+/* Of an element of the reference. What is not there is left out. TS_ERROR with the message set: what is there cannot be
+ * read. */
+ts_status ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element);
 /* "piece 812, x 5, y 3" of a key of points.key. */
 void ts_where_key(char text[TS_WHERE_TEXT], u64 key);
 /* "+X" of face 0, and so on to "-Z" of face 5. */

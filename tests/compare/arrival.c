@@ -185,7 +185,7 @@ static void test_list(void **state)
 	assert_int_equal(v->n_field[1], 4);
 	for (u32 i = 0; i < 4; i++) {
 		char where[TS_WHERE_TEXT];
-		ts_where(where, ref, TS_B_points_record, wrongs[i]);
+		assert_int_equal(ts_where(where, ref, TS_B_points_record, wrongs[i]), TS_OK);
 		assert_int_equal(v->list.items[i].difference.element, wrongs[i]);
 		assert_string_equal(v->list.items[i].where, where);
 		poke(TS_B_points_record, place[wrongs[i]], offsetof(ts_point, length), &old[i], &wrong, 4);

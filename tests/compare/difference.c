@@ -48,8 +48,8 @@ static void test_add(void **state)
 	ts_differences list = {.items = room, .most = 2}, none = {.n = 0};
 	for (u64 i = 0; i < 5; i++) {
 		const ts_difference d = {.element = 10 + i};
-		ts_differences_add(&list, NULL, TS_B_align_frame, &d);
-		ts_differences_add(&none, NULL, TS_B_align_frame, &d);
+		assert_int_equal(ts_differences_add(&list, NULL, TS_B_align_frame, &d), TS_OK);
+		assert_int_equal(ts_differences_add(&none, NULL, TS_B_align_frame, &d), TS_OK);
 	}
 	assert_true(list.n == 2 && none.n == 0);
 	assert_string_equal(room[0].where, "element 10");

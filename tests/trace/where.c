@@ -48,7 +48,7 @@ static int end(void **state)
 static void is(ts_buffer_id id, u64 element, const char *expected)
 {
 	char text[TS_WHERE_TEXT];
-	ts_where(text, &trace, id, element);
+	assert_int_equal(ts_where(text, &trace, id, element), TS_OK);
 	assert_string_equal(text, expected);
 }
 
