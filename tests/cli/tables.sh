@@ -62,7 +62,7 @@ run list ''
 lists=$(sed 's/.*there are //; s/,//g; s/ and / /' "$scratch/stderr")
 for what in $lists; do
 	run help list
-	grep -q "^  stages, .*\b$what\b" "$scratch/stdout"
+	grep -q "^  .*\b$what\b.* benches\|^  .* $what$" "$scratch/stdout"
 	verdict $? "help names the list $what"
 	run list $what --json
 	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; assert all(r["name"] for r in rows) and rows' \
