@@ -206,6 +206,13 @@ $(EXPLAINED): scripts/explained $(wildcard scripts/kernel/*) src/backends/kernel
 $(call object,src/explain/kernels.c): $(EXPLAINED)
 $(call object,src/explain/kernels.c): OWN := -I$(BUILD)/gen
 
+# And as pseudo-code.
+PSEUDOCODE := $(BUILD)/gen/pseudocode
+$(PSEUDOCODE)/made: scripts/pseudocode $(wildcard scripts/kernel/*) src/backends/kernels.h src/families.def $(wildcard src/kernels/*/*) \
+		include/touchstone/records.def
+	$(call say,GEN,$(@D))
+	$(Q)rm -rf $(@D) && scripts/pseudocode $(@D) && touch $@
+
 # And as PTX.
 PTX := $(BUILD)/gen/kernels.ptx
 $(PTX): scripts/ptx $(wildcard src/backends/cuda/*) src/backends/kernels.h src/backends/kernels.def src/families.def \
@@ -347,7 +354,7 @@ deps:
 
 ##   install uninstall  under DESTDIR/PREFIX, PREFIX=/usr/local
 TO := $(DESTDIR)$(PREFIX)
-install: all $(PLAIN)/made $(PTX)
+install: all $(PLAIN)/made $(PSEUDOCODE)/made $(PTX)
 	install -d $(TO)/bin $(TO)/lib $(TO)/include/touchstone
 	install -m 755 $(BUILD)/touchstone $(TO)/bin/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(TO)/lib/libtouchstone.a
@@ -364,6 +371,9 @@ install: all $(PLAIN)/made $(PTX)
 	rm $(TO)/share/touchstone/glsl/made
 	install -d $(TO)/share/doc/touchstone/reference
 	install -m 644 README.md CHANGELOG.md LICENSE $(TO)/share/doc/touchstone
+	rm -rf $(TO)/share/doc/touchstone/kernels
+	cp -R $(PSEUDOCODE) $(TO)/share/doc/touchstone/kernels
+	rm $(TO)/share/doc/touchstone/kernels/made
 	install -m 644 $(wildcard $(patsubst %,reference/*.%,md json png)) $(TO)/share/doc/touchstone/reference
 uninstall:
 	rm -f $(TO)/bin/touchstone $(patsubst %,$(TO)/lib/libtouchstone%,.a .so .so.0 -image.so)
