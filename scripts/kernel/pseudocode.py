@@ -67,7 +67,7 @@ class Writer:
 		return kind.name
 
 	def function(self, function):
-		self.returns, node = function.type.of, function.node
+		self.returns, self.line, node = function.type.of, function.line, function.node
 		self.note(node.decl)
 		kinds = dict(zip([p.name for p in parameters(function)], function.type.with_))
 		self.params = kinds
@@ -147,7 +147,7 @@ class Writer:
 		self.depth -= 1
 
 	def statement(self, node):
-		if not isinstance(node, c_ast.Compound) and node.coord:
+		if not isinstance(node, c_ast.Compound) and node.coord and node.coord.line != self.line:
 			self.note(node)
 		self.after = []
 		getattr(self, "put_" + type(node).__name__, self.put_expression)(node)
