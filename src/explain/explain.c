@@ -1,5 +1,6 @@
 /* The C backend as explanations need it: the items of each launch in their order, on one thread. */
 #include "explain.h"
+#include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -58,6 +59,7 @@ static void seek(explainer *x, const ts_frame *frame, ts_kernel kernel, const vo
 		return;
 	}
 	size_t bytes = (size_t)(t->to - t->from);
+	assert(bytes <= sizeof before);
 	for (u64 item = 0; item < n; item++) {
 		memcpy(before, t->from, bytes);
 		t->stored = false;
