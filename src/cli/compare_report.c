@@ -107,7 +107,9 @@ static void advise(ts_report *report, const ts_comparison *c, const ts_trace *re
 	const ts_step *step = ts_pipeline_maker(reference->pipeline, c->first);
 	u64 element = c->verdict[c->first].first.element;
 	if (ts_sum_of(c->first) != NULL && element > 0) element--;
-	if (step == NULL || ts_stage_find(step->stage)->launches == NULL) return;
+	const ts_buffer_info *info = &ts_buffer_table[c->first];
+	bool sorted = strcmp(info->key, info->name) == 0; /* what an item writes stands elsewhere then */
+	if (step == NULL || sorted || ts_stage_find(step->stage)->launches == NULL) return;
 	ts_report_line(report, "how the reference computes it: %s explain %s --stage %s --element %s:%" PRIu64, ts_program,
 	               reference->dir, step->stage, ts_buffer_table[c->first].name, element);
 }

@@ -40,4 +40,10 @@ same hulls 2 indirect atrium:triangles=10000 --method hulls --set hull.corners=r
 	--target 2,1,-1
 same hulls 2 area-light atrium:triangles=10000 --method hulls
 answered hulls
+views="--set octree.levels=3 --set vpl.paths=20"
+same megaviews 2 indirect atrium:triangles=10000 --method megaviews $views --set view_map.px=4
+same megaviews 2 indirect atrium:triangles=10000 --method megaviews $views --set view_map.px=32 --set view_map.apart=0
+same megaviews 2 indirect dining:triangles=10000 --method megaviews $views --set view_map.px=8 --set view_map.multipixel=texels \
+	--set view_map.fill=0.3
+answered megaviews
 finish
