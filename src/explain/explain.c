@@ -8,7 +8,7 @@
 
 enum { MOST_BYTES = 256 };
 
-/* What a run is for: to find the item that gives an element its value, or to let items tell. */
+/* A run either finds the item that gives an element its value, or lets items tell. */
 typedef struct {
 	ts_explanation *explanation;
 	const ts_question *question;

@@ -89,7 +89,7 @@ static size_t earlier(const ts_explanation *e, size_t number)
 	return number;
 }
 
-/* What is not bound is left out of long values. */
+/* Long values leave out pointers that the launch does not bind. */
 static bool is_told(const ts_told_type *type, const ts_told_leaf *leaf, const char *value)
 {
 	return type->n == 1 || leaf->scalar != TS_TOLD_pointer || strcmp(value, "NULL") != 0;

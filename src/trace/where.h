@@ -19,8 +19,8 @@ void ts_where_use(const ts_where_rule *const *rules);
  * read. */
 bool ts_where_fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void *to);
 
-/* Of an element of the reference. What is not there is left out. TS_ERROR with the message set: what is there cannot be
- * read. */
+/* Says where an element of the reference lies, as far as the reference has the buffers that tell. TS_ERROR with the
+ * message set: such a buffer cannot be read. */
 ts_status ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element);
 /* "piece 812, x 5, y 3" of a key of points.key. */
 void ts_where_key(char text[TS_WHERE_TEXT], u64 key);

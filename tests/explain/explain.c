@@ -47,8 +47,8 @@ static ts_question question_of(ts_buffer_id id, u64 element)
 		.subject = TS_EXPLAIN_ELEMENT, .kernel = TS_N_KERNELS, .buffer = id, .element = element, .most = 1 << 20};
 }
 
-/* What the line stores is what the element of the trace holds; of sums, what a kernel stored: the count
- * or, where kernels make them, the sum. */
+/* The line stores what the element of the trace holds. Where the buffer has prefix sums, the line stores the count or,
+ * if a kernel makes the sums, the sum. */
 static void check_store(const ts_explanation *e, u32 m, ts_buffer_id id, u64 element)
 {
 	ts_buffer buffer;
