@@ -2,34 +2,7 @@
 # The port of five stages to Vulkan: equal bits on four scenes, and what compare and explain say of faults that ports have had.
 . "$(dirname "$0")/../cli/tap.bash"
 . "$(dirname "$0")/ports.bash"
-. "$(dirname "$0")/../cli/vulkan.bash"
-need_device
-if ! command -v glslangValidator > /dev/null; then
-	echo '1..0 # skip no glslangValidator'
-	exit 0
-fi
-
-# made FOLDER [FILE SED]: the shaders as SPIR-V, which keep the contract; FILE, edited so, first.
-made() {
-	local to=$scratch/$1 stage
-	rm -rf "$to" && cp -R "$scratch/glsl" "$to" && cp tests/ports/vulkan/*.{comp,glsl} "$to"
-	if [ -n "${2:-}" ]; then
-		sed -i "$3" "$to/$2"
-		cmp -s "$to/$2" "tests/ports/vulkan/$2" && return 1
-	fi
-	for stage in align points splat lookup; do
-		glslangValidator -V -g0 --target-env vulkan1.2 -o "$to/$stage.spv" "$to/$stage.comp" > "$to/$stage.log" || return 1
-		scripts/spirv-exact "$to/$stage.spv" || return 1
-	done
-}
-
-# compared FOLDER SCENE OPTION...: the bits of the modules in FOLDER and those of the scene's trace.
-compared() {
-	local from=$scratch/$1 to=$scratch/$2
-	rm -rf "$to/port" && mkdir "$to/port" && "$scratch/port" "$from" "$to/trace-epr" "$to/port" > "$scratch/device" || return 2
-	shift 2
-	run compare "$to/trace-epr" "$to/port" "$@"
-}
+. "$(dirname "$0")/vulkan.bash"
 
 agrees() {
 	compared exact "$1" && [ "$status" -eq 0 ] && grep -q '^6 buffers judged, 0 different' "$scratch/stdout"
@@ -52,11 +25,6 @@ finds() {
 	verdict $? "alone differ: $4: $1"
 }
 
-scripts/glsl "$scratch/glsl"
-${CC:-gcc} -std=c11 -D_GNU_SOURCE -O1 -Iinclude tests/ports/vulkan/{port,gpu}.c -lvulkan -o "$scratch/port"
-verdict $? 'the port compiles'
-made exact
-verdict $? 'its shaders compile'
 for scene in triangle_mirror triangle_twice triangle_side; do
 	micro $scene $scene
 	agrees $scene

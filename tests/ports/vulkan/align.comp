@@ -14,7 +14,7 @@ layout(push_constant, scalar) uniform arguments
 
 void main()
 {
-	uint i = gl_GlobalInvocationID.x;
+	uint i = item();
 	if (i >= n_items) return;
 	ts_v3 corner[3] = ts_v3[3](load(piece[i].v.a), load(piece[i].v.b), load(piece[i].v.c));
 

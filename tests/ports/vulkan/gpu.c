@@ -5,7 +5,7 @@
 #include <vulkan/vulkan.h>
 #include "gpu.h"
 
-enum { GROUP = 64, MOST_BLOCKS = 64 };
+enum { GROUP = 64, ROW = 256, MOST_BLOCKS = 64 }; /* items of a group, groups of a row */
 static VkInstance instance;
 static VkPhysicalDevice physical;
 static VkPhysicalDeviceProperties properties;
@@ -219,7 +219,7 @@ void gpu_run(const char *path, uint64_t n_items, const void *constants, uint32_t
 	CHECK(vkBeginCommandBuffer, commands, &begin);
 	vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
 	vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, bytes, constants);
-	vkCmdDispatch(commands, (uint32_t)((n_items + GROUP - 1) / GROUP), 1, 1);
+	vkCmdDispatch(commands, ROW, (uint32_t)((n_items + GROUP * ROW - 1) / (GROUP * ROW)), 1);
 	vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
 	                     VK_PIPELINE_STAGE_HOST_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1, &written, 0, NULL, 0,
 	                     NULL);

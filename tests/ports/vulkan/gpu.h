@@ -16,7 +16,8 @@ typedef struct {
 } gpu_memory;
 gpu_memory gpu_allocate(size_t bytes);
 
-/* Runs a module of SPIR-V, in groups of 64 items, to its end. The push constants begin with n_items. */
+/* Runs a module of SPIR-V, in rows of groups of 64 items, to its end. The push constants begin with
+ * n_items. */
 void gpu_run(const char *path, uint64_t n_items, const void *constants, uint32_t bytes);
 
 /* Prints "port: " and the line, and ends the program. */

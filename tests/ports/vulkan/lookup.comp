@@ -24,7 +24,7 @@ ts_v3 beside(float at[3], float right[3], float down[3], ts_v2 o)
 
 void main()
 {
-	uint i = gl_GlobalInvocationID.x;
+	uint i = item();
 	if (i >= n_items) return;
 	ts_pixel m = pixel[i / 25].v;
 	ts_v2 o = ts_k_sample_offset(i % 25);

@@ -32,7 +32,7 @@ ts_point made(uint i, uint flags, int x, int y)
 
 void main()
 {
-	uint i = gl_GlobalInvocationID.x;
+	uint i = item();
 	if (i >= n_items) return;
 	ts_align f = frame[i].v;
 	ts_cover cover;

@@ -73,7 +73,7 @@ void splat(ts_camera_k view, uint i, uint64_t first)
 
 void main()
 {
-	uint i = gl_GlobalInvocationID.x;
+	uint i = item();
 	if (i >= n_items) return;
 	uint triangle = piece[point[i].v.piece].v.triangle;
 	for (uint bit = 0; bit < 6 * uint(n_cubes); bit++) {

@@ -3,6 +3,12 @@
 #include "raster/cube.glsl"
 layout(local_size_x = 64) in;
 
+// Of this invocation. Groups stand in rows, because one row of them has too few (maxComputeWorkGroupCount).
+uint item()
+{
+	return gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+}
+
 const int HALF_SIZE = 129; // of a texel's square, in 1/256 (rule 19)
 
 ts_v3 load(float p[3])
