@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""The values of reference/PORTING.md, section 2, that can be worked out by hand, in traces of the triangles of scenes/.
-numpy is not needed. Prints TAP.
+"""The values of reference/PORTING.md, sections 2 and 9 to 11, that can be worked out by hand, in traces of the triangles
+and surfels of scenes/. numpy is not needed. Prints TAP.
 
-	micro.py ONE MIRROR TWICE EDGE SIDE BEHIND     folders of the six traces"""
+	micro.py ONE MIRROR TWICE EDGE SIDE BEHIND BOX SEEN SPLATS     folders of the nine traces"""
 import json
 import math
 import os
@@ -144,6 +144,53 @@ def check_behind(tap, trace):
 	tap.equal("triangle_behind: no tiny points", {point["flags"] for point in trace["points.record"]}, {0})
 
 
+def check_box(tap, trace):
+	zn = 1 - math.sqrt(8 + 2 ** -8) / 4096
+	covered = [4 <= i // 2 < j // 2 < 12 for j in range(32) for i in range(32)]
+	tap.equal("box: 112 texels", sum(covered), 112)
+	right = [bits(trace["segment.box"][0]["nearest"]) if inside else bits(1.0) for inside in covered]
+	tap.equal("box: depth_grid.depth", [bits(depth) for depth in trace["depth_grid.depth"]], right)
+	tap.equal("box: its depth", bits(trace["segment.box"][0]["nearest"]), bits(zn))
+	labels = trace["segment.label"]
+	tap.equal("box: segment.label", {label for label, inside in zip(labels, covered) if inside}, {22 * 32 + 8})
+	box = [trace["segment.box"][0][field] for field in ("low", "high")]
+	tap.equal("box: segment.box", (len(trace["segment.box"]), box), (1, [(8, 10), (21, 23)]))
+	found = [corner["position"] for corner in trace["corner.moment"]]
+	right = [(x, y, -4.0) for y in (1.25, -1.75) for x in (-1.75, 1.25)]
+	tap.equal("box: corner.moment, the corner in the sky", [round(x, 4) for x in found[1]], list(right[1]))
+	tap.equal("box: corner.moment, the others", [found[k] for k in (0, 2, 3)], [right[k] for k in (0, 2, 3)])
+
+
+def check_seen(tap, trace):
+	root = trace["octree.root"][0]
+	tap.near("seen: side of the root", root["side"], 5 * (1 + 2 ** -10) + 4 * 2 ** -20)
+	middle = [round(low + root["side"] / 2, 6) for low in root["lower"]]
+	tap.equal("seen: middle of the root", middle, [1.5, 0, 0])
+	tap.equal("seen: octree.level", trace["octree.level"], [0, 1, 9, 21])
+	offset, listed = trace["octree.offset"], trace["octree.triangle"]
+	of_leaf = {9 + k: listed[offset[k]:offset[k + 1]] for k in range(12)}
+	tap.equal("seen: leaves of the triangle", [leaf for leaf, of in of_leaf.items() if of == [0]], [11, 14, 17, 20])
+	tap.equal("seen: nodes of views", len(trace["view_octree.node"]), 3)
+	pairs = [divmod(pair, 1 << 32) for pair in trace["traverse.rendered"]]
+	tap.equal("seen: traverse.rendered", pairs, [(leaf, 2) for leaf in (11, 14, 17, 20)])
+
+
+def check_splats(tap, trace):
+	discs = trace["surfel_setup.disc"]
+	tap.equal("splats: pixels", [disc["pixel"] for disc in discs], [(6, 8), (8, 8), (10, 8)])
+	tap.equal("splats: fractions", {disc["fraction"] for disc in discs}, {(-0.5, -0.5)})
+	found = [[round(x, 6) for x in disc["a"] + disc["b"]] for disc in discs]
+	tap.equal("splats: A and B", found, [[1, 0, 0, -1], [0, -0.5, -2, 0], [0.6, -0.8, -1.6, -1.2]])
+	found = [disc["low"] + disc["high"] for disc in discs]
+	tap.equal("splats: boxes", found, [(5, 7, 6, 8), (7, 6, 8, 9), (9, 7, 10, 8)])
+	tap.equal("splats: epsilon", trace["surfel_setup.epsilon"], [0.5])
+	keys = {divmod(at, 16): key for at, key in enumerate(trace["surfel_depth.surfel"]) if key != EMPTY}
+	right = {(7, 5): 0, (7, 6): 0, (8, 5): 0, (8, 6): 0, (7, 10): 2, (8, 9): 2}
+	tap.equal("splats: who is nearest", {at: key & 0xffffffff for at, key in keys.items()}, right)
+	for (j, i), key in keys.items():
+		tap.near(f"splats: depth ({i}, {j})", number(key), 4 + 0.5 / math.hypot(1, (i - 7.5) / 8, (j - 7.5) / 8))
+
+
 def main():
 	tap = Tap()
 	names = ("triangle", "triangle_mirror", "triangle_twice", "triangle_edge", "triangle_side", "triangle_behind")
@@ -154,6 +201,9 @@ def main():
 	check_edge(tap, traces[3])
 	check_side(tap, traces[4])
 	check_behind(tap, traces[5])
+	check_box(tap, Trace(sys.argv[7]))
+	check_seen(tap, Trace(sys.argv[8]))
+	check_splats(tap, Trace(sys.argv[9]))
 	for name, trace in zip(names, traces):
 		with open(f"scenes/{name}.gltf", encoding="utf-8") as file:
 			corners = json.load(file)["meshes"][0]["extras"]["corners"]
