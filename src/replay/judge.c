@@ -16,30 +16,41 @@ static bool same_shape(const ts_buffer *ours, const ts_trace_item *item)
 	return memcmp(npy->shape + skip, ours->shape + skip, (ours->n_dims - skip) * sizeof *npy->shape) == 0;
 }
 
+static void tell_shape(char text[TS_VALUE_TEXT], u32 n_dims, const u64 *shape)
+{
+	FILE *out = fmemopen(text, TS_VALUE_TEXT, "w");
+	if (out == NULL) return;
+	for (u32 i = 0; i < n_dims; i++) fprintf(out, "%s%" PRIu64, i != 0 ? " x " : "shape ", shape[i]);
+	fclose(out);
+}
+
+/* Behind `where`. A file of the reference is not wrong because the candidate's inputs give something else. */
+static void tell(ts_judged *judged, const char *where, const char *made, const char *found)
+{
+	const char *format =
+		judged->not_given ? "%sthe candidate's inputs give %s, the reference has %s" : "%s%s is right, %s was found";
+	snprintf(judged->text, sizeof judged->text, format, where, made, found);
+}
+
 static void tell_shapes(ts_judged *judged, const ts_buffer *ours)
 {
-	FILE *out = fmemopen(judged->text, sizeof judged->text, "w");
-	if (out == NULL) return;
-	fputs("shape ", out);
-	for (u32 i = 0; i < ours->n_dims; i++) fprintf(out, "%s%" PRIu64, i != 0 ? " x " : "", ours->shape[i]);
-	fputs(" is right, ", out);
-	const ts_npy *npy = &judged->item->npy;
-	for (u32 i = 0; i < npy->n_dims; i++) fprintf(out, "%s%" PRIu64, i != 0 ? " x " : "", npy->shape[i]);
-	fputs(" was found", out);
-	fclose(out);
+	char made[TS_VALUE_TEXT] = "", found[TS_VALUE_TEXT] = "";
+	tell_shape(made, ours->n_dims, ours->shape);
+	tell_shape(found, judged->item->npy.n_dims, judged->item->npy.shape);
+	tell(judged, "", made, found);
 }
 
 static void tell_first(ts_judged *judged)
 {
 	const ts_verdict *v = &judged->verdict;
-	char where[TS_WHERE_TEXT], name[64], right[TS_VALUE_TEXT], found[TS_VALUE_TEXT];
+	char where[TS_WHERE_TEXT], place[sizeof where + 80], name[64], right[TS_VALUE_TEXT], found[TS_VALUE_TEXT];
 	(void)ts_difference_where(where, NULL, judged->id, &v->first);
 	ts_difference_field(name, judged->id, &v->first);
 	ts_difference_show(right, judged->id, &v->first, v->first.ref);
 	ts_difference_show(found, judged->id, &v->first, v->first.cand);
 	if (v->has_first) {
-		snprintf(judged->text, sizeof judged->text, "%s%s%s: %s is right, %s was found", where,
-		         name[0] != 0 ? ", field " : "", name, right, found);
+		snprintf(place, sizeof place, "%s%s%s: ", where, name[0] != 0 ? ", field " : "", name);
+		tell(judged, place, right, found);
 	} else if (v->n_missing + v->n_extra == 0) {
 		snprintf(judged->text, sizeof judged->text, "element %" PRIu64 ": %s",
 		         v->n_ref < v->n_cand ? v->n_ref : v->n_cand,
@@ -122,6 +133,8 @@ ts_status ts_judge(ts_judged *judged, const ts_load *load, ts_buffer_id id, cons
 	                      .item = ts_load_item(load->reference, load->candidate, id),
 	                      .verdict = {.list = judged->verdict.list}};
 	if (judged->item == NULL) return TS_OK;
+	const ts_trace *candidate = load->candidate;
+	judged->not_given = candidate != NULL && judged->item != &candidate->item[id];
 	judged->shape_differs = !can_match(ours, judged->item, id);
 	if (judged->shape_differs) {
 		judged->verdict.judgement = TS_UNLIKE;
@@ -130,8 +143,7 @@ ts_status ts_judge(ts_judged *judged, const ts_load *load, ts_buffer_id id, cons
 		tell_shapes(judged, ours);
 		return TS_DIFFERENT;
 	}
-	const ts_trace *candidate = load->candidate;
-	const ts_trace *owner = candidate != NULL && judged->item == &candidate->item[id] ? candidate : load->reference;
+	const ts_trace *owner = candidate != NULL && !judged->not_given ? candidate : load->reference;
 	ts_trace *right = ts_alloc(1, sizeof *right, "a trace");
 	if (right == NULL) return TS_ERROR;
 	*right = *load->reference;

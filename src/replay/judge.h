@@ -10,6 +10,7 @@ typedef struct {
 	ts_buffer_id id;
 	const ts_trace_item
 		*item;          /* whose buffer was judged: the candidate's if it has it; NULL: nobody's, so nothing was */
+	bool not_given;     /* there is a candidate, which lacks the buffer: the reference's was judged by its inputs */
 	bool shape_differs; /* in more than a number of things that the stage counts; nothing was compared */
 	ts_verdict verdict; /* what is right is its reference */
 	char text[TS_JUDGED_TEXT]; /* "" or how they first differ, in one line */

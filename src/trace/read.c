@@ -96,6 +96,30 @@ static ts_status check_version(const char *path, const json_t *root, const char 
 	return TS_ERROR;
 }
 
+/* The effects that have a method of that name: "effect "indirect" or "area-light"". */
+static void name_effects(char *text, size_t room, const char *method)
+{
+	size_t n = 0;
+	for (const ts_pipeline *const *p = ts_pipelines(); *p != NULL && n < room; p++) {
+		if (strcmp((*p)->name, method) != 0) continue;
+		n += (size_t)snprintf(text + n, room - n, "%s\"%s\"", n != 0 ? " or " : "effect ", (*p)->effect->name);
+	}
+}
+
+static ts_status read_pipeline(ts_trace *trace, const char *path, const json_t *root)
+{
+	char others[256] = "";
+	const char *method = text_of(root, "pipeline"), *effect = text_of(root, "effect");
+	bool given = effect[0] != 0;
+	if (!given) effect = ts_pipelines()[0]->effect->name;
+	trace->pipeline = ts_pipeline_find(effect, method);
+	if (trace->pipeline != NULL) return TS_OK;
+	name_effects(others, sizeof others, method);
+	return ts_fail("%s: no pipeline \"%.40s\" of effect \"%.40s\"%s; %s%s", path, method, effect,
+	               given ? "" : ", the default", others[0] != 0 ? others : "touchstone list methods names all",
+	               others[0] != 0 ? " would be right" : "");
+}
+
 static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 {
 	if (strcmp(text_of(root, "format"), "touchstone-trace") != 0) {
@@ -103,16 +127,12 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 	}
 	if (check_version(path, root, "version", TS_TRACE_VERSION) != TS_OK) return TS_ERROR;
 	if (check_version(path, root, "contract", TS_CONTRACT_VERSION) != TS_OK) return TS_ERROR;
-	const char *order = text_of(root, "order"), *effect = text_of(root, "effect");
+	const char *order = text_of(root, "order");
 	trace->arrival = strcmp(order, "arrival") == 0;
 	if (!trace->arrival && strcmp(order, "canonical") != 0) {
 		return ts_fail("%s: order is \"%.40s\"; \"canonical\" or \"arrival\" would be right", path, order);
 	}
-	trace->pipeline =
-		ts_pipeline_find(effect[0] != 0 ? effect : ts_pipelines()[0]->effect->name, text_of(root, "pipeline"));
-	if (trace->pipeline == NULL) {
-		return ts_fail("%s: no pipeline \"%.40s\"; touchstone list methods names all", path, text_of(root, "pipeline"));
-	}
+	if (read_pipeline(trace, path, root) != TS_OK) return TS_ERROR;
 	bool listed[TS_N_BUFFERS] = {false};
 	const json_t *producer = json_object_get(root, "producer"), *buffers = json_object_get(root, "buffers");
 	snprintf(trace->producer, sizeof trace->producer, "%s %s", text_of(producer, "name"), text_of(producer, "version"));

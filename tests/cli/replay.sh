@@ -44,6 +44,8 @@ PY
 run replay $epr --stage align --inputs port -o own
 [ "$status" -eq 1 ] && grep -q 'stage 09 align, buffer align.frame: different in [0-9]* of [0-9]* elements, first element' stdout
 verdict $? 'other inputs make other outputs than the reference holds'
+grep -q ", first element [0-9]*, field .*: the candidate's inputs give .*, the reference has .* in $epr/09-align.frame.npy$" stdout
+verdict $? 'which is not blamed for what the port lacks'
 cp own/09-align.frame.npy port/
 python3 - <<'PY'
 import json, struct

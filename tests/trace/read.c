@@ -83,6 +83,7 @@ static const wrong values[] = {
 	{"pipeline", "\"eprr\"", "no pipeline \"eprr\""},
 	{"pipeline", "1", "no pipeline"},
 	{"effect", "\"fog\"", "no pipeline"},
+	{"pipeline", "\"hulls\"", "effect \"area-light\" or \"indirect\" would be right"},
 	{"buffers", NULL, "buffers is not an array"},
 	{"buffers", "{}", "buffers is not an array"},
 	{"buffers", "[1]", "no buffer \"\""},

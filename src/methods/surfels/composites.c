@@ -88,7 +88,9 @@ static void relate_light(u32 *in, u32 random)
 
 static const ts_vector surfels[] = {
 	{ PRIMITIVE(disc), "ts_k_disc",
-	  "a surfel in a view: surfel_setup.disc; fate 0 drawn, 1 turned away, 2 before the near plane, 3 beside",
+	  "a surfel in a view: surfel_setup.disc; fate 0 drawn, 1 turned away, 2 before the near plane, 3 beside; filter 0 "
+	  "min, 1 object, 2 screen, 3 exact EWA; per_sigma2 1/r^2 of the screen filter's radius r, 0 without one; reach "
+	  "the half side of the square; fall 1/(2 s^2), object2 s^2, s ewa.sigma_k; screen2 the square of sigma_h",
 	  { VIEW("view"), FLAG("orthographic"), FILTER, WORLD("surfel.centre", 3),
 	    { "surfel.u", TS_VECTOR_F32, 3, 88, 131, true }, { "surfel.v", TS_VECTOR_F32, 3, 88, 131, true },
 	    SHARE("surfel.colour", 3) },
@@ -96,7 +98,8 @@ static const ts_vector surfels[] = {
 	    COLUMN("g", F32, 2), COLUMN("depth", F32, 1), COLUMN("flags", U32, 1), COLUMN("low", I32, 2),
 	    COLUMN("high", I32, 2), COLUMN("conic", F32, 3), COLUMN("peak", F32, 1), COLUMN("normal", F32, 3),
 	    COLUMN("pad", U32, 1), COLUMN("fate", U32, 1) }, .relate = relate_disc },
-	{ PRIMITIVE(surfel_fragment), "ts_k_surfel_fragment", "what of a surfel is in pixel (x, y)",
+	{ PRIMITIVE(surfel_fragment), "ts_k_surfel_fragment",
+	  "what of a surfel is in pixel (x, y): covers by its filter, inside by r3D alone; filter and so on as in disc",
 	  { INTEGER("disc.pixel", 2, -4096, 4096), SCREEN("disc.fraction"), SCREEN("disc.a"), SCREEN("disc.b"),
 	    SCREEN("disc.g"), LENGTH("disc.depth", 1), UNSIGNED("disc.flags", 1, 0, 7), INTEGER("disc.low", 2, -4096, 4096),
 	    INTEGER("disc.high", 2, -4096, 4096), { "disc.conic", TS_VECTOR_F32, 3, 88, 131, true }, SHARE("disc.peak", 1),
