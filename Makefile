@@ -369,6 +369,9 @@ install: all $(PLAIN)/made $(PSEUDOCODE)/made $(PTX)
 	rm -rf $(TO)/share/touchstone/glsl
 	cp -R $(PLAIN) $(TO)/share/touchstone/glsl
 	rm $(TO)/share/touchstone/glsl/made
+	install -d $(TO)/share/touchstone/scenes $(TO)/share/touchstone/ports/vulkan
+	install -m 644 $(wildcard scenes/*) $(TO)/share/touchstone/scenes
+	install -m 644 $(wildcard tests/ports/vulkan/*) $(TO)/share/touchstone/ports/vulkan
 	install -d $(TO)/share/doc/touchstone/reference
 	install -m 644 README.md CHANGELOG.md LICENSE $(TO)/share/doc/touchstone
 	rm -rf $(TO)/share/doc/touchstone/kernels

@@ -1,7 +1,10 @@
 /* Stages align, points.count, points, splat and lookup of EPR on Vulkan, as a porter writes them: each from the buffers
  * of a trace, or from what the stage before it made here, and all into a candidate.
  *
- *   port SPIRV TRACE CANDIDATE     SPIRV has the four modules; the folder CANDIDATE exists
+ *   glslangValidator -V -I../../glsl --target-env vulkan1.2 -o spirv/align.spv align.comp     and points, splat, lookup
+ *   ../../spirv-exact spirv/align.spv spirv/points.spv spirv/splat.spv spirv/lookup.spv
+ *   cc -std=c11 -D_GNU_SOURCE port.c gpu.c -lvulkan -o port
+ *   ./port spirv TRACE CANDIDATE     the folders exist
  *
  * It has the default parameters, and no masked materials. Without a device it ends with status 77. */
 #include <glob.h>
