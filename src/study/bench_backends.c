@@ -40,19 +40,39 @@ static ts_status run_limit(const ts_bench_table *table, ts_bench_column *c, u32 
 	return ts_bench_atomics(&c->samples[TS_BENCH_LIMIT + limit][run], &c->how, (u64)ts_bench_limit_mib[limit] << 20);
 }
 
-static ts_status take_turns(ts_bench_table *table, u32 run)
+static ts_status run_limits(ts_bench_table *table, u32 run)
 {
 	ts_status status = TS_OK;
-	for (u32 i = 0; status == TS_OK && i < table->n_columns; i++) status = run_frame(table, &table->column[i], run);
 	for (u32 i = 0; status == TS_OK && i < TS_BENCH_ATOMICS * table->n_columns; i++) {
 		status = run_limit(table, &table->column[i % table->n_columns], run, i / table->n_columns);
 	}
 	return status;
 }
 
+static ts_status take_turns(ts_bench_table *table, u32 run)
+{
+	ts_status status = TS_OK;
+	for (u32 i = 0; status == TS_OK && i < table->n_columns; i++) status = run_frame(table, &table->column[i], run);
+	return status == TS_OK ? run_limits(table, run) : status;
+}
+
+/* Not counted. A device that cannot run the frame is left out. */
+static ts_status take_first_turns(ts_bench_table *table)
+{
+	for (u32 i = 0; i < table->n_columns;) {
+		ts_status status = run_frame(table, &table->column[i], 0);
+		if (status == TS_OK) {
+			i++;
+		} else if (!ts_bench_column_leave_out(table, i)) {
+			return status;
+		}
+	}
+	return run_limits(table, 0);
+}
+
 static ts_status measure(ts_bench_table *table)
 {
-	ts_status status = take_turns(table, 0);
+	ts_status status = take_first_turns(table);
 	for (u32 run = 0; status == TS_OK && run < table->n_runs; run++) status = take_turns(table, run);
 	return status;
 }

@@ -36,6 +36,9 @@ extern const u32 ts_bench_limit_mib[TS_BENCH_ATOMICS];
  * the device that was typed, TS_SKIPPED if there is none. To be closed also on failure. */
 ts_status ts_bench_columns_open(ts_bench_table *table);
 void ts_bench_columns_close(ts_bench_table *table);
+/* Closes a column that could not run the frame, which becomes a note of why. False where that is an error: of C, of a
+ * device that was typed, and with --require. */
+bool ts_bench_column_leave_out(ts_bench_table *table, u32 index);
 /* A line below the tables. */
 void ts_bench_note(ts_bench_table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

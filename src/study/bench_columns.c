@@ -97,6 +97,16 @@ ts_status ts_bench_columns_open(ts_bench_table *table)
 	return status == TS_SKIPPED && job->require ? TS_ERROR : status;
 }
 
+bool ts_bench_column_leave_out(ts_bench_table *table, u32 index)
+{
+	ts_bench_column *c = &table->column[index];
+	if (!c->own || table->job->device_named || table->job->require) return false;
+	ts_bench_note(table, "%s: left out: %s", c->name, ts_error_message());
+	c->how.backend->close(c->how.backend);
+	memmove(c, c + 1, (--table->n_columns - index) * sizeof *c);
+	return true;
+}
+
 void ts_bench_columns_close(ts_bench_table *table)
 {
 	for (u32 i = 0; i < table->n_columns; i++) {

@@ -64,4 +64,14 @@ OCL_ICD_VENDORS=/nonexistent run bench backends "${frame[@]}" --runs 1 --device 
 verdict $? 'bench backends of a device that is not there is skipped'
 OCL_ICD_VENDORS=/nonexistent refuses 'no device can be measured' bench backends "${frame[@]}" --require
 
+# A frame that llvmpipe's limit of loops cuts short.
+if grep -q llvmpipe <("$touchstone" list backends); then
+	cut=(bench backends --scene atrium:triangles=10000:texels=32 --objects 1 --size 480x270 --method mvr --runs 1 --threads 1)
+	OCL_ICD_VENDORS=/nonexistent run "${cut[@]}"
+	[ "$status" -eq 0 ] && grep -q '^vulkan0: left out: stage eye: .* ended a loop of eye early' "$scratch/stdout" &&
+		grep -q '^time, ms *c1$' "$scratch/stdout"
+	verdict $? 'a device that cannot run the frame is left out'
+	OCL_ICD_VENDORS=/nonexistent refuses 'ended a loop of eye early' "${cut[@]}" --require
+fi
+
 finish
