@@ -54,15 +54,16 @@ backends mvr cube_face 0
 verdict $? 'an empty kernel cache leaves nothing behind'
 
 # Without any driver.
-OCL_ICD_VENDORS=/nonexistent run bench backends "${frame[@]}" --runs 1 --threads 1
+without_device() { OCL_ICD_VENDORS=/nonexistent VK_ICD_FILENAMES=/nonexistent VK_DRIVER_FILES=/nonexistent "$@"; }
+without_device run bench backends "${frame[@]}" --runs 1 --threads 1
 [ "$status" -eq 0 ] && grep -q '^no opencl device' "$scratch/stdout" && grep -q '^time, ms *c1$' "$scratch/stdout" &&
 	grep -q '^all  *[0-9.]*$' "$scratch/stdout" && ! grep -q 'Kernel build' "$scratch/stdout" &&
 	awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
 verdict $? 'bench backends without a device: the C columns in 120 columns of text, and a line that says so'
-OCL_ICD_VENDORS=/nonexistent run bench backends "${frame[@]}" --runs 1 --device 0
+without_device run bench backends "${frame[@]}" --runs 1 --device 0
 [ "$status" -eq 77 ] && grep -q 'no OpenCL device' "$scratch/stderr"
 verdict $? 'bench backends of a device that is not there is skipped'
-OCL_ICD_VENDORS=/nonexistent refuses 'no device can be measured' bench backends "${frame[@]}" --require
+without_device refuses 'no device can be measured' bench backends "${frame[@]}" --require
 
 # A frame that llvmpipe's limit of loops cuts short.
 if grep -q llvmpipe <("$touchstone" list backends); then
