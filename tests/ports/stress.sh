@@ -19,7 +19,7 @@ if grep -q llvmpipe <("$touchstone" list backends); then
 	[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" | grep -q '^stage .. points.count, buffer points.offset, count of piece 0'
 	verdict $? 'compare names the stage whose loop the driver ended'
 	make_lift
-	export LD_PRELOAD=$lift MESA_SHADER_CACHE_DIR=$caches/mesa
+	with=(env LD_PRELOAD="$lift" MESA_SHADER_CACHE_DIR="$caches/mesa")
 fi
 compared exact large && same
 verdict $? 'Vulkan has the same bits without that limit'

@@ -21,10 +21,13 @@ made() {
 	done
 }
 
-# compared FOLDER SCENE OPTION...: the bits of the modules in FOLDER and those of the scene's trace.
+# compared FOLDER SCENE OPTION...: the bits of the modules in FOLDER and those of the scene's trace; $with runs the port.
+with=(env)
 compared() {
 	local from=$scratch/$1 to=$scratch/$2
-	rm -rf "$to/port" && mkdir "$to/port" && "$scratch/port" "$from" "$to/trace-epr" "$to/port" > "$scratch/device" || return 2
+	status=2
+	rm -rf "$to/port" && mkdir "$to/port" && "${with[@]}" "$scratch/port" "$from" "$to/trace-epr" "$to/port" > "$scratch/device" ||
+		return 2
 	shift 2
 	run compare "$to/trace-epr" "$to/port" "$@"
 }
