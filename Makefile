@@ -190,7 +190,7 @@ $(GLSL)/made $(PLAIN)/made: scripts/glsl $(wildcard scripts/kernel/*) $(wildcard
 		src/backends/kernels.def src/families.def $(wildcard src/kernels/*/*) include/touchstone/records.def
 	$(call say,GEN,$(@D))
 	$(Q)rm -rf $(@D) && scripts/glsl $(if $(filter $(GLSL)/made,$@),--guarded) $(@D) && touch $@
-$(SPIRV): scripts/vulkan-program scripts/spirv-exact $(GLSL)/made
+$(SPIRV): scripts/vulkan-program scripts/kernel/packed.py scripts/spirv-exact $(GLSL)/made
 	$(call say,GEN,$@)
 	$(Q)scripts/vulkan-program $(GLSL) $(BUILD)/gen/spirv > $@
 $(call object,src/backends/vulkan/program.c): $(SPIRV)
@@ -220,6 +220,12 @@ $(PTX): scripts/ptx $(wildcard src/backends/cuda/*) src/backends/kernels.h src/b
 	$(call say,GEN,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/ptx $@
+PACKED_PTX := $(BUILD)/gen/ptx.inc
+$(PACKED_PTX): scripts/cuda-program scripts/kernel/packed.py $(PTX)
+	$(call say,GEN,$@)
+	$(Q)scripts/cuda-program $(PTX) $(BUILD)/gen/ptx > $@
+$(call object,src/backends/cuda/program.c): $(PACKED_PTX)
+$(call object,src/backends/cuda/program.c): OWN := -I$(BUILD)/gen
 
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE

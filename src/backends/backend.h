@@ -68,7 +68,7 @@ typedef struct {
 	 * brings. */
 	ts_status (*open)(ts_backend **backend, const ts_backend_options *options);
 } ts_backend_kind;
-extern const ts_backend_kind ts_c_kind, ts_opencl_kind, ts_vulkan_kind;
+extern const ts_backend_kind ts_c_kind, ts_opencl_kind, ts_vulkan_kind, ts_cuda_kind;
 
 /* The reference, in C: threads of OpenMP. */
 typedef struct {

@@ -1,83 +1,31 @@
-/* The kernels' SPIR-V, packed into the library or in a folder of the user's, and the pipelines that the driver makes
- * of it, each as it is first launched. */
-#include <errno.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <zlib.h>
+/* The kernels' SPIR-V, and the pipelines that the driver makes of it, each as it is first launched. */
 #include "vk.h"
 #include "spirv.inc"
 
-enum { SPIRV_MAGIC = 0x07230203, MOST_OF_FILE = 16 << 20 };
+enum { SPIRV_MAGIC = 0x07230203 };
 
-/* The words of one kernel. */
-typedef struct {
-	const u32 *words;
-	size_t bytes;
-	u32 *read; /* to be freed */
-} module;
-
-/* All kernels one after the other, once. */
-static ts_status unpack(ts_vk *vk)
+void ts_vk_open_modules(ts_vk *vk, const char *folder)
 {
-	if (vk->spirv != NULL) return TS_OK;
-	uLongf bytes = SPIRV_BYTES;
-	u32 *words = ts_alloc(SPIRV_BYTES, 1, "the kernels' SPIR-V");
-	if (words == NULL) return TS_ERROR;
-	if (uncompress((Bytef *)words, &bytes, (const Bytef *)packed, PACKED_BYTES) != Z_OK || bytes != SPIRV_BYTES) {
-		free(words);
-		return ts_fail("backend vulkan: no memory to unpack the kernels");
-	}
-	vk->spirv = words;
-	return TS_OK;
+	vk->modules = (ts_modules){"vulkan", "spv", {packed, sizeof packed, first_byte}, folder, NULL};
 }
 
-static ts_status refuse(const char *path, const char *reason)
+static ts_status find_module(ts_vk *vk, ts_kernel kernel, ts_module *module)
 {
-	return ts_fail("--build: %s: %s; one NAME.spv for each kernel is wanted", path, reason);
-}
-
-static ts_status read_open(FILE *file, const char *path, module *m)
-{
-	u32 *words = ts_alloc(MOST_OF_FILE, 1, path);
-	if (words == NULL) return TS_ERROR;
-	m->words = m->read = words;
-	m->bytes = fread(words, 1, MOST_OF_FILE, file);
-	if (ferror(file)) return refuse(path, strerror(errno));
-	if (m->bytes < 20 || m->bytes % 4 != 0 || m->bytes == MOST_OF_FILE || words[0] != SPIRV_MAGIC)
-		return refuse(path, "not a SPIR-V module of this machine's byte order, of less than 16 MiB");
-	return TS_OK;
-}
-
-static ts_status read_module(const char *folder, ts_kernel kernel, module *m)
-{
-	char path[1024];
-	int length = snprintf(path, sizeof path, "%s/%s.spv", folder, ts_kernel_name(kernel));
-	if (length < 0 || (size_t)length >= sizeof path) return ts_fail("--build: at most 900 characters are taken");
-	FILE *file = fopen(path, "rb");
-	if (file == NULL) return refuse(path, strerror(errno));
-	ts_status status = read_open(file, path, m);
-	fclose(file);
-	return status;
-}
-
-static ts_status find_module(ts_vk *vk, ts_kernel kernel, module *m)
-{
-	if (vk->folder[0] != 0) return read_module(vk->folder, kernel, m);
-	if (unpack(vk) != TS_OK) return TS_ERROR;
-	m->words = vk->spirv + first_word[kernel];
-	m->bytes = (first_word[kernel + 1] - first_word[kernel]) * sizeof *m->words;
-	return TS_OK;
+	if (ts_modules_find(&vk->modules, kernel, module) != TS_OK) return TS_ERROR;
+	const u32 *words = (const u32 *)module->bytes;
+	if (module->n_bytes >= 20 && module->n_bytes % 4 == 0 && words[0] == SPIRV_MAGIC) return TS_OK;
+	return ts_modules_refuse(&vk->modules, kernel, "not a SPIR-V module of this machine's byte order");
 }
 
 static ts_status make_module(ts_vk *vk, ts_kernel kernel, VkShaderModule *made)
 {
-	module m = {.read = NULL};
-	ts_status status = find_module(vk, kernel, &m);
-	const VkShaderModuleCreateInfo info = {
-		.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .codeSize = m.bytes, .pCode = m.words};
+	ts_module module;
+	ts_status status = find_module(vk, kernel, &module);
+	const VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+	                                       .codeSize = module.n_bytes,
+	                                       .pCode = (const u32 *)module.bytes};
 	VkResult result = status == TS_OK ? vk->call.CreateShaderModule(vk->device, &info, NULL, made) : VK_SUCCESS;
-	free(m.read);
+	ts_module_free(&module);
 	return result == VK_SUCCESS ? status : ts_vk_failed(ts_kernel_name(kernel), result);
 }
 

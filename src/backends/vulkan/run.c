@@ -168,7 +168,7 @@ static void end(ts_backend *backend)
 {
 	ts_vk *vk = (ts_vk *)backend;
 	if (vk->device != VK_NULL_HANDLE) close_device(vk);
-	free(vk->spirv);
+	ts_modules_free(&vk->modules);
 	free(vk);
 }
 
@@ -204,7 +204,7 @@ static ts_status begin(ts_vk *vk, const ts_backend_options *options)
 	if (ts_vk_open_device(vk) != TS_OK) return TS_ERROR;
 	vk->work_group = options->work_group != 0 ? options->work_group : GROUP;
 	vk->part_bytes = options->part_bytes;
-	vk->folder = options->build;
+	ts_vk_open_modules(vk, options->build);
 	if (vk->work_group > vk->most.items || vk->work_group % vk->most.vector != 0) {
 		return ts_fail("--work-group %u: %s runs at most %u items at once, and %u together", vk->work_group,
 		               vk->about.name, vk->most.items, vk->most.vector);

@@ -5,6 +5,7 @@
 #define VK_NO_PROTOTYPES
 #include <vulkan/vulkan_core.h>
 #include "../device.h"
+#include "../modules.h"
 
 /* What is called. */
 /* clang-format off */
@@ -64,8 +65,7 @@ typedef struct {
 	u64 n_arguments;       /* bytes */
 	ts_vk_block staging;   /* where the host does not see the device's memory */
 	bool sees;             /* it does */
-	u32 *spirv;            /* of all kernels */
-	const char *folder;    /* of the user's own, or "" */
+	ts_modules modules;
 	ts_store store;
 } ts_vk;
 
@@ -89,7 +89,8 @@ void ts_vk_next(ts_vk *vk);
 ts_status ts_vk_flush(ts_vk *vk);
 void ts_vk_empty_arguments(ts_vk *vk);
 
-/* program.c: makes a kernel's pipeline, unless it is there; releases all of them, and what they are made of. */
+/* program.c: where SPIR-V comes from; makes a kernel's pipeline, unless it is there; releases all of them. */
+void ts_vk_open_modules(ts_vk *vk, const char *folder);
 ts_status ts_vk_make_pipeline(ts_vk *vk, ts_kernel kernel);
 void ts_vk_forget_pipelines(ts_vk *vk);
 
