@@ -111,7 +111,8 @@ CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/*
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
 		methods nearest options parse reads say sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
-TEST_C := $(filter-out tests/begin.c tests/fuzz/% tests/record/% tests/faults/% tests/cli/preload/% tests/ports/vulkan/%,$(call every,tests,c))
+TEST_NOT := begin.c fuzz/% record/% faults/% cli/preload/% ports/vulkan/% backends/cuda/%
+TEST_C := $(filter-out $(TEST_NOT:%=tests/%),$(call every,tests,c))
 
 # Linked into each test: what it begins with, and what lifts llvmpipe's limit of loops, which that driver finds by its name.
 TEST_ALSO_C := tests/begin.c tests/cli/preload/llvmpipe.c
@@ -275,7 +276,7 @@ test: deps
 test-long:
 	$(Q)$(MAKE) --no-print-directory test T=--long
 
-tests: $(TESTS) $(BUILD)/touchstone-core $(BUILD)/record/touchstone
+tests: $(TESTS) $(BUILD)/touchstone-core $(BUILD)/record/touchstone $(BUILD)/cuda/libcuda.so.1
 
 # Most of them run for less time than -O3 takes to compile them.
 $(BUILD)/obj/tests/%: OWN := -O1
@@ -286,6 +287,13 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(call object,$(TEST_ALSO_C)) $(BUILD
 	$(Q)$(CXX) $(LINK_FLAGS) $(LIFT) $(FIND_ABOVE) $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
 
 $(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
+
+# A driver of CUDA that needs no GPU, with an empty cache of kernels.
+$(BUILD)/cuda/libcuda.so.1: $(wildcard tests/backends/cuda/*) src/backends/cuda/cu.h $(BUILD)/flags
+	$(call say,LINK,$@)
+	$(Q)rm -rf $(@D) && mkdir -p $(@D)/cache
+	$(Q)$(CC) -std=c11 -O2 $(WARN) -fopenmp -fPIC -fvisibility=hidden -shared -Wl,-soname,$(@F) -Iinclude \
+		-DTS_PTX='"tests/backends/cuda"' -DTS_CACHE='"$(abspath $(@D))/cache"' tests/backends/cuda/driver.c -ldl -o $@
 
 # The command, noting who reads which parameter (src/model/param.h). What does not name the accessor is not built for it.
 RECORD_C := $(filter $(LIB_C) $(CLI_C),$(shell grep -rl TS_PARAM src --include='*.c'))

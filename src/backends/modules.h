@@ -1,4 +1,4 @@
-/* Kernels that were compiled before: a module each, packed into the library, or in a folder of whoever makes their own. */
+/* Kernels that were compiled before: a module each, packed into the library, or in a folder of the user's. */
 #ifndef TS_BACKENDS_MODULES_H
 #define TS_BACKENDS_MODULES_H
 #include "args.h"

@@ -11,8 +11,7 @@
 
 const char *const ts_program = "touchstone";
 ts_preview *const ts_golden_preview = ts_image_write_png;
-const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, &ts_opencl_kind, &ts_vulkan_kind, &ts_cuda_kind,
-                                                    NULL};
+const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, &ts_opencl_kind, &ts_vulkan_kind, &ts_cuda_kind, NULL};
 
 const ts_command ts_command_table[] = {
 	{"render",
@@ -69,9 +68,9 @@ const ts_command ts_command_table[] = {
      "whether it does. Their GPU's times are not ours: compare ratios. --objects are numbers of mirrors or light\n"
      "samples unless the list says otherwise. epr-6, backends and start measure one scene (atrium) with one number\n"
      "of mirrors (10). With -o DIR the report, each table as CSV, and plots, as SVG, are written to DIR.\n"
-     "backends: each stage in C, with 1 and with --threads threads, and on every OpenCL device, or the one of\n"
-     "--backend or --device, which takes the cores it likes; what bounds scattering; and how long the kernels take\n"
-     "to build, in a process of its own, with an empty cache too where it is PoCL's.\n"
+     "backends: each stage in C, with 1 and with --threads threads, and on every device, or the one of --backend or\n"
+     "--device, which takes the cores it likes; what bounds scattering; and how long the kernels take to build, in a\n"
+     "process of its own, with an empty cache too where it is known how it is moved.\n"
      "speed: stages, Embree's rays for the same views, bare points, what memory allows, exponents. --scene names\n"
      "frames (S, A, M, ...) and growths (triangles, mirrors, maps, pixels, threads); --objects are a growth's values.\n"
      "Models of ivir-1, ssagh-1 and ssagh-segments are in the folder TS_SCENES (scenes).",

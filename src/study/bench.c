@@ -58,7 +58,7 @@ ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job, const c
 
 /* What concerns no family. */
 static const ts_bench_row general[] = {
-	{"backends", "each stage in C and on every OpenCL device, of one frame by one --method (epr); and builds",
+	{"backends", "each stage in C and on every device, of one frame by one --method (epr); and builds",
      "truth " TS_BENCH_FILES, .run = ts_bench_backends, .runs = 5},
 	{"speed", "stages beside Embree, bare points and the machine's limits; --scene names frames and growths",
      "truth frames", .run = ts_bench_speed, .quiet = true},

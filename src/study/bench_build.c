@@ -20,6 +20,7 @@ static int remove_one(const char *path, const struct stat *info, int kind, struc
 /* What moves the driver's cache, so that an empty one can be had and the user's is not touched; NULL: not known. */
 static const char *cache_variable(const ts_bench_column *column)
 {
+	if (column->kind == &ts_cuda_kind) return "CUDA_CACHE_PATH";
 	if (strcmp(column->platform, "Portable Computing Language") == 0) return "POCL_CACHE_DIR";
 	return strncmp(column->how.backend->compiler, "Mesa ", 5) == 0 ? "MESA_SHADER_CACHE_DIR" : NULL;
 }

@@ -62,7 +62,7 @@ static void open_all(ts_bench_table *table, const ts_backend_kind *kind)
 {
 	ts_device about[TS_MAX_DEVICES];
 	u32 n = kind->devices(about);
-	if (n == 0) ts_bench_note(table, "no %s device: the C backend stands alone", kind->name);
+	if (n == 0) ts_bench_note(table, "no %s device", kind->name);
 	for (u32 i = 0; i < n; i++) {
 		if (table->n_columns == TS_BENCH_COLUMNS) {
 			ts_bench_note(table, "%s%u and beyond: no room; choose one with --device", kind->name, (unsigned)i);

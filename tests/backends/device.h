@@ -1,10 +1,11 @@
 /* What tests on devices need: each kind of backend that has one here. */
 #ifndef TS_TESTS_BACKENDS_DEVICE_H
 #define TS_TESTS_BACKENDS_DEVICE_H
+#include <dlfcn.h>
 #include "../model/test.h"
 #include "../../src/backends/backend.h"
 
-static const ts_backend_kind *const device_kinds[] = {&ts_opencl_kind, &ts_vulkan_kind};
+static const ts_backend_kind *const device_kinds[] = {&ts_opencl_kind, &ts_vulkan_kind, &ts_cuda_kind};
 enum { DEVICE_KINDS = sizeof device_kinds / sizeof *device_kinds };
 
 /* Fails where there is none if TS_REQUIRE names the kind. */
@@ -38,16 +39,18 @@ static inline ts_backend *device_open(const ts_backend_kind *kind, ts_backend_op
 	return backend;
 }
 
-/* Kernels once built are kept, whoever runs the test. */
-static inline void device_keep_kernels(void)
+/* Kernels once built are kept, whoever runs the test. Of CUDA a driver is there in any case: tests/backends/cuda. */
+static inline void device_begin(void)
 {
 	static const char *const names[][2] = {{"POCL_CACHE_DIR", "pocl"}, {"MESA_SHADER_CACHE_DIR", "mesa"}};
 	const char *build = getenv("BUILD");
+	char path[512];
 	for (u32 i = 0; i < 2; i++) {
-		char path[512];
 		snprintf(path, sizeof path, "%s/%s", build != NULL ? build : "build/release", names[i][1]);
 		setenv(names[i][0], path, 0);
 	}
+	snprintf(path, sizeof path, "%s/cuda/libcuda.so.1", build != NULL ? build : "build/release");
+	if (dlopen(path, RTLD_NOW | RTLD_LOCAL) == NULL) printf("%s\n", dlerror());
 }
 
 #endif

@@ -35,6 +35,6 @@ static void test_traverse(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(test_traverse)};
-	device_keep_kernels();
+	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

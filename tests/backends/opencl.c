@@ -73,6 +73,6 @@ static void test_vectors(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(test_refused), cmocka_unit_test(test_vectors)};
-	device_keep_kernels();
+	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

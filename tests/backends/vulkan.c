@@ -2,7 +2,6 @@
 #include "device.h"
 #include "../../src/backends/kernels.h"
 #include "../../src/backends/vulkan/vk.h"
-#include "../../src/vectors/vectors.h"
 
 static void need(void)
 {
@@ -28,17 +27,6 @@ static void test_refused(void **state)
 	char many[1200] = "";
 	memset(many, 'x', sizeof many - 1);
 	refuses("--build: at most 900 characters", (ts_backend_options){.build = many});
-}
-
-static void test_vectors(void **state)
-{
-	(void)state;
-	need();
-	ts_backend *backend = device_open(&ts_vulkan_kind, (ts_backend_options){.work_group = 64});
-	if (ts_vectors_verify(backend, false) != TS_OK) fail_msg("%s", ts_error_message());
-	assert_true(backend->arithmetic.rounds_to_nearest && !backend->arithmetic.contracts);
-	if (ts_vectors_verify_composites(backend) != TS_OK) fail_msg("%s", ts_error_message());
-	backend->close(backend);
 }
 
 /* Sums of n counts in chunks of one, whose second step is one item with a turn for each. */
@@ -82,8 +70,7 @@ static void test_many(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_refused), cmocka_unit_test(test_vectors),
-	                                   cmocka_unit_test(test_many)};
-	device_keep_kernels();
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_refused), cmocka_unit_test(test_many)};
+	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -36,7 +36,7 @@ refuses '=' render reflections --set width
 refuses 'width' render reflections --set width=640x
 refuses 'frame' render reflections --frame -1
 refuses 'A, B and C' render reflections --truth=D
-refuses 'no backend "cuda"; there is: c, opencl, vulkan$' render reflections --backend cuda
+refuses 'no backend "metal"; there is: c, opencl, vulkan, cuda$' render reflections --backend metal
 refuses 'no backend ""' render reflections --backend=
 refuses 'from 1 to 1024' render reflections --threads 0
 refuses 'out of range' render reflections atrium:triangles=1000000000 --no-images

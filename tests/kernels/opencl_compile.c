@@ -66,7 +66,7 @@ static void every_header_builds(void **state)
 
 int main(void)
 {
-	device_keep_kernels();
+	device_begin();
 	const struct CMUnitTest opencl_compile[] = {
 		cmocka_unit_test(every_header_builds),
 	};

@@ -33,18 +33,19 @@ static ts_status start(void)
 	if (begun) return TS_OK;
 	void *library = dlopen("libcuda.so.1", RTLD_NOW | RTLD_LOCAL);
 	if (library == NULL) return no_device();
-	if (!find_calls(library, &calls)) return ts_fail("backend cuda: NVIDIA's driver is older than CUDA 11");
+	if (!find_calls(library, &calls)) return ts_fail("backend cuda: NVIDIA's driver is older than CUDA 11.0");
 	CUresult result = calls.Init(0);
 	if (result == CUDA_ERROR_NO_DEVICE) return no_device();
 	begun = result == CUDA_SUCCESS;
 	return begun ? TS_OK : ts_cu_failed(&about, "the driver", result);
 }
 
-static u32 count(void)
+static CUresult count(u32 *n)
 {
-	int n = 0;
-	if (calls.DeviceGetCount(&n) != CUDA_SUCCESS || n < 0) return 0;
-	return n < TS_MAX_DEVICES ? (u32)n : TS_MAX_DEVICES;
+	int all = 0;
+	CUresult result = calls.DeviceGetCount(&all);
+	*n = result != CUDA_SUCCESS || all < 0 ? 0 : all < TS_MAX_DEVICES ? (u32)all : TS_MAX_DEVICES;
+	return result;
 }
 
 static u32 attribute(CUdevice device, int which)
@@ -74,7 +75,8 @@ static ts_device describe(CUdevice device)
 
 u32 ts_cu_devices(ts_device devices[TS_MAX_DEVICES])
 {
-	u32 n = start() == TS_OK ? count() : 0, found = 0;
+	u32 n = 0, found = 0;
+	if (start() != TS_OK || count(&n) != CUDA_SUCCESS) return 0;
 	for (u32 i = 0; i < n; i++) {
 		CUdevice device;
 		if (calls.DeviceGet(&device, (int)i) == CUDA_SUCCESS) devices[found++] = describe(device);
@@ -85,14 +87,16 @@ u32 ts_cu_devices(ts_device devices[TS_MAX_DEVICES])
 ts_status ts_cu_find(ts_cu *cu, u32 index)
 {
 	ts_status status = start();
+	u32 n = 0;
 	if (status != TS_OK) return status;
-	u32 n = count();
+	cu->call = &calls;
+	CUresult result = count(&n);
+	if (result != CUDA_SUCCESS) return ts_cu_failed(cu, "the devices", result);
 	if (n == 0) return no_device();
 	if (index >= n) {
 		return ts_fail("--device %u: there are %u devices, from 0; `touchstone list backends` names them", index, n);
 	}
-	cu->call = &calls;
-	CUresult result = calls.DeviceGet(&cu->device, (int)index);
+	result = calls.DeviceGet(&cu->device, (int)index);
 	if (result != CUDA_SUCCESS) return ts_cu_failed(cu, "the device", result);
 	cu->about = describe(cu->device);
 	cu->most = (ts_cu_limits){.groups = attribute(cu->device, CU_DEVICE_ATTRIBUTE_MAX_GRID_DIM_X),

@@ -1,9 +1,11 @@
-/* A driver of CUDA without a GPU, for tests: libcuda.so.1 with one device, whose memory is its own, and which runs PTX as it stands:
- * ptx.py makes C of it, an instruction a statement, and the compiler of C a library. What a driver refuses, this refuses too: calls
- * without a context, memory that was not allocated, and all that comes after a kernel that failed. Leaks end the process.
- *   TS_CUDA_CACHE    a folder for what was compiled; without it there is no device
- *   TS_CUDA_FAIL     CALL:N:RESULT: the N-th call of that name fails, as cuMemAlloc_v2:3:2; of "kernel", the N-th kernel, which
- *                    shows as the host waits */
+/* A driver of CUDA without a GPU, for tests: libcuda.so.1 with one device, whose memory is its own, and which runs PTX
+ * as it stands: ptx.py makes C of it, an instruction a statement, and the compiler of C a library. What a driver
+ * refuses, this refuses too: calls without a context, memory that was not allocated, and all that comes after a kernel
+ * that failed. Leaks end the process. CUDA_VISIBLE_DEVICES, empty, and CUDA_CACHE_PATH, a folder for what was compiled,
+ * are NVIDIA's. Of this driver:
+ *   TS_CUDA_FAIL  CALL:N:RESULT: the N-th call of that name fails, as cuMemAlloc_v2:3:2; of "kernel", the N-th kernel,
+ *                 which shows as the host waits
+ *   TS_CUDA_OLD   a device before Volta */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <stdio.h>
@@ -61,7 +63,8 @@ EXPORT CUresult cuInit(unsigned flags)
 {
 	BEGIN;
 	if (flags != 0) return INVALID_VALUE;
-	return getenv("TS_CUDA_CACHE") != NULL ? CUDA_SUCCESS : CUDA_ERROR_NO_DEVICE;
+	const char *visible = getenv("CUDA_VISIBLE_DEVICES");
+	return visible == NULL || visible[0] != 0 ? CUDA_SUCCESS : CUDA_ERROR_NO_DEVICE;
 }
 
 EXPORT CUresult cuDriverGetVersion(int *version)
@@ -111,10 +114,10 @@ EXPORT CUresult cuDeviceTotalMem_v2(size_t *bytes, CUdevice device)
 EXPORT CUresult cuDeviceGetAttribute(int *value, int attribute, CUdevice device)
 {
 	const char *old = getenv("TS_CUDA_OLD");
-	*value = attribute == CU_DEVICE_ATTRIBUTE_MAX_THREADS_PER_BLOCK       ? 1024
-	         : attribute == CU_DEVICE_ATTRIBUTE_MAX_GRID_DIM_X            ? 1000
+	*value = attribute == CU_DEVICE_ATTRIBUTE_MAX_THREADS_PER_BLOCK      ? 1024
+	         : attribute == CU_DEVICE_ATTRIBUTE_MAX_GRID_DIM_X           ? 1000
 	         : attribute == CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MAJOR ? (old != NULL ? 6 : 7)
-	                                                                      : 0;
+	                                                                     : 0;
 	return device == 7 ? CUDA_SUCCESS : INVALID_VALUE;
 }
 
@@ -161,16 +164,17 @@ EXPORT CUresult cuCtxSynchronize(void)
 /* The folder's name for what a text becomes. */
 static void path_of(char path[512], const char *text)
 {
+	const char *cache = getenv("CUDA_CACHE_PATH");
 	u64 hash = 0xcbf29ce484222325u;
 	for (const char *c = text; *c != 0; c++) hash = (hash ^ (u8)*c) * 0x100000001b3u;
-	snprintf(path, 512, "%s/%016llx", getenv("TS_CUDA_CACHE"), (unsigned long long)hash);
+	snprintf(path, 512, "%s/%016llx", cache != NULL ? cache : TS_CACHE, (unsigned long long)hash);
 }
 
 static int compile(const char *text, const char *path)
 {
 	static const char command[] = "/usr/bin/python3 %s/ptx.py < %s.ptx > %s.c && ${CC:-gcc} -O1 -std=c11 -shared -fPIC "
-								  "-ffp-contract=off -fno-strict-aliasing -w -Werror=implicit-function-declaration "
-								  "-I%s %s.c -o %s.so.part -lm && mv %s.so.part %s.so";
+								  "-ffp-contract=off -fno-strict-aliasing -w "
+								  "-I%s %s.c -o %s.so.part -lm -Wl,-z,defs && mv %s.so.part %s.so";
 	char line[8192];
 	snprintf(line, sizeof line, "%s.ptx", path);
 	FILE *file = fopen(line, "w");

@@ -1,5 +1,5 @@
-/* What instructions of PTX compute, by the manual "Parallel Thread Execution ISA": a function each, of its name. Registers hold
- * unsigned numbers of their width. */
+/* What instructions of PTX compute, by the manual "Parallel Thread Execution ISA": a function each, of its name.
+ * Registers hold unsigned numbers of their width. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -39,11 +39,13 @@ static inline f32 u2f(u32 u)
 	} \
 	static inline u##bits div_##type##bits(type##bits a, type##bits b) \
 	{ \
-		return (u##bits)(b == 0 ? (type##bits)0x5555 : b == (type##bits)-1 ? (type##bits)-1 < 0 ? 0 - (u##bits)a : a / b : a / b); \
+		bool minus = (type##bits) - 1 < 0 && b == (type##bits) - 1; \
+		return (u##bits)(b == 0 ? 0x5555 : minus ? 0 - (u##bits)a : (u##bits)(a / b)); \
 	} \
 	static inline u##bits rem_##type##bits(type##bits a, type##bits b) \
 	{ \
-		return (u##bits)(b == 0 ? (type##bits)0x5555 : (type##bits)-1 < 0 && b == (type##bits)-1 ? 0 : a % b); \
+		bool minus = (type##bits) - 1 < 0 && b == (type##bits) - 1; \
+		return (u##bits)(b == 0 ? 0x5555 : minus ? 0 : a % b); \
 	} \
 	static inline bool setp_eq_##type##bits(type##bits a, type##bits b) { return a == b; } \
 	static inline bool setp_ne_##type##bits(type##bits a, type##bits b) { return a != b; } \
@@ -62,7 +64,7 @@ static inline f32 u2f(u32 u)
 	SAME(bits, and_b##bits, a &b) \
 	SAME(bits, or_b##bits, a | b) \
 	SAME(bits, xor_b##bits, a ^ b) \
-	static inline u##bits not_b##bits(u##bits a) { return (u##bits)~a; } \
+	static inline u##bits not_b##bits(u##bits a) { return (u##bits) ~a; } \
 	static inline u##bits shl_b##bits(u##bits a, u32 n) { return (u##bits)(n < bits ? (u64)a << n : 0); } \
 	static inline bool setp_eq_b##bits(u##bits a, u##bits b) { return a == b; } \
 	static inline bool setp_ne_b##bits(u##bits a, u##bits b) { return a != b; } \
@@ -99,6 +101,10 @@ static inline f32 div_rn_f32(f32 a, f32 b) { return a / b; }
 static inline f32 rcp_rn_f32(f32 a) { return 1 / a; }
 static inline f32 sqrt_rn_f32(f32 a) { return sqrtf(a); }
 static inline f32 fma_rn_f32(f32 a, f32 b, f32 c) { return fmaf(a, b, c); }
+/* A driver may fuse these, which the kernels must not have. */
+static inline f32 add_f32(f32 a, f32 b) { return a + b; }
+static inline f32 sub_f32(f32 a, f32 b) { return a - b; }
+static inline f32 mul_f32(f32 a, f32 b) { return a * b; }
 static inline f32 neg_f32(f32 a) { return u2f(f2u(a) ^ 0x80000000u); }
 static inline f32 abs_f32(f32 a) { return u2f(f2u(a) & 0x7fffffffu); }
 static inline f32 mov_f32(f32 a) { return a; }

@@ -157,6 +157,6 @@ int main(void)
 		cmocka_unit_test(test_threads),  cmocka_unit_test(test_devices), cmocka_unit_test(test_lists),
 		cmocka_unit_test(test_surfaces), cmocka_unit_test(test_claims),
 	};
-	device_keep_kernels();
+	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
