@@ -186,6 +186,8 @@ class Expressions:
 		to = T.scalar(T.wider(left.name, right.name)) if "f32" not in (left.name, right.name) else left
 		if left.name == right.name == "bool":
 			to = left
+		if node.op == "/" and to.name == "f32":
+			return f"ts_quotient({self.value(node.left)}, {self.value(node.right)})", PRIMARY
 		by = self.as_type(node.right, to, level + 1, node.op)
 		return f"{self.as_type(node.left, to, level, node.op)} {node.op} {by}", level
 

@@ -35,6 +35,9 @@ struct ts_backend {
 	 * arguments of the traversal, `args` those of the kernel but for the pairs. Order is that of no launch. False: it
 	 * does not, and nothing was done. NULL: it never does. */
 	bool (*at_once)(ts_backend *backend, ts_kernel kernel, const void *source, const void *args, u64 n);
+	/* From now on computes quotients and roots in another way, which is slower and exact. False: it does already.
+	 * NULL: it has none. */
+	bool (*repair)(ts_backend *backend);
 };
 
 enum { TS_MAX_DEVICES = 32 };

@@ -50,8 +50,9 @@ static void name_it(char *text, size_t bytes, const ts_vector *v, const ts_vecto
 	         known ? ts_vector_fault_table[verdict->fault].name : "");
 }
 
-static ts_status verify(ts_backend *backend, bool composed, rows *r, char *wrong, size_t bytes)
+static ts_status verify_once(ts_backend *backend, bool composed, rows *r, char *wrong, size_t bytes)
 {
+	wrong[0] = 0;
 	backend->arithmetic = (ts_measured){.rounds_to_nearest = true, .keeps_denormals = true};
 	for (u32 i = 0; i < ts_vectors_count(); i++) {
 		ts_vector_place at = ts_vectors_place(i);
@@ -68,9 +69,16 @@ static ts_status verify(ts_backend *backend, bool composed, rows *r, char *wrong
 	return backend->finish(backend);
 }
 
+static ts_status verify(ts_backend *backend, bool composed, rows *r, char *wrong, size_t bytes)
+{
+	ts_status status = verify_once(backend, composed, r, wrong, bytes);
+	bool again = status == TS_OK && backend->arithmetic.n_wrong != 0 && backend->repair != NULL;
+	return again && backend->repair(backend) ? verify_once(backend, composed, r, wrong, bytes) : status;
+}
+
 static ts_status verify_set(ts_backend *backend, bool composed, bool inexact)
 {
-	char wrong[512] = "";
+	char wrong[512];
 	rows *r = ts_alloc(1, sizeof *r, "arithmetic vectors");
 	if (r == NULL) return TS_ERROR;
 	ts_status status = verify(backend, composed, r, wrong, sizeof wrong);

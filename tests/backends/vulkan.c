@@ -2,6 +2,7 @@
 #include "device.h"
 #include "../../src/backends/kernels.h"
 #include "../../src/backends/vulkan/vk.h"
+#include "../../src/vectors/vectors.h"
 
 static void need(void)
 {
@@ -27,6 +28,20 @@ static void test_refused(void **state)
 	char many[1200] = "";
 	memset(many, 'x', sizeof many - 1);
 	refuses("--build: at most 900 characters", (ts_backend_options){.build = many});
+}
+
+/* Quotients and roots of integers are those of the processor. */
+static void test_repair(void **state)
+{
+	(void)state;
+	need();
+	ts_backend *backend = device_open(&ts_vulkan_kind, (ts_backend_options){.work_group = 64});
+	assert_true(backend->repair(backend));
+	assert_false(backend->repair(backend));
+	if (ts_vectors_verify(backend, false) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_vectors_verify_composites(backend) != TS_OK) fail_msg("%s", ts_error_message());
+	assert_string_equal(backend->flags, "group=64, quotients and roots by integers");
+	backend->close(backend);
 }
 
 /* Sums of n counts in chunks of one, whose second step is one item with a turn for each. */
@@ -70,7 +85,8 @@ static void test_many(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_refused), cmocka_unit_test(test_many)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_refused), cmocka_unit_test(test_repair),
+	                                   cmocka_unit_test(test_many)};
 	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -73,16 +73,31 @@ if grep -q llvmpipe "$scratch/stdout"; then
 fi
 
 # Kernels of a folder: without the pass they are fused and regrouped, and the vectors see it.
+compiled() { # GLSL SPIRV KERNEL...
+	local glsl=$1 spirv=$2
+	shift 2
+	mkdir -p "$spirv"
+	for kernel; do
+		glslangValidator -V -g0 --target-env vulkan1.2 -o "$spirv/$kernel.spv" "$glsl/$kernel.comp" > /dev/null
+	done
+}
 mkdir "$scratch/spirv"
 refuses 'spirv/vectors.spv: No such file' digest "${vk[@]}" --build "$scratch/spirv"
-for kernel in vectors points_vectors hulls_vectors; do
-	glslangValidator -V -g0 --target-env vulkan1.2 -o "$scratch/spirv/$kernel.spv" "$caches/gen/glsl/$kernel.comp" > /dev/null
-done
+compiled "$caches/gen/glsl" "$scratch/spirv" vectors points_vectors hulls_vectors
 refuses 'breaks the numeric contract.*rint (3[0-9]* of 4096' digest "${vk[@]}" --build "$scratch/spirv"
 scripts/spirv-exact "$scratch"/spirv/*.spv
 refuses 'stage pose: --build: .*pose.spv: No such file' digest "${vk[@]}" --build "$scratch/spirv"
 head -c 30 "$scratch/spirv/vectors.spv" > "$scratch/short"
 cp "$scratch/short" "$scratch/spirv/vectors.spv"
 refuses 'vectors.spv: not a SPIR-V module' digest "${vk[@]}" --build "$scratch/spirv"
+
+# A device whose quotients and roots are some ulp off, as Vulkan lets them be: they are made of integers.
+cp -r "$caches/gen/glsl" "$scratch/ulps"
+sed -i 's|return a / b;|return a * (1.0 / b);|; s|return sqrt(x);|return 1.0 / inversesqrt(x);|' "$scratch/ulps/base/compat.glsl"
+grep -q inversesqrt "$scratch/ulps/base/compat.glsl"
+verdict $? 'quotients and roots with errors are planted'
+compiled "$scratch/ulps" "$scratch/off" vectors points_vectors hulls_vectors
+scripts/spirv-exact "$scratch"/off/*.spv 2> /dev/null
+refuses 'stage pose: --build: .*pose.spv: No such file' digest "${vk[@]}" --build "$scratch/off" # after all vectors
 
 finish

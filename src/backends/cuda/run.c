@@ -126,8 +126,15 @@ static ts_status open_device(ts_backend **backend, const ts_backend_options *opt
 	}
 	snprintf(cu->device_line, sizeof cu->device_line, "%s, %s", cu->about.name, cu->about.platform);
 	snprintf(cu->flags, sizeof cu->flags, "group=%u", cu->work_group);
-	cu->backend = (ts_backend){"cuda", cu->device_line, cu->about.driver, cu->flags, {0}, launch,
-	                           fill,   ts_device_scan,  finish,           end,       NULL};
+	cu->backend = (ts_backend){.name = "cuda",
+	                           .device = cu->device_line,
+	                           .compiler = cu->about.driver,
+	                           .flags = cu->flags,
+	                           .launch = launch,
+	                           .fill = fill,
+	                           .scan = ts_device_scan,
+	                           .finish = finish,
+	                           .close = end};
 	*backend = &cu->backend;
 	return TS_OK;
 }

@@ -164,8 +164,15 @@ static ts_status open_device(ts_backend **backend, const ts_backend_options *opt
 		return status;
 	}
 	snprintf(cl->device_line, sizeof cl->device_line, "%s, %s", cl->about.name, cl->about.platform);
-	cl->backend = (ts_backend){"opencl", cl->device_line, cl->about.driver, cl->flags, {0}, launch,
-	                           fill,     ts_device_scan,  finish,           end,       NULL};
+	cl->backend = (ts_backend){.name = "opencl",
+	                           .device = cl->device_line,
+	                           .compiler = cl->about.driver,
+	                           .flags = cl->flags,
+	                           .launch = launch,
+	                           .fill = fill,
+	                           .scan = ts_device_scan,
+	                           .finish = finish,
+	                           .close = end};
 	cl->work_group = options->work_group;
 	ts_cl_open_store(cl, cl->about.unified && !options->copies);
 	*backend = &cl->backend;

@@ -15,7 +15,6 @@ layout(buffer_reference, scalar, buffer_reference_align = 1) buffer u8_ref { uin
 
 uint ts_f2u(float x) { return floatBitsToUint(x); }
 float ts_u2f(uint u) { return uintBitsToFloat(u); }
-float ts_sqrt(float x) { return sqrt(x); }
 float ts_floor(float x) { return floor(x); }
 // int64_t(x): whose comparisons with constants Mesa 22.3 (NIR) gets wrong.
 int64_t ts_i64(int x) { return int64_t(packUint2x32(uvec2(uint(x), uint(x >> 31)))); }

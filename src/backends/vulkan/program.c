@@ -41,9 +41,9 @@ ts_status ts_vk_make_pipeline(ts_vk *vk, ts_kernel kernel)
 	VkShaderModule shader;
 	if (vk->pipelines[kernel] != VK_NULL_HANDLE) return TS_OK;
 	if (make_module(vk, kernel, &shader) != TS_OK) return TS_ERROR;
-	const u32 constants[2] = {vk->work_group, logarithm(vk->part_bytes)};
-	const VkSpecializationMapEntry entries[2] = {{0, 0, 4}, {1, 4, 4}};
-	const VkSpecializationInfo known = {2, entries, sizeof constants, constants};
+	const u32 constants[3] = {vk->work_group, logarithm(vk->part_bytes), vk->by_integers};
+	const VkSpecializationMapEntry entries[3] = {{0, 0, 4}, {1, 4, 4}, {2, 8, 4}};
+	const VkSpecializationInfo known = {3, entries, sizeof constants, constants};
 	const VkComputePipelineCreateInfo info = {
 		.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
 		.stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,

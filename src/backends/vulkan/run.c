@@ -151,6 +151,16 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 
 	return TS_OK;
 }
 
+static bool repair(ts_backend *backend)
+{
+	ts_vk *vk = (ts_vk *)backend;
+	if (vk->by_integers) return false;
+	vk->by_integers = true;
+	ts_vk_forget_pipelines(vk);
+	snprintf(vk->flags, sizeof vk->flags, "group=%u, quotients and roots by integers", vk->work_group);
+	return true;
+}
+
 static ts_status finish(ts_backend *backend) { return ts_store_finish(&((ts_vk *)backend)->store); }
 
 static void close_device(ts_vk *vk)
@@ -231,8 +241,16 @@ static ts_status open_device(ts_backend **backend, const ts_backend_options *opt
 	}
 	snprintf(vk->device_line, sizeof vk->device_line, "%s, %s", vk->about.name, vk->about.platform);
 	snprintf(vk->flags, sizeof vk->flags, "group=%u", vk->work_group);
-	vk->backend = (ts_backend){"vulkan", vk->device_line, vk->about.driver, vk->flags, {0}, launch,
-	                           fill,     ts_device_scan,  finish,           end,       NULL};
+	vk->backend = (ts_backend){.name = "vulkan",
+	                           .device = vk->device_line,
+	                           .compiler = vk->about.driver,
+	                           .flags = vk->flags,
+	                           .launch = launch,
+	                           .fill = fill,
+	                           .scan = ts_device_scan,
+	                           .finish = finish,
+	                           .repair = repair,
+	                           .close = end};
 	*backend = &vk->backend;
 	return TS_OK;
 }

@@ -60,6 +60,7 @@ typedef struct {
 	VkPipeline pipelines[TS_N_KERNELS]; /* made as they are needed */
 	ts_vk_limits most;
 	u32 work_group;
+	bool by_integers;      /* quotients and roots are (divide.glsl) */
 	u64 part_bytes;        /* of parted arrays; 0: none is in parts */
 	ts_vk_block arguments; /* of the launches that are recorded, behind the kernel of which a loop was ended early */
 	u64 n_arguments;       /* bytes */
