@@ -141,6 +141,24 @@ sees_stored "has not passed ts_put" "*out = ts_length(ts_v3_make(a, a, a));"
 sees_stored "has not passed ts_put" "*out = -0.0f;"
 sees_stored "has not passed ts_put" "*out = 0.00000000000000000000000000000039443045261050590270586428264139311483660321755451150238513946533203125f;"
 sees_stored "f32 becomes i32" "*n = a;"
+sees_in "d may be read before it is set" "f32 d; if (a > b) d = c; return d;"
+sees_in "d may be read before it is set" "f32 d; if (a > b) d = c; else if (b > c) d = a; return d;"
+sees_in "d may be read before it is set" "f32 d; d = d + a; return d;"
+sees_in "d may be read before it is set" "f32 d; bool e = a > b && (d = c) > 0.0f; return e ? a : d;"
+sees_in "d may be read before it is set" "f32 d; for (u32 i = 0u; i < ts_f2u(a); i++) d = b; return d;"
+sees_in "d may be read before it is set" "f32 d; while (a > b) { if (b > c) break; d = a; a = a - b; } return d;"
+sees_in "d may be read before it is set" "f32 d; switch (ts_f2u(a)) { case 0u: d = a; break; case 1u: d = b; break; } return d;"
+sees_in "d may be read before it is set" "f32 d; switch (ts_f2u(a)) { case 0u: d = a; default: break; } return d;"
+sees_in "d may be read before it is set" "f32 d; f32 *e = a > b ? &c : &a; return ts_max(*e, d);"
+sees_in "d may be read before it is set" "f32 d[2]; return d[ts_f2u(a)];"
+sees_in "d.z may be read before it is set" "ts_v3 d; d.x = a; d.y = b; return ts_length(d);"
+sees_in "d.y may be read before it is set" "ts_v3 d; d.x = a; if (a > b) d = ts_v3_make(a, b, c); return d.x + d.y;"
+sees_stored "out is computed from itself" "*out = ts_put(*out + a);"
+sees_stored "out is computed from itself" "f32 b = out[3]; b = b * a; out[3] = ts_put(b);"
+sees_stored "out is computed from itself" "ts_store3(out, ts_add(ts_load3(out), ts_v3_make(a, a, a)));"
+sees_stored "out is computed from itself" "TS_GLOBAL f32 *b = out + 2; *b = a > 0.0f ? ts_put(ts_max(a, out[2] - a)) : 0.0f;"
+sees "a->sum is computed from itself" "typedef struct { TS_GLOBAL f32 *sum; } ts_bad_args;
+TS_FN void ts_bad(const ts_bad_args *a, u32 i, f32 b) { TS_GLOBAL f32 *c = &a->sum[i]; a->sum[i] = ts_put(ts_mad(ts_v3_make(*c, b, b), ts_v3_make(b, b, b), b).x); }"
 
 cat > "$folder/good.h" << END
 #include "$PWD/src/kernels/base/vec.h"
@@ -154,8 +172,24 @@ TS_FN f32 ts_good(TS_GLOBAL f32 *out, TS_GLOBAL const f32 *in, f32 a, u32 n)
 	out[n + 1u] = n > 7u ? -2.0f : (f32)(n << 3);
 	out[n + 2u] = ts_flush(ts_dot(ts_v3_make(a, a, a), ts_v3_make(b, b, b)) / 16777216.0f);
 	out[n + 3u] = ts_table[n & 1u];
+	f32 lesser = out[n + 4u];
+	out[n + 4u] = ts_put(ts_min(lesser, b));
 	(void)in;
-	return a;
+	ts_v3 set;
+	if (a > b) {
+		set = ts_v3_make(a, b, a);
+	} else {
+		set.x = a;
+		set.y = b;
+		set.z = b;
+	}
+	f32 row[3], last;
+	for (u32 k = 0u; k < 3u; k++) row[k] = last = a;
+	switch (n) {
+	case 0u: set.x = last; break;
+	default: return row[2] + set.z;
+	}
+	return set.x;
 }
 END
 scripts/lint-kernels "$folder/good.h"
