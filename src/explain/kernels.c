@@ -17,3 +17,5 @@ static told_item *const items[] = {
 #undef KERNEL
 
 void ts_told_item(u32 kernel, const void *args, u64 item) { items[kernel](args, item); }
+
+#include "../backends/selftest.h"

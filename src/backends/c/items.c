@@ -7,6 +7,7 @@
 #define QUOTED(path) #path
 #define KERNELS_H TEXT(../../kernels/OF/kernels.h)
 #define KERNELS_DEF TEXT(../../kernels/OF/kernels.def)
+#define TS_FILE __BASE_FILE__ " of " TEXT(OF)
 /* clang-format on */
 #else
 #define KERNELS_H "../kernels.h"
@@ -29,3 +30,5 @@
 		for (u64 i = begin; i < end; i++) ts_k_##name##_item(&a, i); \
 	}
 #include KERNELS_DEF
+
+#include "../selftest.h"

@@ -139,3 +139,5 @@ static u32 devices(ts_device list[TS_MAX_DEVICES])
 }
 
 const ts_backend_kind ts_c_kind = {"c", devices, NULL};
+
+#include "../selftest.h"

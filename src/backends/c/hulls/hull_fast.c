@@ -67,3 +67,5 @@ bool ts_c_fast_hull(const void *of, u64 n, u32 threads)
 	}
 	return true;
 }
+
+#include "../../selftest.h"

@@ -94,3 +94,5 @@ bool ts_c_fast_align(const void *of, u64 n, u32 threads)
 	}
 	return true;
 }
+
+#include "../../selftest.h"

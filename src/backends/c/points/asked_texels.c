@@ -122,3 +122,5 @@ void ts_asked_open(const ts_asked *asked, u64 *texels, u32 threads)
 #pragma omp parallel for num_threads(threads)
 	for (i64 i = 0; i < (i64)asked->n; i++) texels[i] |= (u64)asked->texel[i] - 1;
 }
+
+#include "../../selftest.h"

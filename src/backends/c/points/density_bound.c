@@ -73,3 +73,5 @@ u32 ts_density_may_count(u32 list[TS_PART], const ts_density_part *p, const ts_d
 	}
 	return n;
 }
+
+#include "../../selftest.h"

@@ -160,3 +160,5 @@ bool ts_c_eye_density(const ts_density_args *args, u32 n, u32 threads)
 	}
 	return true;
 }
+
+#include "../../selftest.h"

@@ -91,3 +91,5 @@ bool ts_c_fast_split_count(const void *arguments, u64 n, u32 threads)
 	free(room);
 	return true;
 }
+
+#include "../../selftest.h"

@@ -41,3 +41,5 @@ bool ts_c_fast_lookup(const void *of, u64 n, u32 threads)
 	}
 	return true;
 }
+
+#include "../../selftest.h"

@@ -186,3 +186,5 @@ u32 ts_made_row(const ts_made_piece *p, i32 y, f32 *const centre[3])
 	ts_made_span(p, row, y, centre);
 	return (u32)(row.last - row.first + 1);
 }
+
+#include "../../selftest.h"

@@ -125,3 +125,5 @@ bool ts_c_fast_mirror_pixel(const void *of, u64 n, u32 threads)
 	free(room);
 	return enough;
 }
+
+#include "../../selftest.h"

@@ -81,3 +81,5 @@ void ts_narrow_find(ts_narrow_pieces *to, const ts_align *frames, u32 n, i32 hal
 	}
 	for (u32 y = 0; y < to->n_rows; y++) find_row(to->rows[y], to->n, &e, (i32)y);
 }
+
+#include "../../selftest.h"

@@ -59,3 +59,5 @@ void ts_points_add(ts_point_batch *batch, ts_surface_bins *bins, const ts_points
 	batch->place[i] = place;
 	if (batch->n == TS_ABREAST) ts_points_flush(batch, bins);
 }
+
+#include "../../selftest.h"

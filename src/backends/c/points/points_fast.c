@@ -154,3 +154,5 @@ bool ts_c_fast_points(const void *of, u64 n, u32 threads)
 	free(rows);
 	return true;
 }
+
+#include "../../selftest.h"

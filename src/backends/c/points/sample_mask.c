@@ -62,3 +62,5 @@ bool ts_sample_mask_cuts(const ts_sample_mask *m, i32 x, i32 y)
 	if (m->slot != NULL) alpha = alpha * texture_alpha(m, w);
 	return alpha < m->cutoff;
 }
+
+#include "../../selftest.h"

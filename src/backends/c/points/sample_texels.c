@@ -75,3 +75,5 @@ void ts_sample_texels(u32 to[TS_SAMPLE_ROOM], const ts_sample_offsets *o, const 
 {
 	find_texels(to, o, pixel_of(of, eye, n));
 }
+
+#include "../../selftest.h"

@@ -357,3 +357,5 @@ static bool scatter(const ts_scatter_args *args, u64 n, bool stored, u32 threads
 
 bool ts_c_fast_scatter(const void *of, u64 n, u32 threads) { return scatter(of, n, true, threads); }
 bool ts_c_fast_scatter_pieces(const void *of, u64 n, u32 threads) { return scatter(of, n, false, threads); }
+
+#include "../../selftest.h"

@@ -215,3 +215,5 @@ bool ts_c_fast_shade(const void *of, u64 n, u32 threads)
 	free(parts);
 	return true;
 }
+
+#include "../../selftest.h"

@@ -247,3 +247,5 @@ bool ts_c_fast_shadow_splat_pieces(const void *of, u64 n, u32 threads)
 	free(casters);
 	return made;
 }
+
+#include "../../selftest.h"

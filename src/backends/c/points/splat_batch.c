@@ -174,3 +174,5 @@ bool ts_splat_batch_box(ts_splat_batch *b, u32 k, ts_box box, const ts_lines *li
 	}
 	return true;
 }
+
+#include "../../selftest.h"

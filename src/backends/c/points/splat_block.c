@@ -348,3 +348,5 @@ void ts_splat_block_row(ts_splat_block *b, ts_splat_face *f, const ts_splat_live
 	add_words(b, f, 0, row);
 	put(b, f, &of, row.n, lines != NULL || f->args->plane_depth != 0);
 }
+
+#include "../../selftest.h"

@@ -104,3 +104,5 @@ bool ts_splat_is_hidden(const ts_splat_face *f, ts_box box, const ts_splat_bound
 	}
 	return true;
 }
+
+#include "../../selftest.h"

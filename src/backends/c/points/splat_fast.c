@@ -459,3 +459,5 @@ bool ts_c_fast_splat_fragments(const void *of, u64 n, u32 threads)
 	(void)n;
 	return splat(of, threads);
 }
+
+#include "../../selftest.h"

@@ -123,3 +123,5 @@ void ts_splat_live_clear(ts_splat_live *live)
 	free(live->centre[0]);
 	free(live->bounds);
 }
+
+#include "../../selftest.h"

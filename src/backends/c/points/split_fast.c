@@ -24,3 +24,5 @@ bool ts_c_fast_split(const void *of, u64 n, u32 threads)
 	for (i64 i = 0; i < (i64)n; i++) split(args, (u32)i);
 	return true;
 }
+
+#include "../../selftest.h"

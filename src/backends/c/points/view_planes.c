@@ -65,3 +65,5 @@ u32 ts_view_planes_meet(const ts_view_planes *p, const ts_bounds *box)
 	for (u32 v = 0; v < TS_GROUP; v++) bits |= (out[v] ^ 1u) << v;
 	return bits;
 }
+
+#include "../../selftest.h"

@@ -170,3 +170,5 @@ bool ts_c_fast_cube_face(const void *of, u64 n, u32 threads)
 	free(w);
 	return made;
 }
+
+#include "../../selftest.h"

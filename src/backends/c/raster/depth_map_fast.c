@@ -19,3 +19,5 @@ bool ts_c_fast_depth_map(const void *of, u64 n, u32 threads)
 	free(drawn);
 	return done;
 }
+
+#include "../../selftest.h"

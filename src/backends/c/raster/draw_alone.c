@@ -218,3 +218,5 @@ void ts_draw_alone(const ts_draw_batch *batch, u32 triangle, bool masked, bool c
 		if (d.of.setup[d.k].area != 0) draw_fan(&d);
 	}
 }
+
+#include "../../selftest.h"

@@ -259,3 +259,5 @@ void ts_draw_add(ts_draw_batch *b, const ts_draw_block *block, u32 k, const ts_d
 	}
 	if (b->n == TRIANGLES) ts_draw_flush(b);
 }
+
+#include "../../selftest.h"

@@ -97,3 +97,5 @@ bool ts_draw_views(const ts_arrays *scene, const ts_draw_view *views, u32 n, u32
 	free(w);
 	return true;
 }
+
+#include "../../selftest.h"

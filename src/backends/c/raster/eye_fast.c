@@ -17,3 +17,5 @@ bool ts_c_fast_eye(const void *of, u64 n, u32 threads)
 	}
 	return ts_draw_views(&args->scene, views, n_views, threads);
 }
+
+#include "../../selftest.h"

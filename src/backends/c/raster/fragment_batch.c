@@ -102,3 +102,5 @@ void ts_fragments_ask(ts_fragment_batch *batch, ts_surface_bins *bins, const ts_
 	}
 	batch->n = 0;
 }
+
+#include "../../selftest.h"

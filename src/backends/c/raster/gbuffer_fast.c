@@ -40,3 +40,5 @@ bool ts_c_fast_gbuffer(const void *of, u64 n, u32 threads)
 	ts_surface_rows rows = {&args->scene, args, store_row, store, n, (u64)args->view->width};
 	return ts_see_rows(&rows, threads);
 }
+
+#include "../../selftest.h"

@@ -55,3 +55,5 @@ bool ts_c_fast_illuminate(const void *of, u64 n, u32 threads)
 	ts_surface_rows rows = {&args->scene, args, light_texels, put_lit, n, TEXELS};
 	return ts_see_rows(&rows, threads);
 }
+
+#include "../../selftest.h"

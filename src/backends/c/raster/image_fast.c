@@ -58,3 +58,5 @@ bool ts_c_fast_image(const void *of, u64 n, u32 threads)
 	ts_surface_rows rows = {&p.args->scene, &p, show_row, show_lit, n, (u64)p.args->view->width};
 	return ts_see_rows(&rows, threads);
 }
+
+#include "../../selftest.h"

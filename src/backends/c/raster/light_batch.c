@@ -131,3 +131,5 @@ void ts_light_batch(ts_lanes3 *radiance, const ts_arrays *scene, const ts_lamp *
 	}
 	flush_sums(radiance, n);
 }
+
+#include "../../selftest.h"

@@ -18,3 +18,5 @@ bool ts_c_fast_rsm(const void *of, u64 n, u32 threads)
 	free(drawn);
 	return done;
 }
+
+#include "../../selftest.h"

@@ -196,3 +196,5 @@ void ts_surfaces_find(ts_surfaces *to, const ts_arrays *scene, const ts_surface_
 	}
 	dull_mirrors(to, &c, n);
 }
+
+#include "../../selftest.h"

@@ -39,3 +39,5 @@ void ts_surface_bins_flush(ts_surface_bins *bins)
 	for (u32 b = 0; b < TS_SURFACE_BINS; b++)
 		if (bins->bin[b].n > 0) find(bins, &bins->bin[b]);
 }
+
+#include "../../selftest.h"

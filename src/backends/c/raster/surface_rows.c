@@ -26,3 +26,5 @@ bool ts_see_rows(const ts_surface_rows *rows, u32 threads)
 	free(workers);
 	return true;
 }
+
+#include "../../selftest.h"

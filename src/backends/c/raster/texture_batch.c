@@ -161,3 +161,5 @@ void ts_texture_batch(ts_lanes3 *to, const ts_arrays *scene, const ts_slot *slot
 	fetch_all(&r, of->n, scene, &scene->images[slot->image]);
 	mix_reads(to, &r, of->n);
 }
+
+#include "../../selftest.h"

@@ -185,3 +185,5 @@ bool ts_c_fast_visibility(const void *of, u64 n, u32 threads)
 	}
 	return true;
 }
+
+#include "../../selftest.h"

@@ -163,3 +163,5 @@ bool ts_surfel_bins_make(ts_surfel_bins *b, const ts_view *view, const ts_disc *
 u64 ts_surfel_bin_end(const ts_surfel_bins *b, u32 tile) { return b->place[(u64)(b->n_lots - 1) * b->n_tiles + tile]; }
 
 u64 ts_surfel_bin_begin(const ts_surfel_bins *b, u32 tile) { return tile > 0 ? ts_surfel_bin_end(b, tile - 1) : 0; }
+
+#include "../../selftest.h"

@@ -273,3 +273,5 @@ bool ts_c_fast_deferred(const void *of, u64 n, u32 threads)
 	}
 	return true;
 }
+
+#include "../../selftest.h"

@@ -103,3 +103,5 @@ bool ts_c_fast_surfel_blend_mean(const void *of, u64 n, u32 threads)
 	}
 	return true;
 }
+
+#include "../../selftest.h"

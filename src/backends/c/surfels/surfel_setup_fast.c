@@ -142,3 +142,5 @@ bool ts_c_fast_surfel_setup(const void *of, u64 n, u32 threads)
 	}
 	return true;
 }
+
+#include "../../selftest.h"

@@ -224,3 +224,5 @@ bool ts_c_at_once_vpl_gather_pairs_list(const void *source, const void *args, u6
 {
 	return at_once(source, args, n, threads, false);
 }
+
+#include "../../selftest.h"

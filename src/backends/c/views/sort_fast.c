@@ -22,3 +22,5 @@ bool ts_c_fast_leaf_sort(const void *of, u64 n, u32 threads)
 	}
 	return true;
 }
+
+#include "../../selftest.h"

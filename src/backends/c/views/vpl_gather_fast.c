@@ -212,3 +212,5 @@ bool ts_c_fast_vpl_gather(const void *of, u64 n, u32 threads)
 	free(j.directions);
 	return true;
 }
+
+#include "../../selftest.h"

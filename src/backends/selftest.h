@@ -1,0 +1,15 @@
+/* The self-test of a file that computes what kernels do: its last line includes this. TS_FILE: its name, where one
+ * source is compiled several times. */
+#ifndef TS_BACKENDS_SELFTEST_H
+#define TS_BACKENDS_SELFTEST_H
+#include "../model/selftest.h"
+#include "wide.h"
+
+#ifndef TS_FILE
+#define TS_FILE __BASE_FILE__
+#endif
+
+TS_WIDE(unsigned, selftest_here, (void), ()) { return ts_selftest_all(); }
+TS_SELFTEST_OF(TS_FILE, selftest_here)
+
+#endif
