@@ -39,7 +39,7 @@ sees_in "__builtin_fmaf() is not in the contract" "return __builtin_fmaf(a, b, c
 sees_in "mad() is not in the contract" "return mad(a, b, c);"
 sees_in "dot() is not in the contract" "return dot(a, b);"
 sees_in "sqrtf() is not in the contract" "return sqrtf(a);"
-for function in tanhf ldexpf log1pf expm1f fdimf rsqrt native_exp; do
+for function in tanh tanhf ldexp ldexpf log1p expm1f fdim rsqrt native_exp __builtin_ia32_rcpss __fmaf_rn; do
 	sees_in "$function() is not in the contract" "return $function(a, 2);"
 done
 sees_in "double" "return (f32)((double)a * b);"
@@ -90,6 +90,9 @@ sees_in "no Compound" "f32 d = ({ a * b; }); return d;"
 sees "language or machine" "#ifdef __OPENCL_C_VERSION__
 #endif"
 sees "language or machine" "#if defined(__SSE2__)
+#endif"
+sees "language or machine" "#ifdef __SSE2__
+TS_FN f32 ts_bad(f32 a) { return a * 0.5f; }
 #endif"
 sees "language or machine" "#if TS_PARTS > 1 && __GNUC__
 #endif"
