@@ -144,12 +144,14 @@ static inline unsigned ts_selftest_all(void)
 	       ts_selftest_nan() | ts_selftest_lanes();
 }
 
-/* A file's answer, which ts_selftest asks of each that is linked: what is in this section has no other list. */
+/* A file's answer, which ts_selftest asks of each that is linked: what is in this section has no other list. Aligned, so
+ * that nothing is between two of them. */
 typedef struct {
 	const char *file;
 	unsigned (*bad)(void);
 } ts_selftest_of;
 #define TS_SELFTEST_OF(file, bad) \
-	__attribute__((used, section("ts_selftests"))) static const ts_selftest_of selftest_of_file = {file, bad};
+	__attribute__((used, section("ts_selftests"), \
+	               aligned(sizeof(ts_selftest_of)))) static const ts_selftest_of selftest_of_file = {file, bad};
 
 #endif
