@@ -144,8 +144,8 @@ static inline unsigned ts_selftest_all(void)
 	       ts_selftest_nan() | ts_selftest_lanes();
 }
 
-/* A file's answer, which ts_selftest asks of each that is linked: what is in this section has no other list. Aligned, so
- * that nothing is between two of them. */
+/* A file's answer, which ts_selftest asks of each that is linked: what is in this section has no other list. Aligned,
+ * so that nothing is between two of them. */
 typedef struct {
 	const char *file;
 	unsigned (*bad)(void);
