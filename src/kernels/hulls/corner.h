@@ -11,7 +11,7 @@
 #include "../base/args.h"
 #include "form_factor.h"
 #include "depth_grid.h"
-#include "../raster/raster.h"
+#include "../raster/gbuffer.h"
 #include "../base/shade.h"
 
 #define TS_ROWS_ts_corner_args(ARG) \
@@ -60,7 +60,8 @@ TS_FN ts_corner_pixel ts_k_corner_pixel(const ts_camera_k *view, TS_GLOBAL const
 	return at;
 }
 
-/* What the G-buffer shows there; where that lies out of the box, the middle of the box on the same ray. */
+/* What the G-buffer shows there; where that lies out of the box, the middle of the box on the same ray.
+ * Where a box ends at the sky, that middle may round to the sky, which has no point. */
 TS_FN ts_box_corner ts_k_box_corner(const ts_camera_k *view, TS_GLOBAL const ts_segment *box,
                                     TS_GLOBAL const ts_gpixel *pixel, ts_corner_pixel at)
 {
@@ -68,7 +69,7 @@ TS_FN ts_box_corner ts_k_box_corner(const ts_camera_k *view, TS_GLOBAL const ts_
 	r.p = ts_load3(pixel->position);
 	r.depth = pixel->depth;
 	if (r.depth >= box->nearest && r.depth <= box->farthest) return r;
-	r.depth = (box->nearest + box->farthest) * 0.5f;
+	r.depth = ts_min((box->nearest + box->farthest) * 0.5f, TS_DEEPEST);
 	r.p = ts_k_pixel_point(view, at.x, at.y, r.depth);
 	return r;
 }

@@ -16,12 +16,13 @@
 TS_ARGS(ts_gbuffer_args);
 
 #define TS_SKY 1.0f
+#define TS_DEEPEST 0.999999940395355224609375f /* 1 - 2^-24: the last number before the sky */
 
 /* zn of an axial depth. */
 TS_FN f32 ts_k_screen_depth(f32 near, f32 z)
 {
 	f32 inverse = near / z;
-	return ts_clamp(1.0f - inverse, 0.0f, 0.999999940395355224609375f);
+	return ts_clamp(1.0f - inverse, 0.0f, TS_DEEPEST);
 }
 
 TS_FN void ts_k_gpixel_store(TS_GLOBAL ts_gpixel *pixel, ts_v3 p, f32 depth, ts_v3 n, ts_v3 albedo)

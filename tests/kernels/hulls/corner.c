@@ -199,6 +199,26 @@ static void test_range(void **state)
 	}
 }
 
+/* Boxes of the last depths before the sky, some of which end at the sky: the middle has a point, in the box. */
+static void test_deepest(void **state)
+{
+	(void)state;
+	const ts_view view = {.focal = 100, .width = 1, .height = 1, .near = 0.25f, .back = {0, 0, 1}};
+	const ts_gpixel pixel = {.depth = 0.5f};
+	for (u32 pair = 0; pair < 16 * 16; pair++) {
+		u32 far = pair % 16, near = pair / 16; /* in steps of 2^-24 before the sky */
+		if (near == 0 || far > near) continue;
+		const ts_segment box = {.nearest = 1 - ldexpf((f32)near, -24), .farthest = 1 - ldexpf((f32)far, -24)};
+		ts_moment m;
+		ts_corner_args args = {.view = &view, .pixels = &pixel, .boxes = &box, .moments = &m, .grid = 32};
+		ts_k_corner_item(&args, 0);
+		double steps = ldexp(1 - (double)m.depth, 24);
+		assert_true(m.depth < 1 && m.depth >= box.nearest && m.depth <= box.farthest);
+		assert_true(fabs(steps - (near + far) / 2.0) <= 0.5);
+		assert_true(m.position[2] == (f32)(-0.25 / (1 - (double)m.depth)));
+	}
+}
+
 static ts_moment gather_by(const ts_patch *patches, u64 n_patches, ts_v3 p, u32 paper)
 {
 	ts_moment m;
@@ -351,8 +371,9 @@ static void test_lobes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_pixels), seeded_test(test_gather), seeded_test(test_range), seeded_test(test_facing),
-		seeded_test(test_room),   seeded_test(test_order),  seeded_test(test_fit),   seeded_test(test_lobes),
+		seeded_test(test_pixels),  seeded_test(test_gather), seeded_test(test_range),
+		seeded_test(test_deepest), seeded_test(test_facing), seeded_test(test_room),
+		seeded_test(test_order),   seeded_test(test_fit),    seeded_test(test_lobes),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
