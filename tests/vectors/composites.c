@@ -287,12 +287,8 @@ static judgement sample_centre(const u32 *in, const u32 *out)
 static void test_formulas(void **state)
 {
 	(void)state;
-#define VECTOR(name) {#name, name},
-	static const composite composites[] = {
-#include "../../src/kernels/vectors/composites.def"
-	};
-#undef VECTOR
-	judge_all(composites, TS_N_COMPOSITES);
+	static const composite composites[] = {TS_LIST_composites(COMPOSITE)};
+	judge_all(composites, TS_N_composites);
 }
 
 int main(void)

@@ -13,6 +13,7 @@ typedef struct {
 	const char *name;
 	judgement (*judge)(const u32 *in, const u32 *out);
 } composite;
+#define COMPOSITE(name) {#name, name},
 
 static inline judgement right_if(bool right) { return right ? RIGHT : WRONG; }
 static inline bool is_near(double a, double b, double tolerance) { return fabs(a - b) <= tolerance; }

@@ -85,7 +85,7 @@ static void test_bounded(void **state)
 static void test_complete(void **state)
 {
 	(void)state;
-	assert_int_equal(TS_N_PRIMITIVES, N_EXACT + 6);
+	assert_int_equal(TS_N_vectors, N_EXACT + 6);
 	assert_null(ts_vectors_at(ts_vectors_count()));
 	assert_null(ts_vectors_find("tan"));
 	for (u32 i = 0; i < ts_vectors_count(); i++) {

@@ -69,24 +69,13 @@ TS_VECTOR(lamp_triangle)
 	}
 }
 
-#define VECTOR(name) TS_COMPOSITE_##name,
-typedef enum {
-#include "composites.def"
-	TS_N_HULLS_COMPOSITES,
-} ts_hulls_composite;
-#undef VECTOR
-
+#define TS_LIST_hulls_composites(VECTOR) \
+	VECTOR(gather) \
+	VECTOR(lobe_fit) \
+	VECTOR(hull_lobe) \
+	VECTOR(lobe_irradiance) \
+	VECTOR(lamp_triangle)
 /* map over rows */
-TS_FN void ts_k_hulls_composites_item(const ts_vectors_args *args, u64 i)
-{
-	TS_GLOBAL const u32 *in = args->in + i * args->in_words;
-	TS_GLOBAL u32 *out = args->out + i * args->out_words;
-#define VECTOR(name) \
-	case TS_COMPOSITE_##name: ts_k_vector_##name(out, in); break;
-	switch (args->primitive) {
-#include "composites.def"
-	}
-#undef VECTOR
-}
+TS_VECTORS(hulls_composites)
 
 #endif

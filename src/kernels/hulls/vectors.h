@@ -41,24 +41,14 @@ TS_VECTOR(gloss_lobe)
 	ts_set_sg(out, &lobe);
 }
 
-#define VECTOR(name) TS_PRIMITIVE_##name,
-typedef enum {
-#include "vectors.def"
-	TS_N_HULLS_PRIMITIVES,
-} ts_hulls_primitive;
-#undef VECTOR
-
+#define TS_LIST_hulls_vectors(VECTOR) \
+	VECTOR(sg_cosine) \
+	VECTOR(sg_sharpness) \
+	VECTOR(solid_angle) \
+	VECTOR(form_factor) \
+	VECTOR(sg_product) \
+	VECTOR(gloss_lobe)
 /* map over rows */
-TS_FN void ts_k_hulls_vectors_item(const ts_vectors_args *args, u64 i)
-{
-	TS_GLOBAL const u32 *in = args->in + i * args->in_words;
-	TS_GLOBAL u32 *out = args->out + i * args->out_words;
-#define VECTOR(name) \
-	case TS_PRIMITIVE_##name: ts_k_vector_##name(out, in); break;
-	switch (args->primitive) {
-#include "vectors.def"
-	}
-#undef VECTOR
-}
+TS_VECTORS(hulls_vectors)
 
 #endif

@@ -94,24 +94,20 @@ TS_VECTOR_WORD(depth_code, ts_k_depth_code(TS_A, TS_B))
 TS_VECTOR_WORD(colour_code, ts_k_colour_code(ts_row_v3(in, 0u), ts_row_f32(in, 3u)))
 TS_VECTOR_WORD(shared_code, ts_k_shared_code(ts_row_v3(in, 0u)))
 
-#define VECTOR(name) TS_COMPOSITE_##name,
-typedef enum {
-#include "composites.def"
-	TS_N_POINTS_COMPOSITES,
-} ts_points_composite;
-#undef VECTOR
-
+#define TS_LIST_points_composites(VECTOR) \
+	VECTOR(path_length) \
+	VECTOR(ball_spread) \
+	VECTOR(eye_density) \
+	VECTOR(view_density) \
+	VECTOR(cull_chance) \
+	VECTOR(splat_box) \
+	VECTOR(plane_distance) \
+	VECTOR(sample_ray) \
+	VECTOR(bounce_direction) \
+	VECTOR(depth_code) \
+	VECTOR(colour_code) \
+	VECTOR(shared_code)
 /* map over rows */
-TS_FN void ts_k_points_composites_item(const ts_vectors_args *args, u64 i)
-{
-	TS_GLOBAL const u32 *in = args->in + i * args->in_words;
-	TS_GLOBAL u32 *out = args->out + i * args->out_words;
-#define VECTOR(name) \
-	case TS_COMPOSITE_##name: ts_k_vector_##name(out, in); break;
-	switch (args->primitive) {
-#include "composites.def"
-	}
-#undef VECTOR
-}
+TS_VECTORS(points_composites)
 
 #endif

@@ -6,24 +6,8 @@
 
 TS_VECTOR_WORD(cull_threshold, ts_k_cull_threshold(TS_A))
 
-#define VECTOR(name) TS_PRIMITIVE_##name,
-typedef enum {
-#include "vectors.def"
-	TS_N_POINTS_PRIMITIVES,
-} ts_points_primitive;
-#undef VECTOR
-
+#define TS_LIST_points_vectors(VECTOR) VECTOR(cull_threshold)
 /* map over rows */
-TS_FN void ts_k_points_vectors_item(const ts_vectors_args *args, u64 i)
-{
-	TS_GLOBAL const u32 *in = args->in + i * args->in_words;
-	TS_GLOBAL u32 *out = args->out + i * args->out_words;
-#define VECTOR(name) \
-	case TS_PRIMITIVE_##name: ts_k_vector_##name(out, in); break;
-	switch (args->primitive) {
-#include "vectors.def"
-	}
-#undef VECTOR
-}
+TS_VECTORS(points_vectors)
 
 #endif

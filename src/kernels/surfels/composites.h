@@ -50,24 +50,11 @@ TS_VECTOR(surfel_light)
 	                             ts_row_v3(in, 21u), ts_row_v3(in, 24u), ts_row_v3(in, 27u)));
 }
 
-#define VECTOR(name) TS_COMPOSITE_##name,
-typedef enum {
-#include "composites.def"
-	TS_N_SURFELS_COMPOSITES,
-} ts_surfels_composite;
-#undef VECTOR
-
+#define TS_LIST_surfels_composites(VECTOR) \
+	VECTOR(disc) \
+	VECTOR(surfel_fragment) \
+	VECTOR(surfel_light)
 /* map over rows */
-TS_FN void ts_k_surfels_composites_item(const ts_vectors_args *args, u64 i)
-{
-	TS_GLOBAL const u32 *in = args->in + i * args->in_words;
-	TS_GLOBAL u32 *out = args->out + i * args->out_words;
-#define VECTOR(name) \
-	case TS_COMPOSITE_##name: ts_k_vector_##name(out, in); break;
-	switch (args->primitive) {
-#include "composites.def"
-	}
-#undef VECTOR
-}
+TS_VECTORS(surfels_composites)
 
 #endif

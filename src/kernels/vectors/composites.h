@@ -1,28 +1,28 @@
-/* The composites that all methods share (composites.def). */
+/* The composites that all methods share: functions made of primitives. */
 #ifndef TS_KERNELS_COMPOSITES_H
 #define TS_KERNELS_COMPOSITES_H
 #include "composites_geometry.h"
 #include "composites_lattice.h"
 #include "composites_shade.h"
 
-#define VECTOR(name) TS_COMPOSITE_##name,
-typedef enum {
-#include "composites.def"
-	TS_N_COMPOSITES,
-} ts_composite;
-#undef VECTOR
-
+/* Each after those that it calls. Those of families follow: kernels/<family>/composites.h. */
+#define TS_LIST_composites(VECTOR) \
+	VECTOR(longest_edge) \
+	VECTOR(closest_on_triangle) \
+	VECTOR(closest_on_border) \
+	VECTOR(circumcentre) \
+	VECTOR(hit) \
+	VECTOR(footprint) \
+	VECTOR(clip) \
+	VECTOR(light) \
+	VECTOR(brdf) \
+	VECTOR(shade) \
+	VECTOR(surface) \
+	VECTOR(shadow_bias) \
+	VECTOR(align) \
+	VECTOR(lattice_weights) \
+	VECTOR(sample_centre)
 /* map over rows */
-TS_FN void ts_k_composites_item(const ts_vectors_args *args, u64 i)
-{
-	TS_GLOBAL const u32 *in = args->in + i * args->in_words;
-	TS_GLOBAL u32 *out = args->out + i * args->out_words;
-#define VECTOR(name) \
-	case TS_COMPOSITE_##name: ts_k_vector_##name(out, in); break;
-	switch (args->primitive) {
-#include "composites.def"
-	}
-#undef VECTOR
-}
+TS_VECTORS(composites)
 
 #endif

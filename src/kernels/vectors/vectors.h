@@ -1,4 +1,4 @@
-/* The primitives that all methods share (vectors.def). */
+/* The primitives that all methods share. */
 #ifndef TS_KERNELS_VECTORS_H
 #define TS_KERNELS_VECTORS_H
 #include "vectors_args.h"
@@ -6,24 +6,69 @@
 #include "vectors_raster.h"
 #include "vectors_texture.h"
 
-#define VECTOR(name) TS_PRIMITIVE_##name,
-typedef enum {
-#include "vectors.def"
-	TS_N_PRIMITIVES,
-} ts_primitive;
-#undef VECTOR
-
+/* In the order in which a porter meets them. Those of families follow: kernels/<family>/vectors.h. */
+#define TS_LIST_vectors(VECTOR) \
+	VECTOR(add) \
+	VECTOR(sub) \
+	VECTOR(mul) \
+	VECTOR(div) \
+	VECTOR(sqrt) \
+	VECTOR(muladd) \
+	VECTOR(mulsub) \
+	VECTOR(compare) \
+	VECTOR(floor) \
+	VECTOR(i32_to_f32) \
+	VECTOR(u32_to_f32) \
+	VECTOR(i64_to_f32) \
+	VECTOR(min) \
+	VECTOR(max) \
+	VECTOR(clamp) \
+	VECTOR(abs) \
+	VECTOR(san) \
+	VECTOR(put) \
+	VECTOR(fix) \
+	VECTOR(to_half) \
+	VECTOR(f2i) \
+	VECTOR(floor_i32) \
+	VECTOR(rint) \
+	VECTOR(pcg) \
+	VECTOR(random) \
+	VECTOR(uniform) \
+	VECTOR(log2) \
+	VECTOR(exp) \
+	VECTOR(sin_turn) \
+	VECTOR(cos_turn) \
+	VECTOR(atan2) \
+	VECTOR(diff_of_products) \
+	VECTOR(dot) \
+	VECTOR(cross) \
+	VECTOR(mad) \
+	VECTOR(length) \
+	VECTOR(normalize) \
+	VECTOR(reflect) \
+	VECTOR(blend) \
+	VECTOR(cut) \
+	VECTOR(project) \
+	VECTOR(snap) \
+	VECTOR(edge) \
+	VECTOR(top_left) \
+	VECTOR(covers) \
+	VECTOR(touches) \
+	VECTOR(fragment) \
+	VECTOR(cube_face) \
+	VECTOR(cube_place) \
+	VECTOR(cube_texel) \
+	VECTOR(key) \
+	VECTOR(key_min) \
+	VECTOR(point_key) \
+	VECTOR(texture_wrap) \
+	VECTOR(texture_neighbour) \
+	VECTOR(texture_mix4) \
+	VECTOR(texture_mix2) \
+	VECTOR(texture_bilinear) \
+	VECTOR(texture_lod) \
+	VECTOR(srgb)
 /* map over rows */
-TS_FN void ts_k_vectors_item(const ts_vectors_args *args, u64 i)
-{
-	TS_GLOBAL const u32 *in = args->in + i * args->in_words;
-	TS_GLOBAL u32 *out = args->out + i * args->out_words;
-#define VECTOR(name) \
-	case TS_PRIMITIVE_##name: ts_k_vector_##name(out, in); break;
-	switch (args->primitive) {
-#include "vectors.def"
-	}
-#undef VECTOR
-}
+TS_VECTORS(vectors)
 
 #endif

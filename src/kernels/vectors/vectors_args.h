@@ -14,4 +14,21 @@
 	ARG(VALUE, u32, out_words, none)
 TS_ARGS(ts_vectors_args);
 
+/* The kernel of a list, TS_LIST_<kernel>(VECTOR) with a VECTOR(name) for each ts_k_vector_<name>. */
+#define TS_VECTOR_PLACE(name) TS_PLACE_##name,
+#define TS_VECTOR_CASE(name) \
+	case TS_PLACE_##name: \
+		ts_k_vector_##name(out, in); \
+		break;
+#define TS_VECTORS(kernel) \
+	enum { TS_LIST_##kernel(TS_VECTOR_PLACE) TS_N_##kernel }; \
+	TS_FN void ts_k_##kernel##_item(const ts_vectors_args *args, u64 i) \
+	{ \
+		TS_GLOBAL const u32 *in = args->in + i * args->in_words; \
+		TS_GLOBAL u32 *out = args->out + i * args->out_words; \
+		switch (args->primitive) { \
+			TS_LIST_##kernel(TS_VECTOR_CASE) \
+		} \
+	}
+
 #endif

@@ -73,24 +73,15 @@ TS_VECTOR(cast_inside)
 
 TS_COMPOSITE_FLOAT(vpl_form, ts_k_vpl_form(ts_row_v3(in, 0u), ts_row_v3(in, 3u), ts_row_v3(in, 6u), ts_row_f32(in, 9u)))
 
-#define VECTOR(name) TS_COMPOSITE_##name,
-typedef enum {
-#include "composites.def"
-	TS_N_VIEWS_COMPOSITES,
-} ts_views_composite;
-#undef VECTOR
-
+#define TS_LIST_views_composites(VECTOR) \
+	VECTOR(paraboloid_texel) \
+	VECTOR(paraboloid_direction) \
+	VECTOR(pair_fate) \
+	VECTOR(cap_inside) \
+	VECTOR(voxel_touches) \
+	VECTOR(cast_inside) \
+	VECTOR(vpl_form)
 /* map over rows */
-TS_FN void ts_k_views_composites_item(const ts_vectors_args *args, u64 i)
-{
-	TS_GLOBAL const u32 *in = args->in + i * args->in_words;
-	TS_GLOBAL u32 *out = args->out + i * args->out_words;
-#define VECTOR(name) \
-	case TS_COMPOSITE_##name: ts_k_vector_##name(out, in); break;
-	switch (args->primitive) {
-#include "composites.def"
-	}
-#undef VECTOR
-}
+TS_VECTORS(views_composites)
 
 #endif

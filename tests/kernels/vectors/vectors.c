@@ -13,15 +13,13 @@ static _Alignas(8) u32 out[MOST_WORDS], found[MOST_WORDS + AFTER];
 static void test_list(void **state)
 {
 	(void)state;
-	static const char *const names[] = {
-#define VECTOR(name) #name,
-#include "../../../src/kernels/vectors/vectors.def"
-#undef VECTOR
-	};
+#define NAME(name) #name,
+	static const char *const names[] = {TS_LIST_vectors(NAME)};
+#undef NAME
 	for (u32 p = 0; p < ts_vectors_count(); p++) {
 		ts_vector_place at = ts_vectors_place(p);
-		assert_int_equal(at.launch->kernel == TS_KERNEL_vectors, p < TS_N_PRIMITIVES);
-		if (p < TS_N_PRIMITIVES) assert_string_equal(at.vector->name, names[p]);
+		assert_int_equal(at.launch->kernel == TS_KERNEL_vectors, p < TS_N_vectors);
+		if (p < TS_N_vectors) assert_string_equal(at.vector->name, names[p]);
 	}
 }
 

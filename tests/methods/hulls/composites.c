@@ -84,12 +84,8 @@ static judgement lamp_triangle(const u32 *in, const u32 *out)
 static void test_formulas(void **state)
 {
 	(void)state;
-#define VECTOR(name) {#name, name},
-	static const composite composites[] = {
-#include "../../../src/kernels/hulls/composites.def"
-	};
-#undef VECTOR
-	judge_all(composites, TS_N_HULLS_COMPOSITES);
+	static const composite composites[] = {TS_LIST_hulls_composites(COMPOSITE)};
+	judge_all(composites, TS_N_hulls_composites);
 }
 
 int main(void)

@@ -43,7 +43,7 @@ static void judge_light(const u32 *row, u32 at, f32 ours, bool factor)
 static void test_light(void **state)
 {
 	(void)state;
-	assert_int_equal(TS_N_HULLS_PRIMITIVES, 6);
+	assert_int_equal(TS_N_hulls_vectors, 6);
 	ts_vector_make(ts_vectors_find("sg_cosine"), in, out);
 	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
 		const u32 *row = in + (size_t)i * 4;

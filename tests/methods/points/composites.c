@@ -179,12 +179,8 @@ static judgement shared_code(const u32 *in, const u32 *out)
 static void test_formulas(void **state)
 {
 	(void)state;
-#define VECTOR(name) {#name, name},
-	static const composite composites[] = {
-#include "../../../src/kernels/points/composites.def"
-	};
-#undef VECTOR
-	judge_all(composites, TS_N_POINTS_COMPOSITES);
+	static const composite composites[] = {TS_LIST_points_composites(COMPOSITE)};
+	judge_all(composites, TS_N_points_composites);
 }
 
 int main(void)

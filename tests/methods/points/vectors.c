@@ -9,7 +9,7 @@ static _Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 static void test_culling(void **state)
 {
 	(void)state;
-	assert_int_equal(TS_N_POINTS_PRIMITIVES, 1);
+	assert_int_equal(TS_N_points_vectors, 1);
 	ts_vector_make(ts_vectors_find("cull_threshold"), in, out);
 	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
 		f32 p = rsub(1, rmul(10, ts_u2f(in[i])));

@@ -85,12 +85,8 @@ static judgement surfel_light(const u32 *in, const u32 *out)
 static void test_formulas(void **state)
 {
 	(void)state;
-#define VECTOR(name) {#name, name},
-	static const composite composites[] = {
-#include "../../../src/kernels/surfels/composites.def"
-	};
-#undef VECTOR
-	judge_all(composites, TS_N_SURFELS_COMPOSITES);
+	static const composite composites[] = {TS_LIST_surfels_composites(COMPOSITE)};
+	judge_all(composites, TS_N_surfels_composites);
 }
 
 int main(void)

@@ -134,12 +134,8 @@ static judgement vpl_form(const u32 *in, const u32 *out)
 static void test_formulas(void **state)
 {
 	(void)state;
-#define VECTOR(name) {#name, name},
-	static const composite composites[] = {
-#include "../../../src/kernels/views/composites.def"
-	};
-#undef VECTOR
-	judge_all(composites, TS_N_VIEWS_COMPOSITES);
+	static const composite composites[] = {TS_LIST_views_composites(COMPOSITE)};
+	judge_all(composites, TS_N_views_composites);
 }
 
 int main(void)
