@@ -82,7 +82,7 @@ static bool floats_of(const judge *j, const ts_difference *d, u64 *ref, u64 *can
 {
 	const ts_field *field = &j->fields.field[d->field];
 	bool depth = j->id == TS_B_depth_map_depth && d->ref != TS_NONE && d->cand != TS_NONE;
-	bool key = field->bytes == 8 && field->of != NULL && d->ref != TS_EMPTY && d->cand != TS_EMPTY;
+	bool key = field->distance && d->ref != TS_EMPTY && d->cand != TS_EMPTY;
 	*ref = key ? d->ref >> 32 : d->ref;
 	*cand = key ? d->cand >> 32 : d->cand;
 	return field->kind == 'f' || depth || (key && (u32)d->ref == (u32)d->cand);
@@ -222,7 +222,7 @@ static ts_status judge_set(judge *j, const ts_trace *candidate)
 		return ts_fail("%s: as many records as keys would be right, in both", cand->path);
 	}
 	if (ts_order_unmet(&v->list, order, j->id, j->reference, candidate) != TS_OK) return TS_ERROR;
-	if (j->id == ts_order_key()) return TS_OK;
+	if (j->id == order->key) return TS_OK;
 	j->gather = ts_gather_open(cand, j->bytes, order);
 	ts_status status = j->gather != NULL ? judge_elements(j, order->n_ref) : TS_ERROR;
 	ts_gather_close(j->gather);
@@ -272,7 +272,7 @@ ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace
                             const ts_order *order, const ts_relaxations *relaxations)
 {
 	const ts_trace_item *ref = &reference->item[id], *cand = &candidate->item[id];
-	bool set = order->given && ts_order_is_set(id);
+	bool set = order->given && ts_order_key_of(id) == order->key;
 	*verdict = (ts_verdict){.n_ref = ref->npy.n,
 	                        .n_cand = cand->npy.n,
 	                        .marks = verdict->marks,

@@ -37,6 +37,21 @@ static void count(ts_comparison *c, ts_buffer_id id)
 	if (judgement == TS_UNLIKE && c->first == TS_N_BUFFERS) c->first = id;
 }
 
+/* Sets of another key than the points' have an order of their own. */
+static ts_status judge_given(ts_verdict *verdict, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
+                             const ts_order *points, const ts_relaxations *relaxations)
+{
+	ts_order own;
+	ts_buffer_id key = ts_order_key_of(id);
+	if (key == TS_N_BUFFERS || key == points->key) {
+		return ts_compare_buffer(verdict, id, reference, candidate, points, relaxations);
+	}
+	ts_status status = ts_order_make(&own, key, reference, candidate);
+	if (status == TS_OK) status = ts_compare_buffer(verdict, id, reference, candidate, &own, relaxations);
+	ts_order_free(&own);
+	return status;
+}
+
 static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
                            const ts_order *order, const ts_relaxations *relaxations)
 {
@@ -48,7 +63,7 @@ static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *re
 	} else if (candidate->item[id].path == NULL) {
 		v->judgement = TS_MISSING;
 	} else {
-		status = ts_compare_buffer(v, id, reference, candidate, order, relaxations);
+		status = judge_given(v, id, reference, candidate, order, relaxations);
 	}
 	count(c, id);
 	return status;
@@ -77,7 +92,7 @@ ts_status ts_compare(ts_comparison *comparison, const ts_trace *reference, const
 	}
 	if (reference->arrival) return ts_fail("%s: in order of arrival, so it is no reference", reference->dir);
 	if (ts_relax_check(relaxations) != TS_OK) return TS_ERROR;
-	ts_status status = ts_order_make(&order, reference, candidate);
+	ts_status status = ts_order_make(&order, ts_order_key(), reference, candidate);
 	if (status == TS_OK) status = judge_all(comparison, reference, candidate, &order, relaxations);
 	ts_order_free(&order);
 	if (status != TS_OK) return status;

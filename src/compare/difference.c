@@ -26,10 +26,8 @@ static ts_status where_count(char text[TS_WHERE_TEXT], const ts_trace *reference
 ts_status ts_difference_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id,
                               const ts_difference *d)
 {
-	char key[TS_WHERE_TEXT];
 	if (d->how == TS_BESIDE || d->how == TS_TWICE) {
-		ts_where_key(key, d->cand);
-		snprintf(text, TS_WHERE_TEXT, "key (%.100s)", key);
+		ts_where_key(text, id, d->cand);
 		return TS_OK;
 	}
 	if (ts_sum_of(id) != NULL) return where_count(text, reference, id, d->element);

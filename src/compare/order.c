@@ -15,6 +15,13 @@ typedef struct {
 
 bool ts_order_is_set(ts_buffer_id id) { return strcmp(ts_buffer_table[id].order, "set") == 0; }
 
+ts_buffer_id ts_order_key_of(ts_buffer_id id)
+{
+	u32 key = ts_order_is_set(id) ? 0 : TS_N_BUFFERS;
+	while (key < TS_N_BUFFERS && strcmp(ts_buffer_table[id].key, ts_buffer_table[key].name) != 0) key++;
+	return (ts_buffer_id)key;
+}
+
 ts_buffer_id ts_order_key(void)
 {
 	u32 id = 0;
@@ -28,16 +35,10 @@ ts_dim ts_order_of(void)
 	return key != TS_N_BUFFERS ? ts_buffer_counts(key) : TS_DIM_none;
 }
 
-static ts_reader *open_keys(const ts_trace *trace)
+static ts_status read_keys(u64 *keys, const ts_order *order, const ts_trace *trace)
 {
-	ts_buffer_id key = ts_order_key();
-	return ts_trace_read(&trace->item[key], key);
-}
-
-static ts_status read_keys(u64 *keys, const ts_trace *trace, u64 n)
-{
-	u64 held = 0;
-	ts_reader *reader = open_keys(trace);
+	u64 held = 0, n = order->n_ref;
+	ts_reader *reader = ts_trace_read(&trace->item[order->key], order->key);
 	if (reader == NULL) return TS_ERROR;
 	for (u64 i = 0; i < n; i += held) {
 		const u64 *part = ts_reader_at(reader, i, &held);
@@ -50,7 +51,7 @@ static ts_status read_keys(u64 *keys, const ts_trace *trace, u64 n)
 	ts_reader_close(reader);
 	for (u64 i = 1; i < n; i++) {
 		if (keys[i - 1] >= keys[i]) {
-			return ts_fail("%s: keys do not ascend, so it is no reference", trace->item[ts_order_key()].path);
+			return ts_fail("%s: keys do not ascend, so it is no reference", trace->item[order->key].path);
 		}
 	}
 	return TS_OK;
@@ -72,14 +73,15 @@ static void free_index(key_index *index)
 	free(index->slices);
 }
 
-static ts_status make_index(key_index *index, const ts_trace *reference, u64 n)
+static ts_status make_index(key_index *index, const ts_order *order, const ts_trace *reference)
 {
+	u64 n = order->n_ref;
 	u32 n_slices = n < MOST_SLICES ? (u32)n + 1 : MOST_SLICES;
-	*index = (key_index){.keys = ts_alloc((size_t)n, sizeof(u64), "keys of points"),
+	*index = (key_index){.keys = ts_alloc((size_t)n, sizeof(u64), "keys of records"),
 	                     .n_slices = n_slices,
 	                     .slices = ts_alloc((size_t)n_slices + 1, sizeof(u32), "an index of keys")};
 	bool there = index->keys != NULL && index->slices != NULL;
-	if (!there || read_keys(index->keys, reference, n) != TS_OK) {
+	if (!there || read_keys(index->keys, order, reference) != TS_OK) {
 		free_index(index);
 		return TS_ERROR;
 	}
@@ -114,10 +116,10 @@ static void fetch_ahead(const key_index *index, const u32 *cand_of_ref, const u6
 	__builtin_prefetch(&cand_of_ref[index->slices[near]]);
 }
 
-static ts_status meet(ts_order *order, const key_index *index, const ts_trace *candidate)
+static ts_status meet(ts_order *order, const key_index *index, const ts_trace *candidate, bool *ascend)
 {
-	u64 held = 0;
-	ts_reader *reader = open_keys(candidate);
+	u64 held = 0, before = 0;
+	ts_reader *reader = ts_trace_read(&candidate->item[order->key], order->key);
 	if (reader == NULL) return TS_ERROR;
 	for (u64 i = 0; i < order->n_cand; i += held) {
 		const u64 *keys = ts_reader_at(reader, i, &held);
@@ -133,6 +135,8 @@ static ts_status meet(ts_order *order, const key_index *index, const ts_trace *c
 			order->ref_of_cand[i + k] = twice ? TS_NO_PARTNER : place;
 			order->n_extra += !met;
 			if (met) order->cand_of_ref[place] = (u32)(i + k);
+			*ascend &= keys[k] >= before;
+			before = keys[k];
 		}
 	}
 	ts_reader_close(reader);
@@ -140,37 +144,41 @@ static ts_status meet(ts_order *order, const key_index *index, const ts_trace *c
 	return TS_OK;
 }
 
-ts_status ts_order_make(ts_order *order, const ts_trace *reference, const ts_trace *candidate)
+static ts_status find_order(ts_order *order, const ts_trace *reference, const ts_trace *candidate)
 {
-	*order = (ts_order){.given = false};
-	ts_buffer_id key = ts_order_key();
-	if (key == TS_N_BUFFERS) return TS_OK;
-	const ts_trace_item *ref = &reference->item[key], *cand = &candidate->item[key];
-	if (!candidate->arrival || ref->path == NULL || cand->path == NULL) return TS_OK;
-	order->given = true;
-	order->n_ref = ref->npy.n;
-	order->n_cand = cand->npy.n;
-	if (order->n_ref >= TS_NONE || order->n_cand >= TS_NONE) {
-		return ts_fail("%s: more points than 32-bit indices can name", cand->path);
-	}
 	key_index index;
-	if (make_index(&index, reference, order->n_ref) != TS_OK) return TS_ERROR;
-	order->cand_of_ref = ts_alloc((size_t)order->n_ref, sizeof(u32), "places of points");
-	order->ref_of_cand = ts_alloc((size_t)order->n_cand, sizeof(u32), "places of points");
+	bool ascend = true;
+	if (make_index(&index, order, reference) != TS_OK) return TS_ERROR;
+	order->cand_of_ref = ts_alloc((size_t)order->n_ref, sizeof(u32), "places of records");
+	order->ref_of_cand = ts_alloc((size_t)order->n_cand, sizeof(u32), "places of records");
 	ts_status status = order->cand_of_ref != NULL && order->ref_of_cand != NULL ? TS_OK : TS_ERROR;
 	if (status == TS_OK) {
 		memset(order->cand_of_ref, 0xff, (size_t)order->n_ref * sizeof(u32));
-		status = meet(order, &index, candidate);
+		status = meet(order, &index, candidate, &ascend);
 	}
 	free_index(&index);
+	if (!candidate->arrival && !ascend) ts_order_free(order);
 	return status;
+}
+
+ts_status ts_order_make(ts_order *order, ts_buffer_id key, const ts_trace *reference, const ts_trace *candidate)
+{
+	*order = (ts_order){.key = key};
+	if (key == TS_N_BUFFERS || (key == ts_order_key() && !candidate->arrival)) return TS_OK;
+	const ts_trace_item *ref = &reference->item[key], *cand = &candidate->item[key];
+	if (ref->path == NULL || cand->path == NULL) return TS_OK;
+	order->given = true;
+	order->n_ref = ref->npy.n;
+	order->n_cand = cand->npy.n;
+	if (order->n_ref < TS_NONE && order->n_cand < TS_NONE) return find_order(order, reference, candidate);
+	return ts_fail("%s: more records than 32-bit indices can name", cand->path);
 }
 
 void ts_order_free(ts_order *order)
 {
 	free(order->cand_of_ref);
 	free(order->ref_of_cand);
-	*order = (ts_order){.given = false};
+	*order = (ts_order){.key = order->key};
 }
 
 /* Puts it at its place among those from `first` on, which have ascending keys; the last one may fall out. */
@@ -191,7 +199,7 @@ static ts_status list_extra(ts_differences *list, const ts_order *order, ts_buff
 {
 	u64 held = 0;
 	u32 first = list->n;
-	ts_reader *reader = open_keys(candidate);
+	ts_reader *reader = ts_trace_read(&candidate->item[order->key], order->key);
 	if (reader == NULL) return TS_ERROR;
 	for (u64 i = 0; i < order->n_cand; i += held) {
 		const u64 *keys = ts_reader_at(reader, i, &held);

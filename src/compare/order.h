@@ -5,21 +5,26 @@
 
 /* True of a buffer whose records are told apart by a key, and may stand in any order. */
 bool ts_order_is_set(ts_buffer_id id);
-/* The buffer of those keys, and what it counts; TS_N_BUFFERS and TS_DIM_none: no family has any. */
+/* The buffer of those keys; TS_N_BUFFERS: it is no set. */
+ts_buffer_id ts_order_key_of(ts_buffer_id id);
+/* The keys of the points, which other buffers name by their places, and what those keys count; TS_N_BUFFERS and
+ * TS_DIM_none: no family has any. */
 ts_buffer_id ts_order_key(void);
 ts_dim ts_order_of(void);
 
 typedef struct {
 	bool given; /* false: both stand in the same order, and the arrays are NULL */
+	ts_buffer_id key;
 	u64 n_ref, n_cand;
 	u32 *cand_of_ref;       /* the candidate's place of each record; TS_NONE: it has none */
 	u32 *ref_of_cand;       /* the reverse; TS_NO_PARTNER: the key came before */
 	u64 n_missing, n_extra; /* keys that the candidate lacks, and has beside or again */
 } ts_order;
 
-/* Finds the order of the points by their keys; canonical candidates, and those without points.key, keep theirs. The
- * reference's keys must ascend. Release by ts_order_free, also on failure. */
-ts_status ts_order_make(ts_order *order, const ts_trace *reference, const ts_trace *candidate);
+/* Finds the order of the records of `key`, a buffer of keys, or of none: TS_N_BUFFERS. Candidates without it keep
+ * theirs. So do canonical ones if it is of points, or if their keys do not ascend. The reference's keys must ascend.
+ * Release by ts_order_free, also on failure. */
+ts_status ts_order_make(ts_order *order, ts_buffer_id key, const ts_trace *reference, const ts_trace *candidate);
 void ts_order_free(ts_order *order);
 
 /* Lists the records of set `id` that have no partner: those that are missing, then the others, each by their keys. */

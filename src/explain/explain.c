@@ -13,6 +13,7 @@ typedef struct {
 	ts_explanation *explanation;
 	const ts_question *question;
 	bool seeks;
+	bool there;                  /* the buffer, while items ran */
 	size_t launch, found_launch; /* found_launch: SIZE_MAX: none yet */
 	u64 found_item;
 } explainer;
@@ -46,6 +47,7 @@ static bool watch(explainer *x, const ts_frame *frame)
 	size_t bytes = can ? ts_buffer_table[q->buffer].element_bytes : 0;
 	t->from = can ? (const u8 *)buffer->data + q->element * bytes : NULL;
 	t->to = can ? t->from + bytes : NULL;
+	x->there |= buffer != NULL && buffer->made;
 	return can;
 }
 
@@ -136,8 +138,9 @@ static ts_status answer(explainer *x, const ts_stage *stage)
 	const ts_explanation *e = x->explanation;
 	if (q->subject == TS_EXPLAIN_ELEMENT && run(x, stage, true) != TS_OK) return TS_ERROR;
 	if (q->subject == TS_EXPLAIN_ELEMENT && x->launch > 0 && x->found_launch == SIZE_MAX) {
-		return ts_fail("stage %s: no item writes element %" PRIu64 " of %s", stage->name, q->element,
-		               ts_buffer_table[q->buffer].name);
+		return ts_fail("stage %s: no item writes element %" PRIu64 " of %s%s", stage->name, q->element,
+		               ts_buffer_table[q->buffer].name,
+		               x->there ? "" : "; it is made of what items leave: ask for one by --item I and --kernel NAME");
 	}
 	if (run(x, stage, false) != TS_OK) return TS_ERROR;
 	if (e->n_launches == 0) return ts_fail("stage %s: the host computes it, without a kernel", stage->name);

@@ -7,7 +7,7 @@
 static bool is_of_points(ts_buffer_id id)
 {
 	const ts_fields fields = ts_fields_of(id);
-	if (ts_order_is_set(id)) return true;
+	if (ts_order_is_set(id) && ts_order_key_of(id) == ts_order_key()) return true;
 	for (u32 f = 0; f < fields.n; f++) {
 		if (ts_field_names(&fields.field[f], ts_order_of())) return true;
 	}

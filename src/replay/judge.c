@@ -104,13 +104,13 @@ static ts_status judge_by(ts_judged *judged, ts_trace *right, const ts_load *loa
 {
 	ts_order order = {.given = false};
 	ts_status status = TS_OK;
-	ts_buffer_id id = judged->id;
+	ts_buffer_id id = judged->id, key = ts_order_key_of(id);
 	void *crop = NULL;
 	put_inputs(right, load);
 	put_item(&right->item[id], &load->run.frame.buffer[id], id);
-	if (ts_order_is_set(id)) {
-		put_item(&right->item[ts_order_key()], &load->run.frame.buffer[ts_order_key()], ts_order_key());
-		status = ts_order_make(&order, right, owner);
+	if (key != TS_N_BUFFERS) {
+		put_item(&right->item[key], &load->run.frame.buffer[key], key);
+		status = ts_order_make(&order, key, right, owner);
 	}
 	if (judged->item->cropped) {
 		crop = crop_of(&load->run.frame.buffer[id], judged->item->crop, ts_buffer_table[id].element_bytes);

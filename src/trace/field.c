@@ -27,6 +27,7 @@ static ts_field field_of(ts_buffer_id id, const char *name, const char *type, u3
 		if (indices[i].buffer != id || strcmp(indices[i].field, name) != 0) continue;
 		field.of = &indices[i].of;
 		field.none = indices[i].none;
+		field.distance = field.bytes == 8 && strcmp(ts_buffer_table[id].order, "set") != 0;
 	}
 	return field;
 }
@@ -90,9 +91,12 @@ void ts_field_show(char text[TS_VALUE_TEXT], const ts_field *field, u64 bits)
 		snprintf(text, TS_VALUE_TEXT, "%.9g = %a (%08" PRIx64 ")", value, value, bits);
 	} else if (field->kind == 'i') {
 		snprintf(text, TS_VALUE_TEXT, "%d (%08" PRIx64 ")", (int)(i32)(u32)bits, bits);
-	} else if (field->bytes == 8 && field->of != NULL && bits == UINT64_MAX) {
+	} else if (field->distance && bits == UINT64_MAX) {
 		snprintf(text, TS_VALUE_TEXT, "empty");
-	} else if (field->bytes == 8 && field->of != NULL) {
+	} else if (field->bytes == 8 && field->of != NULL && !field->distance) {
+		snprintf(text, TS_VALUE_TEXT, "%u | %u (%08x_%08x)", (unsigned)(bits >> 32), (unsigned)(u32)bits,
+		         (unsigned)(bits >> 32), (unsigned)(u32)bits);
+	} else if (field->distance) {
 		snprintf(text, TS_VALUE_TEXT, "%.9g | %u (%08x_%08x)", (double)ts_u2f((u32)(bits >> 32)), (unsigned)(u32)bits,
 		         (unsigned)(bits >> 32), (unsigned)(u32)bits);
 	} else if (field->of != NULL && field->bytes == 4 && bits == TS_NO_PARTNER) {

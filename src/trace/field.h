@@ -17,6 +17,7 @@ typedef struct {
 	u32 offset;        /* in the element */
 	const ts_axis *of; /* how many things there are that it names one of; NULL: it is no index */
 	bool none;         /* the index may also be 0xffffffff */
+	bool distance;     /* of 64 bits: over the index stand the bits of a float, which orders them */
 } ts_field;
 
 typedef struct {
@@ -35,7 +36,8 @@ u64 ts_field_bits(const ts_field *field, const void *data, u32 component);
 i64 ts_field_ulps(u64 from, u64 to);
 bool ts_field_is_nan(u64 bits);
 
-/* "3 = 0x1.8p+1 (40400000)", "812 (0000032c)"; a 64-bit key that holds an index: "3.5 | 812 (40600000_0000032c)". */
+/* "3 = 0x1.8p+1 (40400000)", "812 (0000032c)"; 64 bits with an index in the lower half: with a distance over it
+ * "3.5 | 812 (40600000_0000032c)", otherwise "7 | 812 (00000007_0000032c)". */
 void ts_field_show(char text[TS_VALUE_TEXT], const ts_field *field, u64 bits);
 
 /* "centre[2]", "s", or "" of a scalar. */

@@ -25,10 +25,15 @@ bool ts_where_fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void 
 	return from != NULL;
 }
 
-void ts_where_key(char text[TS_WHERE_TEXT], u64 key)
+void ts_where_key(char text[TS_WHERE_TEXT], ts_buffer_id id, u64 key)
 {
-	snprintf(text, TS_WHERE_TEXT, "piece %u, x %d, y %d", (unsigned)(key >> 32), (int)(key & 0xffff) - 32768,
-	         (int)(key >> 16 & 0xffff) - 32768);
+	assert(lists != NULL);
+	snprintf(text, TS_WHERE_TEXT, "key %" PRIx64, key);
+	for (const ts_where_rule *const *list = lists; *list != NULL; list++) {
+		for (const ts_where_rule *rule = *list; rule->where != NULL; rule++) {
+			if (rule->of == ts_buffer_counts(id) && rule->key != NULL) rule->key(text, key);
+		}
+	}
 }
 
 const char *ts_where_face(u32 face)
@@ -104,10 +109,10 @@ static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, 
 
 /* What is of no family. */
 static const ts_where_rule general[] = {
-	{TS_DIM_texels, where_texel},
-	{TS_DIM_height, where_image},
-	{TS_DIM_eye_rows, where_sample},
-	{TS_DIM_sample_rows, where_sample},
+	{TS_DIM_texels, where_texel, NULL},
+	{TS_DIM_height, where_image, NULL},
+	{TS_DIM_eye_rows, where_sample, NULL},
+	{TS_DIM_sample_rows, where_sample, NULL},
 	{.where = NULL},
 };
 

@@ -11,6 +11,7 @@ enum { TS_WHERE_TEXT = 128 };
 typedef struct {
 	ts_dim of;
 	bool (*where)(char *text, const ts_trace *reference, ts_buffer_id id, u64 index);
+	void (*key)(char *text, u64 key); /* the same of the records of a set, by their keys; NULL: it is none */
 } ts_where_rule;
 
 /* Takes the rules of all families: lists ended by NULL, each ended by a row without `where`. They must stay. */
@@ -22,8 +23,8 @@ bool ts_where_fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void 
 /* Says where an element of the reference lies, as far as the reference has the buffers that tell. TS_ERROR with the
  * message set: such a buffer cannot be read. */
 ts_status ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element);
-/* "piece 812, x 5, y 3" of a key of points.key. */
-void ts_where_key(char text[TS_WHERE_TEXT], u64 key);
+/* "key (piece 812, x 5, y 3)" of a record of a set, by its key. */
+void ts_where_key(char text[TS_WHERE_TEXT], ts_buffer_id id, u64 key);
 /* "+X" of face 0, and so on to "-Z" of face 5. */
 const char *ts_where_face(u32 face);
 

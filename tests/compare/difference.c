@@ -21,6 +21,8 @@ static void test_where(void **state)
 	says_where(TS_B_points_record, (ts_difference){.how = TS_TWICE, .cand = key}, "key (piece 7, x -2, y 1)");
 	says_where(TS_B_points_key, (ts_difference){.how = TS_BESIDE, .cand = key}, "key (piece 7, x -2, y 1)");
 	says_where(TS_B_points_key, (ts_difference){.how = TS_LACKED, .element = 3}, "element 3");
+	says_where(TS_B_traverse_rendered, (ts_difference){.how = TS_BESIDE, .cand = (u64)7 << 32 | 9},
+	           "pair (node 7, node of views 9)");
 }
 
 /* Counts may be negative, and have no bits of their own. */

@@ -13,10 +13,12 @@ static u32 draw(u32 n)
 	return (u32)(((u64)seed * n) >> 32);
 }
 
+static ts_buffer_id keys_of = TS_B_points_key;
+
 static ts_trace side(const char *name, const u64 *keys, u64 n, bool arrival)
 {
 	ts_trace trace = {.arrival = arrival};
-	ts_trace_item *item = &trace.item[TS_B_points_key];
+	ts_trace_item *item = &trace.item[keys_of];
 	item->path = strdup(scratch_path("%s", name));
 	assert_non_null(item->path);
 	item->npy = (ts_npy){.n_dims = 1, .shape = {n}, .n = n};
@@ -31,12 +33,11 @@ static ts_differences unmet = {.most = 2 * MOST};
 static ts_status make(ts_order *order, const u64 *ref, u64 n_ref, const u64 *cand, u64 n_cand, bool arrival)
 {
 	ts_trace a = side("ref", ref, n_ref, false), b = side("cand", cand, n_cand, arrival);
-	ts_status status = ts_order_make(order, &a, &b);
+	ts_status status = ts_order_make(order, keys_of, &a, &b);
 	unmet = (ts_differences){.items = named, .most = unmet.most};
-	if (status == TS_OK && order->given)
-		assert_int_equal(ts_order_unmet(&unmet, order, TS_B_points_key, &a, &b), TS_OK);
-	free(a.item[TS_B_points_key].path);
-	free(b.item[TS_B_points_key].path);
+	if (status == TS_OK && order->given) assert_int_equal(ts_order_unmet(&unmet, order, keys_of, &a, &b), TS_OK);
+	free(a.item[keys_of].path);
+	free(b.item[keys_of].path);
 	return status;
 }
 
@@ -192,6 +193,32 @@ static void test_ends(void **state)
 	ts_order_free(&order);
 }
 
+/* Canonical candidates keep the places of points, and those of other sets only where keys do not ascend. */
+static void test_canonical(void **state)
+{
+	(void)state;
+	const u64 ref[] = {1, 2, 3, 4}, less[] = {1, 3, 4}, twice[] = {1, 2, 2, 3, 4}, turned[] = {1, 2, 4, 3};
+	ts_order order;
+	assert_int_equal(ts_order_key_of(TS_B_points_record), TS_B_points_key);
+	assert_int_equal(ts_order_key_of(TS_B_align_frame), TS_N_BUFFERS);
+	assert_int_equal(make(&order, ref, 4, less, 3, false), TS_OK);
+	assert_true(!order.given);
+	keys_of = ts_order_key_of(TS_B_traverse_rendered);
+	assert_int_equal(keys_of, TS_B_traverse_rendered);
+	assert_int_equal(make(&order, ref, 4, less, 3, false), TS_OK);
+	assert_true(order.given && order.n_missing == 1 && order.n_extra == 0 && named[0].difference.element == 1);
+	ts_order_free(&order);
+	assert_int_equal(make(&order, ref, 4, twice, 5, false), TS_OK);
+	assert_true(order.given && order.n_missing == 0 && order.n_extra == 1 && named[0].difference.how == TS_TWICE);
+	ts_order_free(&order);
+	assert_int_equal(make(&order, ref, 4, turned, 4, false), TS_OK);
+	assert_true(!order.given && order.cand_of_ref == NULL && ts_order_map(&order, 3) == 3);
+	assert_int_equal(make(&order, ref, 4, turned, 4, true), TS_OK);
+	assert_true(order.given && order.n_missing == 0 && order.n_extra == 0 && order.cand_of_ref[3] == 2);
+	ts_order_free(&order);
+	keys_of = TS_B_points_key;
+}
+
 /* Records larger than a window, in random order, with some missing. */
 static void test_gather(void **state)
 {
@@ -231,8 +258,8 @@ static void test_gather(void **state)
 int main(void)
 {
 	const struct CMUnitTest order[] = {
-		cmocka_unit_test(test_permutations), cmocka_unit_test(test_unlike), cmocka_unit_test(test_out_of_range),
-		cmocka_unit_test(test_ends),         cmocka_unit_test(test_gather),
+		cmocka_unit_test(test_permutations), cmocka_unit_test(test_unlike),    cmocka_unit_test(test_out_of_range),
+		cmocka_unit_test(test_ends),         cmocka_unit_test(test_canonical), cmocka_unit_test(test_gather),
 	};
 	return cmocka_run_group_tests(order, scratch_begin, scratch_remove);
 }

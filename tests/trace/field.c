@@ -73,9 +73,11 @@ static void test_show(void **state)
 	const ts_field byte = {.kind = 'u', .count = 1, .bytes = 1}, word = {.kind = 'u', .count = 1, .bytes = 4};
 	const ts_field wide = {.kind = 'u', .count = 1, .bytes = 8};
 	static const ts_axis points = {.number = 1, .n_factors = 1, .factor = {TS_DIM_points}};
-	const ts_field key = {.kind = 'u', .count = 1, .bytes = 8, .of = &points, .none = true};
+	const ts_field key = {.kind = 'u', .count = 1, .bytes = 8, .of = &points, .none = true, .distance = true};
+	const ts_field pair = {.kind = 'u', .count = 1, .bytes = 8, .of = &points};
 	const ts_field index = {.kind = 'u', .count = 1, .bytes = 4, .of = &points, .none = true};
 	const ts_field must = {.kind = 'u', .count = 1, .bytes = 4, .of = &points};
+	shows(&pair, (u64)7 << 32 | 812, "7 | 812 (00000007_0000032c)");
 	shows(&real, 0x40400000u, "3 = 0x1.8p+1 (40400000)");
 	shows(&real, 0x80000000u, "-0 = -0x0p+0 (80000000)");
 	shows(&real, 0x7f800000u, "inf = inf (7f800000)");

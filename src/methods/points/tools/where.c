@@ -2,14 +2,18 @@
 #include <stdio.h>
 #include "tools.h"
 
+static void where_key(char *text, u64 key)
+{
+	snprintf(text, TS_WHERE_TEXT, "key (piece %u, x %d, y %d)", (unsigned)(key >> 32), (int)(key & 0xffff) - 32768,
+	         (int)(key >> 16 & 0xffff) - 32768);
+}
+
 static bool where_point(char *text, const ts_trace *reference, ts_buffer_id id, u64 point)
 {
 	u64 key;
 	(void)id;
 	if (!ts_where_fetch(reference, TS_B_points_key, point, &key)) return false;
-	char inside[TS_WHERE_TEXT];
-	ts_where_key(inside, key);
-	snprintf(text, TS_WHERE_TEXT, "key (%.100s)", inside);
+	where_key(text, key);
 	return true;
 }
 
@@ -27,7 +31,7 @@ static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, 
 }
 
 const ts_where_rule ts_points_places[] = {
-	{TS_DIM_points, where_point},
-	{TS_DIM_mirror_pixels, where_pixel},
+	{TS_DIM_points, where_point, where_key},
+	{TS_DIM_mirror_pixels, where_pixel, NULL},
 	{.where = NULL},
 };

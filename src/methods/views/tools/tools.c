@@ -81,6 +81,7 @@ const ts_family_tools ts_views_tools = {
 	.claims = ts_views_claims,
 	.parts = parts,
 	.pictures = ts_views_pictures,
+	.places = ts_views_places,
 	.keeps = keeps,
 	.lowers = lowers,
 };

@@ -4,6 +4,7 @@
 #include "../../../kernels/views/vpl_gather.h"
 #include "../../../replay/check.h"
 #include "../../../study/stage_pictures.h"
+#include "../../../trace/where.h"
 #include "../../../truth/sampling.h"
 #include "../../../truth/texels.h"
 
@@ -50,6 +51,9 @@ extern const char *const ts_wrong_names[]; /* their counters, ended by NULL (tru
  * nothing; leaves whose middles are within `apart` radii of that of the view's leaf are not in maps. */
 ts_wrong ts_truth_wrong(const ts_truth *truth, const ts_vpl_gather_args *of, u32 view, ts_v3 p, ts_v3 n, f32 reach,
                         f32 apart, bool lit);
+
+/* Where pairs of nodes are (where.c). */
+extern const ts_where_rule ts_views_places[];
 
 /* Pictures of what views show (pictures.c). */
 extern const ts_stage_picture_rule ts_views_pictures[];
