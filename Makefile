@@ -347,6 +347,7 @@ faults: deps
 
 ##   release-check      what a release must pass beside .ci/run: test-long, faults, matrix; hours
 release-check:
+	$(Q)scripts/install-deps --matrix
 	$(Q)for part in test-long faults matrix; do $(MAKE) --no-print-directory $$part || exit; done
 
 ##   bench              the papers' tables, measured here, and every backend on one frame

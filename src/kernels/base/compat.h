@@ -18,7 +18,9 @@ typedef ulong u64;
 typedef uchar u8;
 /* Compilers of OpenCL leave long functions out of line, which costs a third of a frame; but of those called from many
  * places copies take long to compile. TS_CALL is out of line, TS_HOT on devices alone. */
+#ifndef TS_FN /* Oclgrind takes no function that must be inlined: -DTS_FN=static */
 #define TS_FN static inline __attribute__((always_inline))
+#endif
 #define TS_CALL static __attribute__((noinline, unused))
 #define TS_HOT TS_CALL
 #define TS_GLOBAL __global
@@ -27,20 +29,11 @@ typedef uchar u8;
 #define ts_u2f(x) as_float(x)
 #define ts_sqrt(x) sqrt(x)
 #define ts_floor(x) floor(x)
-/* Reading first and skipping what is not smaller: one word, which only falls, so that no load is torn. */
-#define ts_min_u64(p, v) \
-	do { \
-		if ((uint)((v) >> 32) <= ((volatile __global uint *)(p))[1]) atom_min((p), (v)); \
-	} while (0)
-#define ts_min_u32(p, v) \
-	do { \
-		if ((v) < *(volatile __global uint *)(p)) atomic_min((p), (v)); \
-	} while (0)
-#define ts_peek_u32(p) (*(volatile __global uint *)(p))
-#define ts_or_u64(p, v) \
-	do { \
-		if (((v) & ~*(volatile __global ulong *)(p)) != 0u) atom_or((p), (v)); \
-	} while (0)
+/* Without a look first: OpenCL C 1.2 has no atomic load, and a plain one races with what others write. */
+#define ts_min_u64(p, v) ((void)atom_min((p), (v)))
+#define ts_min_u32(p, v) ((void)atomic_min((p), (v)))
+#define ts_peek_u32(p) atomic_or((p), 0u)
+#define ts_or_u64(p, v) ((void)atom_or((p), (v)))
 #define ts_add_i64(p, v) ((void)atom_add((p), (v)))
 #define ts_next_i64(p) atom_inc(p)
 #define ts_next_u32(p) atomic_inc(p)
@@ -70,7 +63,7 @@ typedef unsigned char u8;
 #define ts_u2f(x) __uint_as_float(x)
 #define ts_sqrt(x) __fsqrt_rn(x)
 #define ts_floor(x) floorf(x)
-/* Volatile reads are relaxed ones of PTX's memory model. */
+/* Volatile reads are relaxed ones of PTX's memory model, and no race with relaxed atomics of the device. */
 #define ts_min_u64(p, v) \
 	do { \
 		if ((v) < *(volatile u64 *)(p)) atomicMin((p), (v)); \
