@@ -73,5 +73,5 @@ frame() {
 }
 frame epr reflections "$room" --reflectors 1 --set cube.max_px=16
 frame hulls indirect "$room" --reflectors 0 --set rsm.px=4 --set depth_grid.px=32
-frame megaviews indirect "$room" --reflectors 0 --set rsm.px=4 --set octree.levels=2
+frame megaviews indirect "$room" --reflectors 0 --set rsm.px=4 --set octree.levels=2 --set traverse.queue_mb=1
 finish
