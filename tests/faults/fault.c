@@ -11,6 +11,7 @@
 /* clang-format off */
 const ts_fault_row ts_fault_rows[TS_N_KINDS] = {
 	[TS_MEMORY] = {"memory", ENOMEM, "memory"},
+	[TS_OWN] = {"own", ENOMEM, "memory"},
 	[TS_LOAD] = {"load", ENOMEM, "memory"},
 	[TS_MAP] = {"map", ENOMEM, "memory"},
 	[TS_THREAD] = {"thread", EAGAIN, "threads"},
@@ -65,9 +66,11 @@ void ts_fault_arm(ts_fault_kind kind, bool on, long at)
 	fault.armed = true;
 }
 
+bool ts_fault_watches(ts_fault_kind kind) { return fault.armed && kind == fault.kind; }
+
 bool ts_fault_is(ts_fault_kind kind)
 {
-	if (!fault.armed || kind != fault.kind) return false;
+	if (!ts_fault_watches(kind)) return false;
 	long n = __atomic_add_fetch(&seen->count, 1, __ATOMIC_RELAXED);
 	if (n != fault.at && !(fault.on && fault.at > 0 && n > fault.at)) return false;
 	seen->hit = true;

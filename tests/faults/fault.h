@@ -11,6 +11,7 @@
 
 typedef enum {
 	TS_MEMORY,
+	TS_OWN,
 	TS_LOAD,
 	TS_MAP,
 	TS_THREAD,
@@ -42,6 +43,8 @@ extern const ts_fault_row ts_fault_rows[TS_N_KINDS];
 const char *ts_fault_parse(const char *text, ts_fault_kind *kind, bool *on);
 /* From here on calls count. */
 void ts_fault_arm(ts_fault_kind kind, bool on, long at);
+/* Whether calls of the kind count. */
+bool ts_fault_watches(ts_fault_kind kind);
 /* Counts a call of the kind; whether it is to fail, with errno set. */
 bool ts_fault_is(ts_fault_kind kind);
 /* Whether a call has failed since it was armed. */

@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <pthread.h>
 #include <stddef.h>
+#include <sys/auxv.h>
 #include <sys/mman.h>
 #include <unistd.h>
 #include "fault.h"
@@ -15,7 +16,20 @@
 
 /* What opening a library takes is counted apart: it can be most of it. */
 static _Thread_local int opening;
-static bool no_memory(void) { return ts_fault_is(opening > 0 ? TS_LOAD : TS_MEMORY); }
+
+/* Code of the command itself, and of no library. */
+static bool is_own(void *code)
+{
+	Dl_info of, ours;
+	return dladdr(code, &of) != 0 && dladdr((void *)getauxval(AT_ENTRY), &ours) != 0 && of.dli_fbase == ours.dli_fbase;
+}
+
+static bool fails(void *caller)
+{
+	if (ts_fault_watches(TS_OWN)) return is_own(caller) && ts_fault_is(TS_OWN);
+	return ts_fault_is(opening > 0 ? TS_LOAD : TS_MEMORY);
+}
+#define no_memory() fails(__builtin_return_address(0))
 
 void *dlopen(const char *path, int how)
 {

@@ -16,20 +16,26 @@
 	ARG(VALUE, u32, grid, none)
 TS_ARGS(ts_segment_extent_args);
 
-/* scatter over texels of the grid */
+/* scatter over texels of the grid: an update that a neighbour of the same segment makes needless is left out */
 TS_FN void ts_k_segment_extent_item(const ts_segment_extent_args *args, u64 i)
 {
 	u32 x = (u32)(i % args->grid);
 	u32 y = (u32)(i / args->grid);
+	u32 label = args->labels[i];
+	u64 segment = (u64)ts_k_block_of(args->grid, x, y) * TS_BLOCK_TEXELS + label;
+	TS_GLOBAL u32 *least = args->least + segment * TS_RANGE;
+	bool left = x % TS_BLOCK > 0u && args->labels[i - 1u] == label;
+	bool above = y % TS_BLOCK > 0u && args->labels[i - args->grid] == label;
+	bool right = x % TS_BLOCK < TS_BLOCK - 1u && args->labels[i + 1u] == label;
+	bool below = y % TS_BLOCK < TS_BLOCK - 1u && args->labels[i + args->grid] == label;
+	if (!left) ts_min_u32(&least[0], x);
+	if (!above) ts_min_u32(&least[1], y);
+	if (!right) ts_min_u32(&least[2], ~x);
+	if (!below) ts_min_u32(&least[3], ~y);
 	u32 bits = ts_f2u(args->depths[i]);
-	u64 label = (u64)ts_k_block_of(args->grid, x, y) * TS_BLOCK_TEXELS + args->labels[i];
-	TS_GLOBAL u32 *least = args->least + label * TS_RANGE;
-	ts_min_u32(&least[0], x);
-	ts_min_u32(&least[1], y);
-	ts_min_u32(&least[2], ~x);
-	ts_min_u32(&least[3], ~y);
-	ts_min_u32(&least[4], bits);
-	ts_min_u32(&least[5], ~bits);
+	u32 before = left ? ts_f2u(args->depths[i - 1u]) : bits;
+	if (!left || bits < before) ts_min_u32(&least[4], bits);
+	if (!left || bits > before) ts_min_u32(&least[5], ~bits);
 }
 
 #define TS_ROWS_ts_segment_box_args(ARG) \
