@@ -1,8 +1,8 @@
 /* A driver of CUDA without a GPU, for tests: libcuda.so.1 with one device, whose memory is its own, and which runs PTX
  * as it stands: ptx.py makes C of it, an instruction a statement, and the compiler of C a library. What a driver
  * refuses, this refuses too: calls without a context, memory that was not allocated, and all that comes after a kernel
- * that failed. Leaks end the process. CUDA_VISIBLE_DEVICES, empty, and CUDA_CACHE_PATH, a folder for what was compiled,
- * are NVIDIA's. Of this driver:
+ * that failed. Items of a group run from the last to the first. Leaks end the process. CUDA_VISIBLE_DEVICES, empty, and
+ * CUDA_CACHE_PATH, a folder for what was compiled, are NVIDIA's. Of this driver:
  *   TS_CUDA_FAIL  CALL:N:RESULT: the N-th call of that name fails, as cuMemAlloc_v2:3:2; of "kernel", the N-th kernel,
  *                 which shows as the host waits
  *   TS_CUDA_OLD   a device before Volta */
@@ -312,7 +312,7 @@ EXPORT CUresult cuLaunchKernel(CUfunction of, unsigned grid_x, unsigned grid_y, 
 	if (failed != 0) return CUDA_SUCCESS;
 #pragma omp parallel for schedule(dynamic)
 	for (unsigned group = 0; group < grid_x; group++) {
-		for (unsigned item = 0; item < block_x; item++) f->run(given, group, block_x, item);
+		for (unsigned item = block_x; item-- > 0;) f->run(given, group, block_x, item);
 	}
 	return CUDA_SUCCESS;
 }

@@ -93,25 +93,26 @@ static inline bool xor_pred(bool a, bool b) { return a != b; }
 static inline bool not_pred(bool a) { return !a; }
 static inline bool mov_pred(bool a) { return a; }
 
-/* Floats. */
-static inline f32 add_rn_f32(f32 a, f32 b) { return a + b; }
-static inline f32 sub_rn_f32(f32 a, f32 b) { return a - b; }
-static inline f32 mul_rn_f32(f32 a, f32 b) { return a * b; }
-static inline f32 div_rn_f32(f32 a, f32 b) { return a / b; }
-static inline f32 rcp_rn_f32(f32 a) { return 1 / a; }
-static inline f32 sqrt_rn_f32(f32 a) { return sqrtf(a); }
-static inline f32 fma_rn_f32(f32 a, f32 b, f32 c) { return fmaf(a, b, c); }
+/* Floats. Each NaN that is made has the bits 0x7fffffff, which no other processor's has. */
+static inline f32 made(f32 x) { return x == x ? x : u2f(0x7fffffffu); }
+static inline f32 add_rn_f32(f32 a, f32 b) { return made(a + b); }
+static inline f32 sub_rn_f32(f32 a, f32 b) { return made(a - b); }
+static inline f32 mul_rn_f32(f32 a, f32 b) { return made(a * b); }
+static inline f32 div_rn_f32(f32 a, f32 b) { return made(a / b); }
+static inline f32 rcp_rn_f32(f32 a) { return made(1 / a); }
+static inline f32 sqrt_rn_f32(f32 a) { return made(sqrtf(a)); }
+static inline f32 fma_rn_f32(f32 a, f32 b, f32 c) { return made(fmaf(a, b, c)); }
 /* A driver may fuse these, which the kernels must not have. */
-static inline f32 add_f32(f32 a, f32 b) { return a + b; }
-static inline f32 sub_f32(f32 a, f32 b) { return a - b; }
-static inline f32 mul_f32(f32 a, f32 b) { return a * b; }
+static inline f32 add_f32(f32 a, f32 b) { return made(a + b); }
+static inline f32 sub_f32(f32 a, f32 b) { return made(a - b); }
+static inline f32 mul_f32(f32 a, f32 b) { return made(a * b); }
 static inline f32 neg_f32(f32 a) { return u2f(f2u(a) ^ 0x80000000u); }
 static inline f32 abs_f32(f32 a) { return u2f(f2u(a) & 0x7fffffffu); }
 static inline f32 mov_f32(f32 a) { return a; }
 static inline f32 selp_f32(f32 a, f32 b, bool p) { return p ? a : b; }
 /* The number of a number and a NaN; -0 is less than 0. */
-static inline f32 min_f32(f32 a, f32 b) { return b != b ? a : a < b || (a == b && f2u(a) >> 31 != 0) ? a : b; }
-static inline f32 max_f32(f32 a, f32 b) { return b != b ? a : a > b || (a == b && f2u(b) >> 31 != 0) ? a : b; }
+static inline f32 min_f32(f32 a, f32 b) { return made(b != b ? a : a < b || (a == b && f2u(a) >> 31 != 0) ? a : b); }
+static inline f32 max_f32(f32 a, f32 b) { return made(b != b ? a : a > b || (a == b && f2u(b) >> 31 != 0) ? a : b); }
 static inline bool setp_num_f32(f32 a, f32 b) { return a == a && b == b; }
 static inline bool setp_nan_f32(f32 a, f32 b) { return a != a || b != b; }
 #define COMPARED(name, sign) \
@@ -125,7 +126,7 @@ COMPARED(gt, >)
 COMPARED(ge, >=)
 
 /* Conversions. Of a float to an integer: what does not fit is the nearest that does, and NaN is 0. */
-static inline f32 cvt_rmi_f32_f32(f32 a) { return floorf(a); }
+static inline f32 cvt_rmi_f32_f32(f32 a) { return made(floorf(a)); }
 static inline f32 cvt_rn_f32_s32(s32 a) { return (f32)a; }
 static inline f32 cvt_rn_f32_u32(u32 a) { return (f32)a; }
 static inline f32 cvt_rn_f32_s64(s64 a) { return (f32)a; }
