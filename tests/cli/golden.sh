@@ -69,7 +69,7 @@ fails 'no reason' bless few --reason '  '
 fails 'control characters' bless few --reason $'one\ntwo'
 fails 'at most 400 bytes' bless few --reason "$(printf '%401s' x)"
 fails 'which case' bless --reason first
-fails 'no backend "cuda"' bless few --reason first --backend cuda
+fails 'no backend "metal"' bless few --reason first --backend metal
 as a-dirty
 fails 'not committed (a-dirty)' bless few --reason first
 as unknown
