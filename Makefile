@@ -111,8 +111,7 @@ CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/*
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
 		methods nearest options parse reads say sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
-TEST_NOT := begin.c fuzz/% record/% faults/% cli/preload/% ports/vulkan/% backends/cuda/%
-TEST_C := $(filter-out $(TEST_NOT:%=tests/%),$(call every,tests,c))
+TEST_C := $(filter-out $(patsubst %,tests/%,$(shell sed '/^\#/d' tests/apart.txt)),$(call every,tests,c))
 
 # Linked into each test: what it begins with, and what lifts llvmpipe's limit of loops, which that driver finds by its name.
 TEST_ALSO_C := tests/begin.c tests/cli/preload/llvmpipe.c

@@ -60,7 +60,8 @@ static void plant_and_find(u32 m, const ts_stage *stage, ts_load *load, ts_buffe
 	assert_int_equal(v.verdict.n_ref, buffer.n);
 	if (by_key) {
 		assert_string_equal(v.text, "1 records missing, 1 beside");
-	} else if (v.verdict.first.element != element || v.verdict.first.component != component || v.verdict.first.field != f) {
+	} else if (v.verdict.first.element != element || v.verdict.first.component != component ||
+	           v.verdict.first.field != f) {
 		fail_msg("%s, %s: planted in element %u, field %s, component %u; found: %s", stage->name,
 		         ts_buffer_table[id].name, (unsigned)element, fields.field[f].name, (unsigned)component, v.text);
 	}
