@@ -120,7 +120,16 @@ static void end(ts_backend *backend) { (void)backend; }
 void ts_c_begin(ts_c_backend *backend, u32 threads)
 {
 	*backend = (ts_c_backend){
-		.backend = {"c", DEVICE, __VERSION__, TS_FLAGS, {0}, launch, fill, scan, finish, end, at_once},
+		.backend = {.name = "c",
+	                .device = DEVICE,
+	                .compiler = __VERSION__,
+	                .flags = TS_FLAGS,
+	                .launch = launch,
+	                .fill = fill,
+	                .scan = scan,
+	                .finish = finish,
+	                .close = end,
+	                .at_once = at_once},
 		.threads = threads != 0 ? threads : 1,
 	};
 }
