@@ -192,10 +192,14 @@ def counts(sums):
 
 
 class Difference:
-	"""Where two buffers of the same order first differ, and in how many elements; of prefix sums, in how many counts."""
+	"""Where two buffers of the same order first differ, and in how many elements; of prefix sums, in how many counts; of pairs,
+	the first that is missing, and how many are."""
 
 	def __init__(self, reference, candidate, name):
 		ref, cand = reference[name], candidate[name]
+		if name == "traverse.rendered":
+			self.of_pairs(ref.words(), cand.words())
+			return
 		both = min(ref.n, cand.n)
 		sums = name.replace(".", "_") in SUMS
 		unlike = []
@@ -214,6 +218,12 @@ class Difference:
 		elif self.n:
 			self.where = f"{ref.n} elements, candidate {cand.n}"
 			self.field = None
+
+	def of_pairs(self, ours, theirs):
+		missing = sorted(set(ours) - set(theirs))
+		self.n, self.first, self.field = len(missing), None, None
+		if missing:
+			self.where = f"pair (node {missing[0] >> 32}, node of views {missing[0] & 0xffffffff}): missing"
 
 	def first_field(self, ref, cand):
 		a, b = ref.element(self.first), cand.element(self.first)
