@@ -31,8 +31,10 @@ static ts_status wait(ts_store *store)
 
 ts_status ts_store_finish(ts_store *store)
 {
-	if (wait(store) != TS_OK) return TS_ERROR;
-	return store->failure[0] == 0 ? TS_OK : ts_fail("%s", store->failure);
+	ts_status status = wait(store);
+	if (status == TS_OK && store->failure[0] != 0) status = ts_fail("%s", store->failure);
+	store->failure[0] = 0;
+	return status;
 }
 
 static u8 *part_data(const resident *r, u32 part) { return r->data + part * r->part_bytes; }
