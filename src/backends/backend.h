@@ -18,6 +18,7 @@ struct ts_backend {
 	const char *name;             /* as in --backend */
 	const char *device;           /* one line that names the hardware */
 	const char *compiler, *flags; /* of the kernels */
+	bool ends_loops;              /* after some turns, as llvmpipe does: an item must be short of them */
 	ts_measured arithmetic;
 	/* Runs items [0, n) of the launch's kernel; args is its argument struct, whose pointers point to, or into, what
 	 * the launch binds. The order of the items is not defined and never changes a result. */

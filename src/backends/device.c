@@ -57,12 +57,59 @@ u64 ts_device_parts(const ts_store *store, u64 part_bytes, ts_frame *frame, cons
 	return part_bytes;
 }
 
-ts_kernel ts_device_kernel(ts_kernel kernel, const void *args, u64 *n)
+static bool is_by_pieces(const ts_launch *launch, const void *args)
 {
 	const ts_splat_args *splat = args;
-	if (kernel != TS_KERNEL_splat || splat->from.offset == NULL || splat->mark != 0) return kernel;
-	*n = splat->n_pieces;
-	return TS_KERNEL_splat_pieces;
+	return launch->kernel == TS_KERNEL_splat && splat->from.offset != NULL && splat->mark == 0;
+}
+
+/* Where the arguments of kernels that know bands say how many items share an item's rows with it. */
+static size_t others_at(ts_kernel kernel)
+{
+	switch (kernel) {
+	case TS_KERNEL_eye: return offsetof(ts_eye_args, others);
+	case TS_KERNEL_cube_face: return offsetof(ts_cube_face_args, others);
+	case TS_KERNEL_depth_map: return offsetof(ts_depth_map_args, others);
+	case TS_KERNEL_rsm: return offsetof(ts_rsm_args, others);
+	case TS_KERNEL_scatter_pieces: return offsetof(ts_scatter_args, others);
+	case TS_KERNEL_shadow_splat_pieces: return offsetof(ts_shadow_splat_args, of.others);
+	default: return 0;
+	}
+}
+
+/* Bands for few items, which may be large, are many; few for many. */
+static u32 bands_of(u64 n)
+{
+	const u64 items = 1 << 20, most = 256, bands = items / n;
+	return bands < 1 ? 1 : (u32)(bands < most ? bands : most);
+}
+
+static ts_status launch_bands(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n,
+                              ts_enqueue *enqueue)
+{
+	u8 banded[TS_ARGUMENTS];
+	size_t bytes = ts_kernel_args(launch->kernel)->bytes;
+	const u32 bands = bands_of(n), others = bands - 1;
+	assert(bytes <= sizeof banded);
+	memcpy(banded, args, bytes);
+	memcpy(banded + others_at(launch->kernel), &others, sizeof others);
+	return enqueue(backend, frame, launch, banded, n * bands);
+}
+
+ts_status ts_device_launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n,
+                           ts_enqueue *enqueue)
+{
+	ts_launch taken = *launch;
+	if (!backend->ends_loops && is_by_pieces(launch, args)) {
+		taken.kernel = TS_KERNEL_splat_pieces;
+		n = ((const ts_splat_args *)args)->n_pieces;
+	}
+	frame->residence = &ts_store_residence;
+	if (n == 0) return TS_OK;
+	if (backend->ends_loops && others_at(taken.kernel) != 0) {
+		return launch_bands(backend, frame, &taken, args, n, enqueue);
+	}
+	return enqueue(backend, frame, &taken, args, n);
 }
 
 static ts_status scan_in(ts_backend *backend, ts_frame *frame, ts_buffer_id id, ts_scan_args *args)

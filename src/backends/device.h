@@ -1,7 +1,9 @@
-/* What backends of devices share: what a launch's pointers lead to, parts, prefix sums. */
+/* What backends of devices share: launches, what their pointers lead to, parts, prefix sums. */
 #ifndef TS_BACKENDS_DEVICE_H
 #define TS_BACKENDS_DEVICE_H
 #include "resident.h"
+
+enum { TS_ARGUMENTS = 512 }; /* bytes that a kernel's have at most */
 
 /* The frame's buffer that a pointer among a launch's arguments points to, or into, and how far; NULL: none. */
 ts_buffer *ts_device_buffer(ts_frame *frame, const ts_launch *launch, const ts_pointer *pointer, const void *args,
@@ -14,9 +16,12 @@ ts_access ts_device_access(const ts_launch *launch, const ts_pointer *pointer);
 u64 ts_device_parts(const ts_store *store, u64 part_bytes, ts_frame *frame, const ts_launch *launch, const void *args);
 u64 ts_device_parts_of(const ts_store *store, u64 part_bytes, const ts_buffer *buffer);
 
-/* The kernel that a device runs in the place of another, and of how many items: points that lie by pieces are
- * splatted with one set-up a piece, as groups have no memory of their own in the kernels' language. */
-ts_kernel ts_device_kernel(ts_kernel kernel, const void *args, u64 *n);
+/* `launch` of a backend that enqueues at least one item by its own means. Points that lie by pieces are splatted with
+ * one set-up a piece, as groups have no memory of their own in the kernels' language. A device that ends loops gets
+ * points one by one, and bands (kernels/base/band.h). */
+typedef ts_status ts_enqueue(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n);
+ts_status ts_device_launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n,
+                           ts_enqueue *enqueue);
 
 /* `scan` of a backend, by three kernels. */
 ts_status ts_device_scan(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64 *total);

@@ -13,13 +13,13 @@ same() { [ "$status" -eq 0 ] && grep -q '^6 buffers judged, 0 different' "$scrat
 
 if grep -q llvmpipe <("$touchstone" list backends); then
 	run "${command[@]}" --backend vulkan -o "$scratch/refused"
-	[ "$status" -eq 2 ] && grep -q "stage eye: backend vulkan: .* ended a loop of eye early" "$scratch/stderr"
+	[ "$status" -eq 2 ] && grep -q "stage points.count: backend vulkan: .* ended a loop of points_count early" "$scratch/stderr"
 	verdict $? 'the backend reports the loop that the driver ended'
 	compared exact large
 	[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" | grep -q '^stage .. points.count, buffer points.offset, count of piece 0'
 	verdict $? 'compare names the stage whose loop the driver ended'
 	make_lift
-	with=(env LD_PRELOAD="$lift" MESA_SHADER_CACHE_DIR="$caches/mesa")
+	with=(env LD_PRELOAD="$lift" MESA_SHADER_CACHE_DIR="$caches/mesa-lifted")
 fi
 compared exact large && same
 verdict $? 'Vulkan has the same bits without that limit'

@@ -5,8 +5,6 @@
 #include <string.h>
 #include "cu.h"
 
-enum { MOST_BYTES = 512 };
-
 ts_status ts_cu_failed(const ts_cu *cu, const char *what, CUresult result)
 {
 	const char *name = NULL, *text = NULL;
@@ -55,9 +53,10 @@ static ts_status dispatch(ts_cu *cu, ts_kernel kernel, u8 *values, u64 n)
 	return result == CUDA_SUCCESS ? TS_OK : ts_cu_failed(cu, ts_kernel_name(kernel), result);
 }
 
-static ts_status enqueue(ts_cu *cu, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
+static ts_status enqueue(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
-	u8 values[MOST_BYTES];
+	ts_cu *cu = (ts_cu *)backend;
+	u8 values[TS_ARGUMENTS];
 	size_t bytes = ts_kernel_args(launch->kernel)->bytes;
 	assert(bytes <= sizeof values);
 	memcpy(values, args, bytes);
@@ -68,10 +67,7 @@ static ts_status enqueue(ts_cu *cu, ts_frame *frame, const ts_launch *launch, co
 
 static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
-	frame->residence = &ts_store_residence;
-	ts_launch taken = *launch;
-	taken.kernel = ts_device_kernel(launch->kernel, args, &n);
-	return n != 0 ? enqueue((ts_cu *)backend, frame, &taken, args, n) : TS_OK;
+	return ts_device_launch(backend, frame, launch, args, n, enqueue);
 }
 
 static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte)

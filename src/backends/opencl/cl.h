@@ -6,7 +6,7 @@
 #include <CL/cl.h>
 #include "../device.h"
 
-enum { TS_CL_PROGRAMS = 32, TS_CL_ARGUMENTS = 512 };
+enum { TS_CL_PROGRAMS = 32 };
 
 typedef struct {
 	ts_backend backend;

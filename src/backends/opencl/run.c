@@ -54,7 +54,7 @@ static ts_status set_arguments(ts_cl *cl, ts_frame *frame, const ts_launch *laun
 	const ts_pointers *pointers = ts_kernel_pointers(launch->kernel);
 	size_t bytes = ts_kernel_args(launch->kernel)->bytes;
 	cl_kernel kernel = cl->kernels[launch->kernel];
-	u8 values[TS_CL_ARGUMENTS];
+	u8 values[TS_ARGUMENTS];
 	u32 index = 2;
 	assert(bytes <= sizeof values);
 	memcpy(values, args, bytes);
@@ -74,8 +74,9 @@ static ts_status admit(ts_cl *cl, u64 part_bytes)
 	return ts_cl_put_flags(cl);
 }
 
-static ts_status enqueue(ts_cl *cl, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
+static ts_status enqueue(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
+	ts_cl *cl = (ts_cl *)backend;
 	if (admit(cl, ts_device_parts(&cl->store, cl->part_bytes, frame, launch, args)) != TS_OK) return TS_ERROR;
 	if (ts_cl_make_kernel(cl, launch->kernel) != TS_OK) return TS_ERROR;
 	if (set_arguments(cl, frame, launch, args, n) != TS_OK) return TS_ERROR;
@@ -90,10 +91,7 @@ static ts_status enqueue(ts_cl *cl, ts_frame *frame, const ts_launch *launch, co
 
 static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
-	frame->residence = &ts_store_residence;
-	ts_launch taken = *launch;
-	taken.kernel = ts_device_kernel(launch->kernel, args, &n);
-	return n != 0 ? enqueue((ts_cl *)backend, frame, &taken, args, n) : TS_OK;
+	return ts_device_launch(backend, frame, launch, args, n, enqueue);
 }
 
 static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte)

@@ -121,7 +121,8 @@ static ts_device describe(VkPhysicalDevice device, ts_vk_limits *most)
 	d.most = limits.maxMemoryAllocationSize;
 	*most = (ts_vk_limits){.groups = p->limits.maxComputeWorkGroupCount[0],
 	                       .items = p->limits.maxComputeWorkGroupInvocations,
-	                       .vector = limits.subgroupSize};
+	                       .vector = limits.subgroupSize,
+	                       .ends_loops = more.driverID == VK_DRIVER_ID_MESA_LLVMPIPE};
 	return d;
 }
 

@@ -5,8 +5,6 @@
 #include <string.h>
 #include "vk.h"
 
-enum { MOST_BYTES = 512 };
-
 ts_status ts_vk_failed(const char *what, VkResult result)
 {
 	static const struct {
@@ -28,7 +26,7 @@ ts_status ts_vk_failed(const char *what, VkResult result)
 
 /* What a launch hands to a kernel: its arguments, and the addresses of the parts of what is in parts. */
 typedef struct {
-	u8 args[MOST_BYTES];
+	u8 args[TS_ARGUMENTS];
 	u64 parts[TS_POINTERS][TS_PARTS];
 	u32 n_parted;
 	u32 parted_at[TS_POINTERS]; /* where in args the address of parts[i] stands */
@@ -113,8 +111,9 @@ static ts_status admit(ts_vk *vk, u64 part_bytes)
 	return TS_OK;
 }
 
-static ts_status enqueue(ts_vk *vk, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
+static ts_status enqueue(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
+	ts_vk *vk = (ts_vk *)backend;
 	arguments a;
 	u64 address;
 	if (admit(vk, ts_device_parts(&vk->store, vk->part_bytes, frame, launch, args)) != TS_OK) return TS_ERROR;
@@ -127,10 +126,7 @@ static ts_status enqueue(ts_vk *vk, ts_frame *frame, const ts_launch *launch, co
 
 static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
-	frame->residence = &ts_store_residence;
-	ts_launch taken = *launch;
-	taken.kernel = ts_device_kernel(launch->kernel, args, &n);
-	return n != 0 ? enqueue((ts_vk *)backend, frame, &taken, args, n) : TS_OK;
+	return ts_device_launch(backend, frame, launch, args, n, enqueue);
 }
 
 static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte)
@@ -245,6 +241,7 @@ static ts_status open_device(ts_backend **backend, const ts_backend_options *opt
 	                           .device = vk->device_line,
 	                           .compiler = vk->about.driver,
 	                           .flags = vk->flags,
+	                           .ends_loops = vk->most.ends_loops,
 	                           .launch = launch,
 	                           .fill = fill,
 	                           .scan = ts_device_scan,

@@ -41,6 +41,7 @@ typedef struct {
 /* Groups of a dispatch, and items of a group, which are whole vectors: what is left of one, llvmpipe lets run on. */
 typedef struct {
 	u32 groups, items, vector;
+	bool ends_loops; /* of the 8 items of a vector together after 65,535 turns: llvmpipe */
 } ts_vk_limits;
 
 typedef struct {

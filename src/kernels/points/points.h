@@ -3,6 +3,7 @@
 #define TS_KERNELS_POINTS_H
 #include "../base/args.h"
 #include "../base/area.h"
+#include "../base/band.h"
 #include "../raster/lattice.h"
 
 #define TS_ROWS_ts_points_args(ARG) \
@@ -27,12 +28,14 @@ TS_FN bool ts_k_is_point(const ts_points_args *args, const ts_cover *cover, u64 
 	return ts_k_is_sample(&args->scene, &args->pieces[piece], &args->frames[piece], cover, x, y);
 }
 
-TS_FN u32 ts_k_points_of(const ts_points_args *args, u64 piece)
+/* Points of a piece's band. */
+TS_FN u32 ts_k_points_of(const ts_points_args *args, const ts_band *band)
 {
+	u64 piece = band->item;
 	if (!(args->frames[piece].s > 0.0f)) return 0u;
 	ts_cover cover = ts_k_lattice_cover(&args->frames[piece], args->half_size);
 	u32 count = 0u;
-	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
+	for (i32 y = cover.touched.y0 + band->first; y <= cover.touched.y1; y += band->step) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			count += ts_k_is_point(args, &cover, piece, x, y) ? 1u : 0u;
 		}
@@ -41,7 +44,11 @@ TS_FN u32 ts_k_points_of(const ts_points_args *args, u64 piece)
 }
 
 /* map over pieces: how many points */
-TS_FN void ts_k_points_count_item(const ts_points_args *args, u64 i) { args->offset[i] = ts_k_points_of(args, i); }
+TS_FN void ts_k_points_count_item(const ts_points_args *args, u64 i)
+{
+	ts_band all = ts_k_band(i, 0u);
+	args->offset[i] = ts_k_points_of(args, &all);
+}
 
 /* l = 1/s (eq. 4); a sub-pixel piece is tiny: by the paper its splat is a square of its own area. */
 TS_FN f32 ts_k_splat_length(const ts_points_args *args, TS_GLOBAL const ts_piece *piece, f32 s, u32 *flags)

@@ -27,7 +27,8 @@
 	ARG(VALUE, u32, n_words, none) \
 	ARG(VALUE, f32, exposure, none) /* what colours are stored at */ \
 	ARG(VALUE, u32, centre, none)   /* points count at the centre of their texel */ \
-	ARG(VALUE, u32, culled, none)   /* small pieces were dropped at random */
+	ARG(VALUE, u32, culled, none)   /* small pieces were dropped at random */ \
+	ARG(VALUE, u32, others, none)   /* items that share its rows: band.h */
 TS_ARGS(ts_scatter_args);
 
 #define TS_FAR_BITS 20.0f /* the farthest depth that is told apart is so many doublings of the nearest */
@@ -202,15 +203,16 @@ TS_FN void ts_k_scatter_item(const ts_scatter_args *args, u64 i)
 /* scatter over pieces: their points are made, and not kept */
 TS_FN void ts_k_scatter_pieces_item(const ts_scatter_args *args, u64 i)
 {
-	TS_GLOBAL const ts_align *frame = &args->from.frames[i];
+	ts_band band = ts_k_band(i, args->others);
+	TS_GLOBAL const ts_align *frame = &args->from.frames[band.item];
 	if (!(frame->s > 0.0f)) return;
 	ts_cover cover = ts_k_lattice_cover(frame, args->from.half_size);
 	ts_scatter_tally tally = ts_k_scatter_none();
-	ts_flight point = ts_k_flight_of_piece(&args->from, i);
-	point.at_centre = ts_k_is_at_centre(args, i);
-	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
+	ts_flight point = ts_k_flight_of_piece(&args->from, band.item);
+	point.at_centre = ts_k_is_at_centre(args, band.item);
+	for (i32 y = cover.touched.y0 + band.first; y <= cover.touched.y1; y += band.step) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
-			if (!ts_k_is_point(&args->from, &cover, i, x, y)) continue;
+			if (!ts_k_is_point(&args->from, &cover, band.item, x, y)) continue;
 			ts_k_flight_start(&args->from, &point, x, y);
 			ts_k_scatter_point(args, &point, &tally);
 		}

@@ -193,12 +193,12 @@ typedef struct {
 	u32 n;
 } ts_shadow_group;
 
-/* All points of a piece into the views of a group, which is empty then. */
+/* All points of a band of a piece into the views of a group, which is empty then. */
 TS_FN void ts_k_shadow_piece_into(const ts_shadow_splat_args *args, const ts_cover *cover, ts_flight *point,
-                                  ts_shadow_group *group, ts_shadow_tally *tally)
+                                  const ts_band *band, ts_shadow_group *group, ts_shadow_tally *tally)
 {
 	if (group->n == 0u) return;
-	for (i32 y = cover->touched.y0; y <= cover->touched.y1; y++) {
+	for (i32 y = cover->touched.y0 + band->first; y <= cover->touched.y1; y += band->step) {
 		for (i32 x = cover->touched.x0; x <= cover->touched.x1; x++) {
 			if (!ts_k_is_point(&args->of.from, cover, point->piece, x, y)) continue;
 			ts_k_flight_start(&args->of.from, point, x, y);
@@ -211,11 +211,13 @@ TS_FN void ts_k_shadow_piece_into(const ts_shadow_splat_args *args, const ts_cov
 /* scatter over pieces: their points are made for some views at a time, and not kept; the first batch counts them */
 TS_FN void ts_k_shadow_splat_pieces_item(const ts_shadow_splat_args *args, u64 i)
 {
-	TS_GLOBAL const ts_align *frame = &args->of.from.frames[i];
+	ts_band band = ts_k_band(i, args->of.others);
+	u64 piece = band.item;
+	TS_GLOBAL const ts_align *frame = &args->of.from.frames[piece];
 	if (!(frame->s > 0.0f)) return;
-	TS_GLOBAL const u64 *words = args->of.bits + (u64)args->of.from.pieces[i].triangle * args->of.n_words;
+	TS_GLOBAL const u64 *words = args->of.bits + (u64)args->of.from.pieces[piece].triangle * args->of.n_words;
 	ts_cover cover = ts_k_lattice_cover(frame, args->of.from.half_size);
-	ts_flight point = ts_k_flight_of_piece(&args->of.from, i);
+	ts_flight point = ts_k_flight_of_piece(&args->of.from, piece);
 	ts_shadow_tally tally = ts_k_shadow_none();
 	ts_shadow_group group;
 	group.n = 0u;
@@ -223,10 +225,10 @@ TS_FN void ts_k_shadow_splat_pieces_item(const ts_shadow_splat_args *args, u64 i
 		if (!ts_k_offscreen_bit(words, v)) continue;
 		group.caster[group.n] = ts_k_shadow_caster(&args->of, v, &point);
 		if (!group.caster[group.n].misses) group.n++;
-		if (group.n == TS_SHADOW_GROUP) ts_k_shadow_piece_into(args, &cover, &point, &group, &tally);
+		if (group.n == TS_SHADOW_GROUP) ts_k_shadow_piece_into(args, &cover, &point, &band, &group, &tally);
 	}
-	ts_k_shadow_piece_into(args, &cover, &point, &group, &tally);
-	if (args->of.first_view == 0u) tally.of.points = ts_k_points_of(&args->of.from, i);
+	ts_k_shadow_piece_into(args, &cover, &point, &band, &group, &tally);
+	if (args->of.first_view == 0u) tally.of.points = ts_k_points_of(&args->of.from, &band);
 	ts_k_shadow_count(args, &tally);
 }
 

@@ -9,13 +9,15 @@
 	ARG(IN, ts_face, cubes, cube_size_face) \
 	ARG(MIN, u64, texels, cube_face_depth_triangle) /* of the batch */ \
 	ARG(VALUE, u32, first_cube, none) \
-	ARG(VALUE, u32, n_cubes, none) /* the batch */
+	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
+	ARG(VALUE, u32, others, none)  /* items that share its rows: band.h */
 TS_ARGS(ts_cube_face_args);
 
 /* scatter over triangles: into every face of every cube of the batch, but not into a reflector's own cube */
 TS_FN void ts_k_cube_face_item(const ts_cube_face_args *args, u64 i)
 {
-	u32 triangle = (u32)i;
+	ts_band band = ts_k_band(i, args->others);
+	u32 triangle = (u32)band.item;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (args->n_cubes == 0u || ts_k_is_degenerate(t.n)) return;
 	u64 first_texel = args->cubes[args->first_cube].offset;
@@ -26,7 +28,7 @@ TS_FN void ts_k_cube_face_item(const ts_cube_face_args *args, u64 i)
 			ts_camera_k view = ts_k_cube_view(cube, face);
 			u64 offset = cube->offset - first_texel + (u64)face * cube->n * cube->n;
 			ts_target target = ts_k_keys(args->texels + offset);
-			ts_k_draw(&args->scene, &view, &t, triangle, &target);
+			ts_k_draw(&args->scene, &view, &t, triangle, &band, &target);
 		}
 	}
 }

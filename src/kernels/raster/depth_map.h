@@ -9,13 +9,15 @@
 	ARG(IN, ts_offscreen, views, offscreen_view) \
 	ARG(MIN, u32, depths, depth_map_depth) /* of the batch */ \
 	ARG(VALUE, u32, first_view, none) \
-	ARG(VALUE, u32, n_views, none) /* the batch */
+	ARG(VALUE, u32, n_views, none) /* the batch */ \
+	ARG(VALUE, u32, others, none)  /* items that share its rows: band.h */
 TS_ARGS(ts_depth_map_args);
 
 /* scatter over triangles: into every view of the batch */
 TS_FN void ts_k_depth_map_item(const ts_depth_map_args *args, u64 i)
 {
-	u32 triangle = (u32)i;
+	ts_band band = ts_k_band(i, args->others);
+	u32 triangle = (u32)band.item;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (args->n_views == 0u || ts_k_is_degenerate(t.n)) return;
 	u64 first_texel = args->views[args->first_view].offset;
@@ -26,7 +28,7 @@ TS_FN void ts_k_depth_map_item(const ts_depth_map_args *args, u64 i)
 		ts_target target;
 		target.keys = NULL;
 		target.depths = args->depths + (offscreen->offset - first_texel);
-		ts_k_draw(&args->scene, &view, &t, triangle, &target);
+		ts_k_draw(&args->scene, &view, &t, triangle, &band, &target);
 	}
 }
 

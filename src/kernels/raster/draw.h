@@ -4,6 +4,7 @@
 #ifndef TS_KERNELS_DRAW_H
 #define TS_KERNELS_DRAW_H
 #include "offscreen.h"
+#include "../base/band.h"
 #include "../base/surface.h"
 
 /* Width, in world units, of the part of the triangle that the fragment's colour stands for. */
@@ -45,7 +46,8 @@ TS_FN ts_fragment ts_k_view_fragment(const ts_camera_k *view, const ts_setup *t,
 
 /* Visits a triangle of the fan of a clipped polygon. */
 TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
-                         const ts_corner *a, const ts_corner *b, const ts_corner *c, const ts_target *target)
+                         const ts_corner *a, const ts_corner *b, const ts_corner *c, const ts_band *band,
+                         const ts_target *target)
 {
 	ts_snapped v[3];
 	v[0] = ts_k_snap_corner(view, a);
@@ -54,9 +56,10 @@ TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const 
 	ts_setup setup = ts_k_setup(v[0], v[1], v[2]);
 	if (setup.area == 0) return;
 	ts_box box = ts_k_box_meet(ts_k_touched_box(v, 3u, 0), ts_k_view_box(view));
-	ts_walk walk = ts_k_walk(&setup, box.x0, box.y0);
+	ts_walk walk = ts_k_walk(&setup, box.x0, box.y0 + band->first);
+	for (u32 k = 0u; k < 3u; k++) walk.down[k] *= band->step;
 	bool masked = ts_k_is_masked(scene, triangle);
-	for (i32 j = box.y0; j <= box.y1; j++, ts_k_step(&walk.at, walk.down)) {
+	for (i32 j = box.y0 + band->first; j <= box.y1; j += band->step, ts_k_step(&walk.at, walk.down)) {
 		ts_edges e = walk.at;
 		for (i32 i = box.x0; i <= box.x1; i++, ts_k_step(&e, walk.right)) {
 			if (!ts_k_walk_covers(&walk, &e)) continue;
@@ -67,15 +70,15 @@ TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const 
 	}
 }
 
-/* One triangle, facing and not degenerate, into one view. */
+/* One triangle, facing and not degenerate, into one view: a band of its rows. */
 TS_CALL void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
-                       const ts_target *target)
+                       const ts_band *band, const ts_target *target)
 {
 	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
 	if (ts_k_is_outside(view, &polygon)) return;
 	ts_k_clip_to_range(view, &polygon);
 	for (u32 k = 2u; k < polygon.n; k++) {
-		ts_k_draw_fan(scene, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k],
+		ts_k_draw_fan(scene, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k], band,
 		              target);
 	}
 }

@@ -17,13 +17,15 @@
 	ARG(IN_OPT, ts_light, lamps, lamp_light) \
 	ARG(MIN, u64, depth_triangle, rsm_depth_triangle) \
 	ARG(OUT_OPT, ts_patch, patches, rsm_patch) \
-	ARG(VALUE, u32, n_views, none)
+	ARG(VALUE, u32, n_views, none) \
+	ARG(VALUE, u32, others, none) /* items that share its rows: band.h */
 TS_ARGS(ts_rsm_args);
 
 /* scatter over triangles: into every view */
 TS_FN void ts_k_rsm_item(const ts_rsm_args *args, u64 i)
 {
-	u32 triangle = (u32)i;
+	ts_band band = ts_k_band(i, args->others);
+	u32 triangle = (u32)band.item;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (ts_k_is_degenerate(t.n)) return;
 	for (u32 v = 0u; v < args->n_views; v++) {
@@ -31,7 +33,7 @@ TS_FN void ts_k_rsm_item(const ts_rsm_args *args, u64 i)
 		if (!ts_k_offscreen_may_show(&args->scene, offscreen, triangle, &t)) continue;
 		ts_camera_k view = ts_k_offscreen(offscreen);
 		ts_target target = ts_k_keys(args->depth_triangle + offscreen->offset);
-		ts_k_draw(&args->scene, &view, &t, triangle, &target);
+		ts_k_draw(&args->scene, &view, &t, triangle, &band, &target);
 	}
 }
 

@@ -323,8 +323,9 @@ static i64 count_offers(const ts_shadow_splat_args *args, bool *misses)
 	ts_flight point = ts_k_flight_of_piece(&args->of.from, 0);
 	ts_shadow_tally tally = ts_k_shadow_none();
 	ts_shadow_group group = {.caster = {ts_k_shadow_caster(&args->of, 0, &point)}, .n = 1};
+	const ts_band all = ts_k_band(0, 0);
 	*misses = group.caster[0].misses;
-	ts_k_shadow_piece_into(args, &cover, &point, &group, &tally);
+	ts_k_shadow_piece_into(args, &cover, &point, &all, &group, &tally);
 	return tally.of.writes + tally.texels;
 }
 

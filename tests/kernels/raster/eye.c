@@ -76,8 +76,9 @@ static void test_mesh(void **state)
 		for (u32 t = 0; t < scene.n_triangles; t++) {
 			ts_corners corners = ts_k_corners(&arrays, t);
 			clear(texels, N_PIXELS);
+			const ts_band whole = ts_k_band(0, 0);
 			ts_target target = ts_k_keys(texels);
-			ts_k_draw(&arrays, &view, &corners, t, &target);
+			ts_k_draw(&arrays, &view, &corners, t, &whole, &target);
 			for (u32 i = 0; i < N_PIXELS; i++) n_drawn[i] = (u8)(n_drawn[i] + (texels[i] != TS_EMPTY));
 		}
 		for (u32 i = 0; i < N_PIXELS; i++) {

@@ -39,6 +39,7 @@ static void draw(const mesh *m, const ts_offscreen *view)
 	ts_depth_map_args drawn = {.scene = scene, .views = view, .depths = depths, .n_views = 1};
 	ts_margin_args args = {.scene = scene, .views = view, .depths = depths, .margin = margin, .n_units = 1};
 	ts_camera_k camera = ts_k_offscreen(view);
+	const ts_band whole = ts_k_band(0, 0);
 	ts_target target = ts_k_keys(keys);
 	memset(depths, 0xff, sizeof depths);
 	memset(keys, 0xff, sizeof keys);
@@ -46,7 +47,7 @@ static void draw(const mesh *m, const ts_offscreen *view)
 	for (u32 t = 0; t < m->n_triangles; t++) {
 		ts_corners corners = ts_k_corners(&scene, t);
 		ts_k_depth_map_item(&drawn, t);
-		ts_k_draw(&scene, &camera, &corners, t, &target);
+		ts_k_draw(&scene, &camera, &corners, t, &whole, &target);
 	}
 	for (u32 t = 0; t < m->n_triangles; t++) ts_k_depth_map_margin_item(&args, t);
 	for (u32 k = 0; k < N_TEXELS; k++) assert_int_equal(depths[k], keys[k] >> 32);

@@ -38,7 +38,8 @@ static u32 pieces_from(u64 first, u64 n) { return n - first < PIECES ? (u32)(n -
 static u32 points_of(const ts_points_args *args, u64 piece, way of)
 {
 	if (of == NONE) return 0;
-	if (of == ALONE) return ts_k_points_of(args, piece);
+	const ts_band all = ts_k_band(piece, 0u);
+	if (of == ALONE) return ts_k_points_of(args, &all);
 	ts_made_piece made = ts_made_piece_begin(args, piece);
 	return (u32)ts_made_piece_count(&made);
 }

@@ -70,8 +70,9 @@ static ts_status put_drawn(ts_probe *p, u32 triangle, const ts_camera_k *view, t
 	u64 *alone = ts_alloc((size_t)n, sizeof *alone, "a view");
 	if (alone == NULL) return TS_ERROR;
 	memset(alone, 0xff, (size_t)n * sizeof *alone);
-	ts_target target = ts_k_keys(alone);
-	ts_k_draw(&p->scene, view, &t, triangle, &target);
+	const ts_target target = ts_k_keys(alone);
+	const ts_band all = ts_k_band(triangle, 0);
+	ts_k_draw(&p->scene, view, &t, triangle, &all, &target);
 	ts_status status = ts_probe_spread_add(p, spread, alone, n, id, first, triangle, NULL, 0, NULL);
 	free(alone);
 	return status;

@@ -25,11 +25,12 @@ static ts_camera_k random_view(void)
 /* Keys of what is drawn, in the order of pixels; of half of the pixels, any. */
 static void draw(u64 *keys, const ts_arrays *scene, const ts_camera_k *view)
 {
+	const ts_band whole = ts_k_band(0, 0);
 	ts_target target = ts_k_keys(keys);
 	for (u32 i = 0; i < SIDE * SIDE; i++) keys[i] = TS_EMPTY;
 	for (u32 t = 0; t < scene->n_triangles; t++) {
 		ts_corners c = ts_k_corners(scene, t);
-		if (!ts_k_is_degenerate(c.n)) ts_k_draw(scene, view, &c, t, &target);
+		if (!ts_k_is_degenerate(c.n)) ts_k_draw(scene, view, &c, t, &whole, &target);
 	}
 }
 

@@ -15,11 +15,12 @@ static void draw(input *in, const ts_arrays *scene, const ts_face *cube)
 {
 	for (u32 face = 0; face < 6; face++) {
 		ts_camera_k view = ts_k_cube_view(cube, face);
+		const ts_band whole = ts_k_band(0, 0);
 		ts_target target = ts_k_keys(in->keys + in->n_texels);
 		in->n_texels += cube->n * cube->n;
 		for (u32 t = 0; t < scene->n_triangles; t++) {
 			ts_corners c = ts_k_corners(scene, t);
-			if (!ts_k_is_degenerate(c.n)) ts_k_draw(scene, &view, &c, t, &target);
+			if (!ts_k_is_degenerate(c.n)) ts_k_draw(scene, &view, &c, t, &whole, &target);
 		}
 	}
 }

@@ -1,0 +1,22 @@
+/* Bands, where a device ends long loops: items share the rows of a loop by turns. Item i is band i % n of what is item
+ * i / n elsewhere, and takes the rows band, band + n, ... */
+#ifndef TS_KERNELS_BAND_H
+#define TS_KERNELS_BAND_H
+#include "compat.h"
+
+typedef struct {
+	u64 item;
+	i32 first, step; /* rows */
+} ts_band;
+
+TS_FN ts_band ts_k_band(u64 i, u32 others)
+{
+	u64 n = (u64)others + 1u;
+	ts_band r;
+	r.item = i / n;
+	r.first = (i32)(i % n);
+	r.step = (i32)n;
+	return r;
+}
+
+#endif
