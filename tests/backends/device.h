@@ -42,7 +42,7 @@ static inline ts_backend *device_open(const ts_backend_kind *kind, ts_backend_op
 /* Kernels once built are kept, whoever runs the test. Of CUDA a driver is there in any case: tests/backends/cuda. */
 static inline void device_begin(void)
 {
-	static const char *const names[][2] = {{"POCL_CACHE_DIR", "pocl"}, {"MESA_SHADER_CACHE_DIR", "mesa"}};
+	static const char *const names[][2] = {{"POCL_CACHE_DIR", "pocl"}, {"MESA_SHADER_CACHE_DIR", "mesa-limited"}};
 	const char *build = getenv("BUILD");
 	char path[512];
 	for (u32 i = 0; i < 2; i++) {

@@ -91,7 +91,7 @@ huge beyond 16777216
 zero quaternion of length 0
 TXT
 
-need_device
+need_device opencl
 run "${render[@]}" --frame 17 --trace --backend opencl -o opencl
 [ "$status" -eq 0 ]
 verdict $? 'OpenCL renders a moving file'

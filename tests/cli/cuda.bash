@@ -2,3 +2,4 @@
 # (tests/backends/cuda) stands before the machine's own, if there is one; kernels once translated are kept from run to run.
 without_driver=${LD_LIBRARY_PATH:-}
 export LD_LIBRARY_PATH=${touchstone%/*}/cuda${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+. tests/cli/device.bash

@@ -5,41 +5,20 @@
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/cuda.bash"
 small=(dining:triangles=10000:texels=32 --size 48x32 --reflectors 2 --set reflectors.px=16 --set cube.max_px=16)
-cu=(--backend cuda)
-
-# ends STATUS PATTERN NAME: the command that ran ended so, with one line on stderr that matches.
-ends() {
-	[ "$status" -eq "$1" ] && [ "$(wc -l < "$scratch/stderr")" -eq 1 ] && grep -q -- "$2" "$scratch/stderr" &&
-		[ ! -s "$scratch/stdout" ]
-	verdict $? "$3"
-}
+on=(--backend cuda)
 
 without_device() { CUDA_VISIBLE_DEVICES= run "$@"; }
 
-without_device digest "${cu[@]}"
-ends 77 'no CUDA device; NVIDIA' 'no device: skipped'
-without_device digest "${cu[@]}" --require
-ends 2 'no CUDA device; NVIDIA' 'no device: an error with --require'
-without_device render reflections "${cu[@]}" -o "$scratch/none"
-[ "$status" -eq 77 ] && [ ! -e "$scratch/none" ] && [ ! -e "$scratch/none.partial" ]
-verdict $? 'no device: nothing rendered, and nothing written'
-without_device list backends
-[ "$status" -eq 0 ] && ! grep -q '^cuda' "$scratch/stdout"
-verdict $? 'no device: none is listed'
-TS_CUDA_OLD=1 run digest "${cu[@]}"
+ends_without_device cuda 'no CUDA device; NVIDIA'
+TS_CUDA_OLD=1 run digest "${on[@]}"
 ends 2 'PTX as C has compute capability 6.0; the kernels need 7.0' 'a device before Volta is refused'
-refuses '--device 7: there are 1 devices, from 0' digest "${cu[@]}" --device 7
-refuses '--work-group 1025: .* at most 1024 items at once' digest "${cu[@]}" --work-group 1025
+refuses '--device 7: there are 1 devices, from 0' digest "${on[@]}" --device 7
+refuses '--work-group 1025: .* at most 1024 items at once' digest "${on[@]}" --work-group 1025
 
-run digest "${small[@]}" --method epr,mvr
-cp "$scratch/stdout" "$scratch/expected"
-run digest "${small[@]}" --method epr,mvr "${cu[@]}"
-[ "$status" -eq 0 ] && grep -q image.srgb "$scratch/stdout" && cmp -s "$scratch/stdout" "$scratch/expected"
-verdict $? 'the digests of C, by PTX run as C'
+same_digests 'the digests of C, by PTX run as C' run "${small[@]}" --method epr,mvr
+with_gpu() { LD_LIBRARY_PATH=$without_driver run "$@"; }
 if LD_LIBRARY_PATH=$without_driver "$touchstone" list backends | grep -q '^cuda '; then
-	LD_LIBRARY_PATH=$without_driver run digest "${small[@]}" --method epr,mvr "${cu[@]}"
-	[ "$status" -eq 0 ] && cmp -s "$scratch/stdout" "$scratch/expected"
-	verdict $? 'the digests of C, by a GPU'
+	same_digests 'the digests of C, by a GPU' with_gpu "${small[@]}" --method epr,mvr
 elif [[ ${TS_REQUIRE:-} == *cuda* ]]; then
 	verdict 1 'a GPU of NVIDIA, which TS_REQUIRE asks for'
 else
@@ -47,38 +26,22 @@ else
 	echo "ok $tests - the digests of C, by a GPU # SKIP none here"
 fi
 
-# Traces.
-run "${frame[@]}" --method epr --trace -o "$scratch/cu" "${cu[@]}"
-run "${frame[@]}" --method epr --trace -o "$scratch/c"
-run compare "$scratch/c/trace-epr" "$scratch/cu/trace-epr"
-[ "$status" -eq 0 ] && grep -q ' 0 different' "$scratch/stdout"
-verdict $? 'the trace of C'
-run "${frame[@]}" --method epr --trace -o "$scratch/arrival" "${cu[@]}" --order arrival
-run compare "$scratch/c/trace-epr" "$scratch/arrival/trace-epr"
-[ "$status" -eq 0 ] && grep -q ' 0 different' "$scratch/stdout"
-verdict $? 'in order of arrival too'
-python3 - "$scratch/cu/trace-epr/trace.json" <<'PY'
-import json, sys
-trace = json.load(open(sys.argv[1]))
-producer, arithmetic = trace["producer"], trace["arithmetic"]
-assert (producer["backend"], producer["device"]) == ("cuda", "PTX as C, compute capability 7.0")
-assert (producer["compiler"], producer["flags"]) == ("CUDA 11.2", "group=64")
-assert arithmetic["rounding"] == "nearest even" and arithmetic["contraction"] is False and arithmetic["selftest"] == 0
-PY
-verdict $? "its producer and arithmetic are the device's"
+same_traces run
+grep -q '"flags": "group=64"' "$scratch/canonical/trace-epr/trace.json"
+verdict $? 'and how it is run'
 
 # Kernels of a folder: what was compiled otherwise, the vectors see.
 mkdir "$scratch/ptx"
-refuses 'ptx/vectors.ptx: No such file' digest "${cu[@]}" --build "$scratch/ptx"
+refuses 'ptx/vectors.ptx: No such file' digest "${on[@]}" --build "$scratch/ptx"
 if command -v clang > /dev/null; then
 	scripts/ptx "$scratch/fused.ptx" -ffp-contract=fast && scripts/cuda-program "$scratch/fused.ptx" "$scratch/ptx" > /dev/null
-	refuses 'breaks the numeric contract' digest "${cu[@]}" --build "$scratch/ptx"
+	refuses 'breaks the numeric contract' digest "${on[@]}" --build "$scratch/ptx"
 	rm "$scratch"/ptx/*
 fi
 cp "${touchstone%/*}"/gen/ptx/{vectors,points_vectors,hulls_vectors}.ptx "$scratch/ptx"
-refuses 'stage pose: --build: .*pose.ptx: No such file' digest "${cu[@]}" --build "$scratch/ptx"
+refuses 'stage pose: --build: .*pose.ptx: No such file' digest "${on[@]}" --build "$scratch/ptx"
 echo 'void' > "$scratch/ptx/vectors.ptx"
-run digest "${cu[@]}" --build "$scratch/ptx"
+run digest "${on[@]}" --build "$scratch/ptx"
 [ "$status" -eq 2 ] && grep -q 'ptxas: this is not' "$scratch/stderr" && tail -n 1 "$scratch/stderr" | grep -q 'cuda: vectors: '
 verdict $? 'what the compiler of the driver says is shown'
 
@@ -87,7 +50,7 @@ fails() { # CALL RESULT TIMES
 	local bad=0 n=0 last=1
 	while [ "$last" -ne 0 ] && [ "$n" -lt "$3" ]; do
 		n=$((n + 1))
-		TS_CUDA_FAIL=$1:$n:$2 run digest "${small[@]}" --method epr,mvr "${cu[@]}"
+		TS_CUDA_FAIL=$1:$n:$2 run digest "${small[@]}" --method epr,mvr "${on[@]}"
 		last=$status
 		if [ "$status" -eq 0 ]; then
 			cmp -s "$scratch/stdout" "$scratch/expected" || bad=1

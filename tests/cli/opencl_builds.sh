@@ -5,7 +5,7 @@
 . "$(dirname "$0")/opencl.bash"
 small=(--size 48x32 --reflectors 2 --set reflectors.px=16 --set cube.max_px=16)
 cl=(--backend opencl)
-need_device
+need_device opencl
 render() { run "${frame[@]}" --method "$1" --trace -o "$scratch/$2" "${@:3}"; }
 
 # Kernels are built anew for each device; without mirrors there are few. Work groups: tests/backends/opencl.c, make matrix.

@@ -5,7 +5,7 @@
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/opencl.bash"
-need_device
+need_device opencl
 need_altering
 render=(render reflections scenes/triangle.gltf --camera camera --reflectors 0 --size 64x64 --set cube.px=16 --method epr,mvr
 	--trace --truth=A --backend opencl)

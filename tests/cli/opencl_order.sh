@@ -4,7 +4,7 @@
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/opencl.bash"
 cl=(--backend opencl)
-need_device
+need_device opencl
 render() { run "${frame[@]}" --method "$1" --trace -o "$scratch/$2" "${@:3}"; }
 render all c
 

@@ -1,7 +1,7 @@
 # The port to Vulkan, compiled, and its shaders, in $scratch/exact; the script ends here where they cannot run. Sourced after
 # ports.bash.
 . "$(dirname "$0")/../cli/vulkan.bash"
-need_device
+need_device vulkan
 if ! command -v glslangValidator > /dev/null; then
 	echo "1..0 # skip no glslangValidator"
 	exit 0
