@@ -7,10 +7,16 @@ lift=$scratch/lift.so
 # make_lift: what lifts llvmpipe's limit (tests/cli/preload/llvmpipe.c).
 make_lift() { ${CC:-gcc} -shared -fPIC -o "$lift" tests/cli/preload/llvmpipe.c -ldl; }
 
+# compiling ARGUMENT...: as run, with the time that llvmpipe takes to compile.
+compiling() {
+	timeout 900 "$touchstone" "$@" > "$scratch/stdout" 2> "$scratch/stderr"
+	status=$?
+}
+
 # lifted ARGUMENT...: as run, without that limit.
 lifted() {
 	MESA_SHADER_CACHE_DIR=$caches/mesa-lifted LD_PRELOAD=$lift ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0" \
-		timeout 600 "$touchstone" "$@" > "$scratch/stdout" 2> "$scratch/stderr"
+		timeout 900 "$touchstone" "$@" > "$scratch/stdout" 2> "$scratch/stderr"
 	status=$?
 }
 

@@ -16,18 +16,18 @@ need_device vulkan
 refuses '--device 7: there are [0-9]* devices, from 0' digest "${on[@]}" --device 7
 refuses '--work-group 7: .* runs at most [0-9]* items at once, and [0-9]* together' digest "${on[@]}" --work-group 7
 
-digests() { same_digests "the digests of C: $*" run "${small[@]}" --method "$@"; }
+digests() { same_digests "the digests of C: $*" compiling "${small[@]}" --method "$@"; }
 digests epr,mvr
 digests mvr --reflectors 0
 
 # Traces.
-same_traces run
+same_traces compiling
 grep -q '"flags": "group=64"' "$scratch/canonical/trace-epr/trace.json"
 verdict $? 'and how it is run'
 
 # llvmpipe's limit: triangles of the whole screen are drawn in bands, and a loop that it ends all the same is told, not hidden.
 if grep -q llvmpipe "$scratch/backends"; then
-	same_digests 'more pixels than llvmpipe has turns' run atrium --size 480x270 --method mvr --reflectors 0
+	same_digests 'more pixels than llvmpipe has turns' compiling atrium --size 480x270 --method mvr --reflectors 0
 	run digest atrium --size 3840x2160 --method mvr --reflectors 0 "${on[@]}"
 	ends 2 'stage eye: backend vulkan: .* ended a loop of eye early; llvmpipe' 'a loop that the driver ends is an error'
 fi
