@@ -97,6 +97,7 @@ void ts_scene_free(ts_scene *scene)
 		free(scene->cameras[i].name);
 		free(scene->cameras[i].path);
 	}
+	for (u32 i = 0; i < scene->n_nodes; i++) free(scene->nodes[i].name);
 	for (u32 i = 0; i < scene->n_notes; i++) free(scene->notes[i]);
 	free(scene->name);
 	free(scene->vertices);
@@ -109,6 +110,7 @@ void ts_scene_free(ts_scene *scene)
 	free(scene->objects);
 	free(scene->surfels);
 	free(scene->cameras);
+	free(scene->nodes);
 	free(scene->stands);
 	free(scene->path);
 	free(scene->motion);
@@ -251,6 +253,14 @@ void ts_build_camera(ts_build *build, const ts_camera *camera)
 	sanitize(c->right, camera->right, 3);
 	sanitize(c->up, camera->up, 3);
 	sanitize(c->back, camera->back, 3);
+}
+
+void ts_build_node(ts_build *build, const char *name, u64 n_triangles)
+{
+	ts_scene *scene = build->scene;
+	if (!countable(build, scene->n_nodes, "nodes") || !TS_BUILD_ROOM(build, nodes, "nodes")) return;
+	char *copy = text_copy(build, name);
+	if (copy) scene->nodes[scene->n_nodes++] = (ts_named_node){copy, n_triangles};
 }
 
 u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector)

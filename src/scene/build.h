@@ -42,6 +42,8 @@ void ts_build_light(ts_build *build, const ts_light *light);
 u32 ts_build_surfel(ts_build *build, const ts_surfel *surfel);
 /* Name and path are copied; of several cameras with one name the first can be chosen. */
 void ts_build_camera(ts_build *build, const ts_camera *camera);
+/* A node of the file with a name, which is copied, and triangles; parents come first. */
+void ts_build_node(ts_build *build, const char *name, u64 n_triangles);
 /* Vertices from here on belong to this object: first_vertex, n_vertices and reflector are filled in. With
  * `object` NULL they belong to object 0 again. Returns the object's index. */
 u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector);

@@ -18,7 +18,7 @@ struct ts_build {
 	bool failed;
 	char message[512];
 	struct {
-		size_t vertices, triangles, materials, slots, images, texels, lights, objects, surfels, cameras, notes;
+		size_t vertices, triangles, materials, slots, images, texels, lights, objects, surfels, cameras, nodes, notes;
 		size_t motions, own;
 	} capacity;
 };

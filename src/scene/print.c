@@ -80,6 +80,18 @@ static json_t *json_lights(const ts_scene *s)
 	return whole(array, bad);
 }
 
+static json_t *json_nodes(const ts_scene *s)
+{
+	json_t *list = json_array();
+	int bad = 0;
+	for (u32 i = 0; i < s->n_nodes; i++) {
+		json_t *node = json_pack("{s:o, s:I}", "name", ts_text_json(s->nodes[i].name), "triangles",
+		                         (json_int_t)s->nodes[i].n_triangles);
+		bad |= json_array_append_new(list, node);
+	}
+	return whole(list, bad);
+}
+
 static json_t *json_cameras(const ts_scene *s)
 {
 	json_t *list = json_array();
@@ -113,6 +125,7 @@ static json_t *json_of(const ts_scene *s, const f32 *radius)
 	bad |= json_object_set_new(root, "light", json_lights(s));
 	bad |= json_object_set_new(root, "camera", json_cameras(s));
 	bad |= json_object_set_new(root, "eye", s->camera == TS_NONE ? json_string("circling") : json_integer(s->camera));
+	bad |= json_object_set_new(root, "nodes", json_nodes(s));
 	bad |= json_object_set_new(root, "notes", json_notes(s));
 	if (s->n_surfels > 0) {
 		bad |= json_object_set_new(root, "surfel_radius", json_floats(radius, TS_SURFEL_QUANTILES));
@@ -189,6 +202,19 @@ static ts_status print_cameras(const ts_scene *s, FILE *out)
 	return TS_OK;
 }
 
+/* What --reflector takes. */
+static ts_status print_nodes(const ts_scene *s, FILE *out)
+{
+	enum { MOST = 20 };
+	for (u32 i = 0; i < s->n_nodes && i < MOST; i++) {
+		fprintf(out, "  node                  %12" PRIu64 "  triangles: ", s->nodes[i].n_triangles);
+		if (print_name(out, s->nodes[i].name) != TS_OK) return TS_ERROR;
+		fputc('\n', out);
+	}
+	if (s->n_nodes > MOST) fprintf(out, "  %u more nodes; --json lists all\n", s->n_nodes - MOST);
+	return TS_OK;
+}
+
 static ts_status print_text(const ts_scene *s, FILE *out)
 {
 	figure f[N_FIGURES];
@@ -200,7 +226,7 @@ static ts_status print_text(const ts_scene *s, FILE *out)
 	print_bounds(&s->info, out);
 	if (print_surfels(s, out) != TS_OK) return TS_ERROR;
 	print_lights(s, out);
-	if (print_cameras(s, out) != TS_OK) return TS_ERROR;
+	if (print_cameras(s, out) != TS_OK || print_nodes(s, out) != TS_OK) return TS_ERROR;
 	for (u32 i = 0; i < s->n_notes; i++) fprintf(out, "  note: %s\n", s->notes[i]);
 	return TS_OK;
 }

@@ -15,6 +15,12 @@ typedef struct {
 	u32 n_path;
 } ts_camera;
 
+/* A node of the file that has a name, which the option `reflector` takes, and triangles at or below it. */
+typedef struct {
+	char *name;
+	u64 n_triangles;
+} ts_named_node;
+
 struct ts_scene {
 	char *name;
 	ts_vertex *vertices;
@@ -45,6 +51,8 @@ struct ts_scene {
 	ts_info info;
 	ts_camera *cameras;
 	u32 n_cameras;
+	ts_named_node *nodes; /* parents first */
+	u32 n_nodes;
 	u32 camera;           /* the chosen one or TS_NONE: the eye circles */
 	u64 n_triangles_file; /* triangles drawn before reflectors were added */
 	u64 n_degenerate;     /* zero-area triangles among them */

@@ -18,7 +18,20 @@ struct visit {
 	int node;
 	ts_place parent; /* in the world, or in the space of the mover */
 	int mover;       /* -1: none */
-	bool leave;      /* the reflector that began at this node ends */
+	bool leave;      /* all below the node was visited */
+};
+
+/* A node whose end matters: it has a name, or a reflector begins at it. */
+struct opened {
+	int node;
+	uint64_t n_before; /* triangles */
+	bool is_reflector;
+	size_t named; /* of the walker */
+};
+
+struct named {
+	int node;
+	uint64_t n_triangles; /* at or below it */
 };
 
 struct walker {
@@ -27,10 +40,13 @@ struct walker {
 	std::map<int, std::vector<piece>> pieces;
 	std::vector<visit> stack;
 	std::vector<mover> movers;
-	uint64_t n_triangles = 0, n_vertices = 0, n_surfels = 0, reflector_start = 0;
+	std::vector<opened> open;
+	std::vector<named> names;
+	uint64_t n_triangles = 0, n_vertices = 0, n_surfels = 0;
 	bool in_reflector = false;
 	unsigned n_reflectors = 0;
 	void enter(const visit &from);
+	void leave();
 	visit arrive(const visit &from);
 	ts_place place_at(const visit &at, u32 frame) const;
 	spot spot_of(const visit &at) const;
@@ -39,7 +55,7 @@ struct walker {
 	void draw(int mesh, const visit &at);
 	void place_camera(const visit &at);
 	void begin_reflector(const visit &at);
-	void end_reflector(int node);
+	void end_reflector(const opened &from);
 };
 
 static std::string where_of(int node) { return "nodes/" + std::to_string(node); }
@@ -239,16 +255,14 @@ void walker::begin_reflector(const visit &at)
 	ts_build_object(in.build, &object, true);
 	if (at.mover >= 0) give_motion(in.build, movers[(size_t)at.mover]);
 	in_reflector = true;
-	reflector_start = n_triangles;
 	n_reflectors++;
-	stack.push_back({at.node, at.parent, at.mover, true});
 }
 
-void walker::end_reflector(int node)
+void walker::end_reflector(const opened &from)
 {
-	if (n_triangles == reflector_start)
-		fail("%s: the reflector %s has no triangles", where_of(node).c_str(),
-		     quoted(in.model.nodes.at((size_t)node).name).c_str());
+	if (n_triangles == from.n_before)
+		fail("%s: the reflector %s has no triangles", where_of(from.node).c_str(),
+		     quoted(in.model.nodes.at((size_t)from.node).name).c_str());
 	ts_build_object(in.build, nullptr, false);
 	in_reflector = false;
 }
@@ -267,7 +281,13 @@ void walker::enter(const visit &from)
 {
 	const tinygltf::Node &node = in.model.nodes.at((size_t)from.node);
 	visit at = arrive(from);
-	if (!in_reflector && is_marked(in, node)) begin_reflector(at);
+	const bool marked = !in_reflector && is_marked(in, node);
+	if (marked || !node.name.empty()) {
+		open.push_back({from.node, n_triangles, marked, names.size()});
+		names.push_back({from.node, 0});
+		stack.push_back({from.node, at.parent, at.mover, true});
+	}
+	if (marked) begin_reflector(at);
 	if (node.mesh >= 0 && node.skin >= 0 && in.doc.is_quantized)
 		in.notes.insert(
 			"quantized meshes with skins are drawn at the size of their integers: the skin holds the scale");
@@ -281,19 +301,35 @@ void walker::enter(const visit &from)
 	for (size_t i = node.children.size(); i-- > 0;) stack.push_back({node.children[i], at.parent, at.mover, false});
 }
 
+void walker::leave()
+{
+	const opened from = open.back();
+	open.pop_back();
+	names[from.named].n_triangles = n_triangles - from.n_before;
+	if (from.is_reflector) end_reflector(from);
+}
+
+static void tell_names(const walker &walk)
+{
+	for (const named &n : walk.names) {
+		const std::string &name = walk.in.model.nodes.at((size_t)n.node).name;
+		if (!name.empty() && n.n_triangles > 0) ts_build_node(walk.in.build, name.c_str(), n.n_triangles);
+	}
+}
+
 static void fail_unknown_reflector(const loader &in)
 {
 	std::string names;
 	unsigned n = 0;
 	for (const tinygltf::Node &node : in.model.nodes)
 		if (!node.name.empty() && n++ < 5) names += (n > 1 ? ", " : "") + quoted(node.name);
-	fail("no node of the scene is named %s; there are %u names%s%s%s", quoted(in.reflector).c_str(), n, n ? ": " : "",
-	     names.c_str(), n > 5 ? ", ..." : "");
+	fail("no node of the scene is named %s; there are %u names%s%s%s; `touchstone info` lists those with triangles",
+	     quoted(in.reflector).c_str(), n, n ? ": " : "", names.c_str(), n > 5 ? ", ..." : "");
 }
 
 void nodes_walk(loader &in)
 {
-	walker walk{in, std::vector<unsigned>(in.model.meshes.size()), {}, {}, {}};
+	walker walk{in, std::vector<unsigned>(in.model.meshes.size()), {}, {}, {}, {}, {}};
 	std::vector<int> roots = roots_of(in);
 	if (in.model.scenes.empty()) in.notes.insert("the file has no scene: nothing is drawn");
 	for (const tinygltf::Node &node : in.model.nodes)
@@ -303,11 +339,12 @@ void nodes_walk(loader &in)
 		visit next = walk.stack.back();
 		walk.stack.pop_back();
 		if (next.leave)
-			walk.end_reflector(next.node);
+			walk.leave();
 		else
 			walk.enter(next);
 	}
 	if (in.reflector && walk.n_reflectors == 0) fail_unknown_reflector(in);
+	tell_names(walk);
 }
 
 } // namespace gltf

@@ -369,6 +369,23 @@ static void test_root_and_child(void **state)
 	ts_build_free(build);
 }
 
+/* Of a tree with names: what has triangles at or below it, parents first, whatever is a mirror. */
+static void test_names(void **state)
+{
+	(void)state;
+	static const char tree[] = "\"scenes\":[{\"nodes\":[0,4]}],\"nodes\":[{\"name\":\"all\",\"children\":[1,3]},"
+							   "{\"name\":\"two\",\"mesh\":0,\"children\":[2]},{\"mesh\":0},{\"name\":\"none\"},"
+							   "{\"name\":\"two\",\"mesh\":0},{\"name\":\"beside\",\"mesh\":0}]," TRIANGLE;
+	for (u32 run = 0; run < 2; run++) {
+		ts_build *build = load_with(tree, "", run == 0 ? NULL : "two");
+		const ts_named_node *n = ts_build_peek(build)->nodes;
+		assert_int_equal(ts_build_peek(build)->n_nodes, 3);
+		assert_true(strcmp(n[0].name, "all") == 0 && strcmp(n[1].name, "two") == 0 && strcmp(n[2].name, "two") == 0);
+		assert_true(n[0].n_triangles == 2 && n[1].n_triangles == 2 && n[2].n_triangles == 1);
+		ts_build_free(build);
+	}
+}
+
 static void test_camera(void **state)
 {
 	(void)state;
@@ -569,6 +586,7 @@ int main(void)
 		cmocka_unit_test(test_graph),
 		cmocka_unit_test(test_root_and_child),
 		cmocka_unit_test(test_camera),
+		cmocka_unit_test(test_names),
 		cmocka_unit_test(test_lights),
 		cmocka_unit_test(test_material),
 		cmocka_unit_test(test_texture_transform),
