@@ -7,8 +7,7 @@ static ts_status unknown(const char *name)
 {
 	ts_nearest nearest = ts_nearest_begin(name);
 	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) ts_nearest_offer(&nearest, (*row)->name);
-	return ts_fail("bench: no table \"%s\"; the nearest is %s, and \"%s list benches\" lists all", name, nearest.best,
-	               ts_program);
+	return ts_fail("bench: no table \"%s\"%s", name, ts_nearest_hint(&nearest, "touchstone list benches"));
 }
 
 static bool says_nothing(const ts_bench_row *row, const char *option)

@@ -22,7 +22,9 @@ const ts_command *ts_cli_require(const char *name)
 	ts_nearest nearest = ts_nearest_begin(name);
 	for (const ts_command *c = ts_command_table; c->name != NULL; c++) ts_nearest_offer(&nearest, c->name);
 	if (found == NULL) {
-		ts_fail("no command \"%s\"; the nearest is %s, and \"%s help\" lists all", name, nearest.best, ts_program);
+		char lists[64];
+		snprintf(lists, sizeof lists, "%s help", ts_program);
+		ts_fail("no command \"%s\"%s", name, ts_nearest_hint(&nearest, lists));
 	}
 	return found;
 }

@@ -16,7 +16,7 @@ static ts_status take_kernel(ts_question *q, const char *name)
 		if (strcmp(ts_kernel_name(k), name) == 0) q->kernel = k;
 	}
 	if (q->kernel != TS_N_KERNELS) return TS_OK;
-	return ts_fail("--kernel %s: no such kernel; the nearest is %s", name, nearest.best);
+	return ts_fail("--kernel %s: no such kernel%s", name, ts_nearest_hint(&nearest, NULL));
 }
 
 /* "BUFFER:E". */

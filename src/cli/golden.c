@@ -32,7 +32,8 @@ ts_status ts_golden_command(ts_cli *cli)
 		ts_nearest_offer(&nearest, actions[i].name);
 		if (strcmp(typed, actions[i].name) == 0) action = i;
 	}
-	if (nearest.distance != 0) return ts_fail("golden: no action \"%.60s\"; the nearest is %s", typed, nearest.best);
+	if (nearest.distance != 0)
+		return ts_fail("golden: no action \"%.60s\"%s", typed, ts_nearest_hint(&nearest, "touchstone help golden"));
 	goldens.job = &cli->job;
 	goldens.reason = cli->golden.reason;
 	const char *dir = cli->golden.dir != NULL ? cli->golden.dir : "reference";

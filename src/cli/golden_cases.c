@@ -131,6 +131,6 @@ const ts_case *ts_cases_find(const ts_goldens *goldens, const char *name)
 		if (strcmp(goldens->cases[i].name, name) == 0) return &goldens->cases[i];
 		ts_nearest_offer(&nearest, goldens->cases[i].name);
 	}
-	ts_fail("golden: no case \"%.60s\" in %s/cases.txt; the nearest is %s", name, goldens->dir.path, nearest.best);
+	ts_fail("golden: no case \"%.60s\" in %s/cases.txt%s", name, goldens->dir.path, ts_nearest_hint(&nearest, NULL));
 	return NULL;
 }

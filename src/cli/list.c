@@ -250,7 +250,7 @@ static ts_status unknown(const char *name)
 		snprintf(names + used, sizeof names - used, "%s%s", between, lists[i].name);
 		ts_nearest_offer(&nearest, lists[i].name);
 	}
-	return ts_fail("list: no table \"%s\"; the nearest is %s; there are %s", name, nearest.best, names);
+	return ts_fail("list: no table \"%s\"%s; there are %s", name, ts_nearest_hint(&nearest, NULL), names);
 }
 
 /* Methods of the names and the effect that were said; none: of all. */

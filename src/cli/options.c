@@ -203,8 +203,8 @@ static ts_status take_assignment(void *to, const ts_option *option, const char *
 	if (strcmp(name, "reflectors.count") == 0) job->mirrored = true;
 	if (strcmp(name, "frame") == 0) job->framed = true;
 	if (nearest.distance != 0) {
-		return ts_fail("--set %s: no such parameter; the nearest is %s%s", name, nearest.best,
-		               ts_cli_find("list") != NULL ? ", and \"touchstone list params\" lists all" : "");
+		const char *lists = ts_cli_find("list") != NULL ? "touchstone list params" : NULL;
+		return ts_fail("--set %s: no such parameter%s", name, ts_nearest_hint(&nearest, lists));
 	}
 	return strchr(equals, ',') != NULL ? ts_sweep_add(&job->sweep, &job->params, name, equals + 1)
 	                                   : ts_params_set(&job->params, name, equals + 1);

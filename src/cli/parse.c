@@ -57,12 +57,13 @@ static ts_status refuse_letter(const ts_command *command, u32 letter)
 
 static ts_status refuse_name(const ts_command *command, const known *k, const char *typed)
 {
-	char name[64];
+	char name[64], lists[64];
 	snprintf(name, sizeof name, "%.*s", (int)strcspn(typed, "="), typed);
 	ts_nearest nearest = ts_nearest_begin(name + strspn(name, "-"));
+	nearest.mark = "--";
 	for (const struct option *o = k->options; o->name != NULL; o++) ts_nearest_offer(&nearest, o->name);
-	return ts_fail("%s: no option %s; the nearest is --%s, and \"%s help %s\" lists all", command->name, name,
-	               nearest.best, ts_program, command->name);
+	snprintf(lists, sizeof lists, "%s help %s", ts_program, command->name);
+	return ts_fail("%s: no option %s%s", command->name, name, ts_nearest_hint(&nearest, lists));
 }
 
 static ts_status refuse(const ts_command *command, const known *k, int answer, char **argv)

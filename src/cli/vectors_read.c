@@ -116,7 +116,8 @@ static ts_status check_name(const char *dir, const char *file)
 	const ts_vector *v;
 	ts_nearest nearest = ts_nearest_begin(name);
 	for (u32 i = 0; (v = ts_vectors_at(i)) != NULL; i++) ts_nearest_offer(&nearest, v->name);
-	return ts_fail("%s/%s: no primitive \"%s\"; the nearest is %s", dir, file, name, nearest.best);
+	return ts_fail("%s/%s: no primitive \"%s\"%s", dir, file, name,
+	               ts_nearest_hint(&nearest, "touchstone list vectors"));
 }
 
 ts_status ts_vectors_check_names(const char *dir)

@@ -8,7 +8,8 @@ ts_status ts_effect_check(const char *effect)
 	ts_nearest nearest = ts_nearest_begin(effect);
 	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++)
 		ts_nearest_offer(&nearest, (*at)->effect->name);
-	return nearest.distance == 0 ? TS_OK : ts_fail("no effect \"%s\"; the nearest is %s", effect, nearest.best);
+	if (nearest.distance == 0) return TS_OK;
+	return ts_fail("no effect \"%s\"%s", effect, ts_nearest_hint(&nearest, "touchstone list methods"));
 }
 
 void ts_effect_params(ts_job *job, const char *effect)
@@ -44,7 +45,8 @@ ts_status ts_methods_find(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, co
 			if (strcmp(p->effect->name, effect) == 0) ts_nearest_offer(&nearest, p->name);
 		}
 		if (nearest.distance != 0) {
-			return ts_fail("--method: no method \"%s\" of %s; the nearest is %s", item, effect, nearest.best);
+			return ts_fail("--method: no method \"%s\" of %s%s", item, effect,
+			               ts_nearest_hint(&nearest, "touchstone list methods"));
 		}
 		add(methods, n, ts_pipeline_find(effect, item));
 	}

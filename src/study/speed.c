@@ -36,8 +36,8 @@ static ts_status check_names(const ts_job *job)
 		offer_names(&nearest);
 		n++;
 		if (nearest.distance > 0)
-			return ts_fail("bench speed: --scene %s: nothing of that name is measured; the nearest is %s", item,
-			               nearest.best);
+			return ts_fail("bench speed: --scene %s: nothing of that name is measured%s", item,
+			               ts_nearest_hint(&nearest, "touchstone help bench"));
 	}
 	if (job->objects != NULL && n != 1)
 		return ts_fail("bench speed: --objects are the values of one growth, which --scene names");

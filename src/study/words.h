@@ -24,10 +24,14 @@ bool ts_words_have(const char *text, const char *word);
 
 /* The nearest of the names offered so far to what was typed, for "did you mean" (nearest.c). */
 typedef struct {
-	const char *typed, *best;
-	u32 distance;
+	const char *typed, *best, *mark; /* what stands before names, "" at first */
+	u32 distance;                    /* edits; 0: it is the name */
+	char hint[160];
 } ts_nearest;
 ts_nearest ts_nearest_begin(const char *typed);
 void ts_nearest_offer(ts_nearest *nearest, const char *name);
+/* The end of a message, from its semicolon on: the nearest name, if it is near, and the command that lists all; NULL:
+ * there is none. The text lives in *nearest. */
+const char *ts_nearest_hint(ts_nearest *nearest, const char *lists);
 
 #endif

@@ -46,7 +46,7 @@ done
 cmp -s "$scratch/buffered-off" "$scratch/buffered-on"
 verdict $? 'stored points change nothing but that they are there'
 refuses 'no effect "shadow"; the nearest is' digest --effect shadow
-refuses 'no method "epr" of soft-shadows; the nearest is' digest --effect soft-shadows --method epr
+refuses 'no method "epr" of soft-shadows; "touchstone list methods" lists all$' digest --effect soft-shadows --method epr
 
 run "${small[@]}" --method epr --set seed=1
 ! cmp -s "$scratch/stdout" "$scratch/epr"

@@ -4,6 +4,7 @@
 
 refuses 'touchstone help'
 refuses 'the nearest is render' rendr
+refuses 'no command "version"; "touchstone help" lists all$' version
 refuses 'render EFFECT' render
 refuses 'the nearest is reflections' render reflexions
 refuses 'the nearest is --method' render reflections --metod epr
@@ -30,6 +31,7 @@ refuses 'write --truth=A,' render reflections --truth A
 refuses 'write --truth=A,B' render reflections atrium --truth A,B
 refuses 'write --truth=C' bench epr-2 --truth C
 refuses 'the nearest is width' render reflections --set widht=640
+refuses 'no such parameter; "touchstone list params" lists all$' render reflections --set rho=1
 refuses 'the nearest is lookup.bounces' render reflections --set bouncs=2
 refuses 'the nearest is lookup.bounces' render reflections --set lokup.bounces=2
 refuses '=' render reflections --set width
