@@ -64,16 +64,22 @@ const ts_command ts_command_table[] = {
 	{"bench",
      "TABLE",
      "the papers' tables, measured here; and what the backends take",
-     "TABLE: one of `list benches`. Below a paper's table stand its own figures, and behind them what must hold, and\n"
-     "whether it does. Their GPU's times are not ours: compare ratios. --objects are numbers of mirrors or light\n"
-     "samples unless the list says otherwise. epr-6, backends and start measure one scene (atrium) with one number\n"
-     "of mirrors (10). With -o DIR the report, each table as CSV, and plots, as SVG, are written to DIR.\n"
-     "backends: each stage in C, with 1 and with --threads threads, and on every device, or the one of --backend or\n"
-     "--device, which takes the cores it likes; what bounds scattering; and how long the kernels take to build, in a\n"
-     "process of its own, with an empty cache too where it is known how it is moved.\n"
-     "speed: stages, Embree's rays for the same views, bare points, what memory allows, exponents. --scene names\n"
-     "frames (S, A, M, ...) and growths (triangles, mirrors, maps, pixels, threads); --objects are a growth's values.\n"
-     "Models of ivir-1, ssagh-1 and ssagh-segments are in the folder TS_SCENES (scenes).",
+     "TABLE: one of `list benches`:\n"
+     "  a paper's table      its figures, and below them what must hold, and whether it does. The papers' GPUs are\n"
+     "                       not this machine: compare ratios of times\n"
+     "  backends             each stage in C, with 1 and with --threads threads, and on every device, or the one of\n"
+     "                       --backend or --device; what bounds scattering; how long the kernels take to build, with\n"
+     "                       an empty cache too where it is known how it is moved\n"
+     "  start                the seconds from opening --backend to its first frames\n"
+     "  speed                stages, Embree's rays for the same views, bare points, what memory allows, exponents\n"
+     "\n"
+     "What tables take:\n"
+     "  --objects            numbers of mirrors or light samples; of speed, a growth's values\n"
+     "  --scene              of speed, frames (S, A, M, ...) and growths (triangles, mirrors, maps, pixels, threads);\n"
+     "                       epr-6, backends and start measure one scene, atrium, with one number of mirrors, 10\n"
+     "  -o DIR               the report, each table as CSV, and plots as SVG are written to DIR\n"
+     "  TS_SCENES            an environment variable: the folder of the models of ivir-1, ssagh-1 and ssagh-segments,\n"
+     "                       scenes if it is not set",
      1,
      1,
      TS_OPT(METHOD),
