@@ -21,6 +21,8 @@ TS_VECTOR(paraboloid_texel)
 
 TS_VECTOR(paraboloid_direction) { ts_put_v3(out, ts_k_paraboloid_direction(in[0], in[1])); }
 
+TS_COMPOSITE_FLOAT(paraboloid_size, ts_k_paraboloid_size(ts_row_f32(in, 0u), ts_row_f32(in, 1u), in[2]))
+
 /* Of the first node of either octree. */
 TS_VECTOR(pair_fate)
 {
@@ -76,6 +78,7 @@ TS_COMPOSITE_FLOAT(vpl_form, ts_k_vpl_form(ts_row_v3(in, 0u), ts_row_v3(in, 3u),
 #define TS_LIST_views_composites(VECTOR) \
 	VECTOR(paraboloid_texel) \
 	VECTOR(paraboloid_direction) \
+	VECTOR(paraboloid_size) \
 	VECTOR(pair_fate) \
 	VECTOR(cap_inside) \
 	VECTOR(voxel_touches) \

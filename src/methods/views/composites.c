@@ -18,6 +18,14 @@ static void relate_texel(u32 *in, u32 random)
 	in[0] %= 2 * in[1] * in[1];
 }
 
+/* Of angles, and of balls that just leave the eye outside. */
+static void relate_size(u32 *in, u32 random)
+{
+	for (u32 k = 0; k < 2; k++) ts_relate_f32(in + k, ts_min(ts_row_f32(in, k), 1));
+	if (ts_once_in(&random, 16)) ts_relate_f32(in + 1, 1);
+	if (ts_once_in(&random, 16)) in[0] = 0;
+}
+
 enum { NODE_RADIUS = 3, NODE_CHILDREN = 5, OTHER = 8, AXIS = 16, COSINE = 19, PHI = 24, CUTOFF = 30 };
 
 static void relate_node(u32 *node, u32 *random)
@@ -114,6 +122,9 @@ static const ts_vector maps[] = {
 	  .relate = relate_direction },
 	{ PRIMITIVE(paraboloid_direction), "ts_k_paraboloid_direction", "of a texel's middle",
 	  { ALL_U32("texel", 1), UNSIGNED("n", 1, 1, 512) }, GIVES(F32, 3), .relate = relate_texel },
+	{ PRIMITIVE(paraboloid_size), "ts_k_paraboloid_size", "texels that a ball is wide in a map",
+	  { SHARE("cos_alpha", 1), SHARE("sin_rho", 1), UNSIGNED("n", 1, 1, 4096) }, GIVES(F32, 1),
+	  .relate = relate_size },
 	{ PRIMITIVE(pair_fate), "ts_k_pair_fate",
 	  "of a node and a node of views: 0 splits the scene's, 1 that of the views, 2 rendered, 3 culled, 4 near",
 	  { NODE("node"), NODE("view"), UNIT("cone.axis"), { "cone.cosine", TS_VECTOR_F32, 1, 88, 127, true },

@@ -24,6 +24,15 @@ static judgement paraboloid_direction(const u32 *in, const u32 *out)
 	return right_if(is_near(d.y / (1 + along), u, 1e-5) && is_near(d.z / (1 + along), v, 1e-5));
 }
 
+/* The map takes an angle to the tangent of its half: from the near side of the ball to the far one. */
+static judgement paraboloid_size(const u32 *in, const u32 *out)
+{
+	double alpha = acos(ts_row_f32(in, 0)), rho = asin(ts_row_f32(in, 1)), n = in[2];
+	if (alpha + rho > 3.1) return NOT_JUDGED;
+	double wide = n / 2 * (tan((alpha + rho) / 2) - tan((alpha - rho) / 2));
+	return right_if(is_near(ts_row_f32(out, 0), wide, 1e-5 * wide));
+}
+
 /* By angles: alpha to the middle of the node, psi the half-angle of what any view can see. */
 static judgement pair_fate(const u32 *in, const u32 *out)
 {
