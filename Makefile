@@ -13,8 +13,17 @@ endif
 ifeq ($(origin CXX),default)
 CXX := g++
 endif
+# Where things are installed, by GNU's names: each may be set.
 PREFIX ?= /usr/local
 DESTDIR ?=
+prefix = $(PREFIX)
+exec_prefix = $(prefix)
+bindir = $(exec_prefix)/bin
+libdir = $(exec_prefix)/lib
+includedir = $(prefix)/include
+datarootdir = $(prefix)/share
+datadir = $(datarootdir)
+docdir = $(datarootdir)/doc/touchstone
 PKG_CONFIG ?= pkg-config
 JOBS ?= $(shell nproc)
 ifeq ($(MAKELEVEL),0)
@@ -78,8 +87,8 @@ COMMON = $(OPT) $(EXACT) -fPIC -fvisibility=hidden $(THREADED) $(WARN) -Iinclude
 C_FLAGS = $(CPPFLAGS) $(CFLAGS) -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON)
 CXX_FLAGS = $(CPPFLAGS) $(CXXFLAGS) -std=c++17 $(COMMON)
 LINK_FLAGS = $(LDFLAGS) $(OPT) $(filter -fopenmp,$(THREADED))
-# Where the image module stands beside what is built or installed; as RPATH, which also holds where a sanitizer opens it.
-FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN:$$ORIGIN/../lib'
+# The image module stands beside what is built; as RPATH, which also holds where a sanitizer opens it.
+FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN'
 
 # Libraries. Embree brings no pkg-config file.
 EMBREE := $(shell for v in 4 3; do printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
@@ -152,6 +161,13 @@ $(BUILD)/libtouchstone-image.so: $(IMAGE_O) scripts/module.map
 $(BUILD)/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE) $^ $(LIBS) -o $@
+
+# As it is installed: the module stands in libdir as seen from bindir, wherever the prefix is moved to.
+$(BUILD)/installed/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a $(BUILD)/installed/dirs
+	$(call say,LINK,$@)
+	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE)/$$(cat $(@D)/dirs) $(filter-out %/dirs,$^) $(LIBS) -o $@
+$(BUILD)/installed/dirs: FORCE
+	$(call keep,$(shell realpath -ms --relative-to=$(bindir) $(libdir)))
 
 ##   core               static command for digests and goldens: build/core/touchstone-core
 CORE_BUILD ?= $(if $(filter command%,$(origin BUILD)),$(BUILD),build/core)
@@ -227,19 +243,22 @@ $(PACKED_PTX): scripts/cuda-program scripts/kernel/packed.py $(PTX)
 $(call object,src/backends/cuda/program.c): $(PACKED_PTX)
 $(call object,src/backends/cuda/program.c): OWN := -I$(BUILD)/gen
 
+# Writes the text to a file that does not have it yet: what depends on the file is made again when the text changes.
+define keep
+$(Q)mkdir -p $(@D)
+$(Q)echo '$(1)' | cmp -s - $@ || echo '$(1)' > $@
+endef
+
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
-	$(Q)mkdir -p $(@D)
-	$(Q)echo '$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS)' | cmp -s - $@ || \
-		echo '$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS)' > $@
+	$(call keep,$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS))
 
 # What is being built: a commit, and whether its source was changed since.
 COMMIT := $(shell [ -e .git ] && commit=$$(git rev-parse HEAD 2>/dev/null) && \
 	changed=$$(git --no-optional-locks status --porcelain -- src include Makefile) && echo $$commit$${changed:+-dirty})
 COMMIT := $(or $(COMMIT),unknown)
 $(BUILD)/commit: FORCE
-	$(Q)mkdir -p $(@D)
-	$(Q)echo '$(COMMIT)' | cmp -s - $@ || echo '$(COMMIT)' > $@
+	$(call keep,$(COMMIT))
 $(call object,src/model/commit.c): $(BUILD)/commit
 $(call object,src/model/commit.c): OWN := -DTS_COMMIT='"$(COMMIT)"'
 
@@ -366,35 +385,38 @@ format:
 deps:
 	$(Q)scripts/install-deps
 
-##   install uninstall  under DESTDIR/PREFIX, PREFIX=/usr/local
-TO := $(DESTDIR)$(PREFIX)
-install: all $(PLAIN)/made $(PSEUDOCODE)/made $(PTX)
-	install -d $(TO)/bin $(TO)/lib $(TO)/include/touchstone
-	install -m 755 $(BUILD)/touchstone $(TO)/bin/touchstone
-	install -m 644 $(BUILD)/libtouchstone.a $(TO)/lib/libtouchstone.a
-	install -m 755 $(BUILD)/libtouchstone.so $(TO)/lib/libtouchstone.so.0
-	install -m 755 $(BUILD)/libtouchstone-image.so $(TO)/lib
-	ln -sfn libtouchstone.so.0 $(TO)/lib/libtouchstone.so
-	install -m 644 $(wildcard include/touchstone/*.h) $(TO)/include/touchstone
-	for list in records params; do scripts/assembled include/touchstone/$$list.def > $(TO)/include/touchstone/$$list.def; done
-	install -d $(TO)/share/touchstone
-	install -m 755 scripts/spirv-exact $(TO)/share/touchstone/spirv-exact
-	install -m 644 $(PTX) $(TO)/share/touchstone/kernels.ptx
-	rm -rf $(TO)/share/touchstone/glsl
-	cp -R $(PLAIN) $(TO)/share/touchstone/glsl
-	rm $(TO)/share/touchstone/glsl/made
-	install -d $(TO)/share/touchstone/scenes $(TO)/share/touchstone/ports/vulkan
-	install -m 644 $(wildcard scenes/*) $(TO)/share/touchstone/scenes
-	install -m 644 $(wildcard tests/ports/vulkan/*) $(TO)/share/touchstone/ports/vulkan
-	install -d $(TO)/share/doc/touchstone/reference
-	install -m 644 README.md CHANGELOG.md LICENSE $(TO)/share/doc/touchstone
-	rm -rf $(TO)/share/doc/touchstone/kernels
-	cp -R $(PSEUDOCODE) $(TO)/share/doc/touchstone/kernels
-	rm $(TO)/share/doc/touchstone/kernels/made
-	install -m 644 $(wildcard $(patsubst %,reference/*.%,md json png)) $(TO)/share/doc/touchstone/reference
+##   install uninstall  under DESTDIR, in PREFIX=/usr/local or GNU's directories: prefix bindir libdir datadir docdir ...
+BIN := $(DESTDIR)$(bindir)
+LIB := $(DESTDIR)$(libdir)
+INCLUDE := $(DESTDIR)$(includedir)/touchstone
+DATA := $(DESTDIR)$(datadir)/touchstone
+DOC := $(DESTDIR)$(docdir)
+install: all $(BUILD)/installed/touchstone $(PLAIN)/made $(PSEUDOCODE)/made $(PTX)
+	install -d $(BIN) $(LIB) $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference
+	install -m 755 $(BUILD)/installed/touchstone $(BIN)/touchstone
+	install -m 644 $(BUILD)/libtouchstone.a $(LIB)/libtouchstone.a
+	install -m 755 $(BUILD)/libtouchstone.so $(LIB)/libtouchstone.so.0
+	install -m 755 $(BUILD)/libtouchstone-image.so $(LIB)
+	ln -sfn libtouchstone.so.0 $(LIB)/libtouchstone.so
+	install -m 644 $(wildcard include/touchstone/*.h) $(INCLUDE)
+	for list in records params; do scripts/assembled include/touchstone/$$list.def > $(INCLUDE)/$$list.def; done
+	install -m 755 scripts/spirv-exact $(DATA)/spirv-exact
+	install -m 644 $(PTX) $(DATA)/kernels.ptx
+	rm -rf $(DATA)/glsl
+	cp -R $(PLAIN) $(DATA)/glsl
+	rm $(DATA)/glsl/made
+	install -m 644 $(wildcard scenes/*) $(DATA)/scenes
+	install -m 644 $(wildcard tests/ports/vulkan/*) $(DATA)/ports/vulkan
+	install -m 644 README.md CHANGELOG.md LICENSE $(DOC)
+	rm -rf $(DOC)/kernels
+	cp -R $(PSEUDOCODE) $(DOC)/kernels
+	rm $(DOC)/kernels/made
+	install -m 644 $(wildcard $(patsubst %,reference/*.%,md json png)) $(DOC)/reference
 uninstall:
-	rm -f $(TO)/bin/touchstone $(patsubst %,$(TO)/lib/libtouchstone%,.a .so .so.0 -image.so)
-	rm -rf $(TO)/include/touchstone $(TO)/share/touchstone $(TO)/share/doc/touchstone
+	rm -f $(BIN)/touchstone $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.0 -image.so)
+	rm -rf $(INCLUDE) $(DATA) $(DOC)/kernels $(DOC)/reference
+	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE)
+	[ ! -d $(DOC) ] || rmdir --ignore-fail-on-non-empty $(DOC)
 
 ##   clean              removes build/
 clean:
