@@ -24,6 +24,9 @@ includedir = $(prefix)/include
 datarootdir = $(prefix)/share
 datadir = $(datarootdir)
 docdir = $(datarootdir)/doc/touchstone
+
+VERSION := $(shell sed -n 's/^\#define TS_VERSION "\(.*\)"/\1/p' src/model/core.h)
+ABI := $(firstword $(subst ., ,$(VERSION)))
 PKG_CONFIG ?= pkg-config
 JOBS ?= $(shell nproc)
 ifeq ($(MAKELEVEL),0)
@@ -152,7 +155,7 @@ $(BUILD)/libtouchstone.a: $(LIB_O)
 shared = $(CXX) $(LINK_FLAGS) -shared -Wl,-soname,$(1) -Wl,--version-script=$(filter %.map,$^) $(filter %.o,$^)
 $(BUILD)/libtouchstone.so: $(LIB_O) scripts/exports.map | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
-	$(Q)$(call shared,$(@F).0) $(FIND_MODULE) $(LIBS) -o $@
+	$(Q)$(call shared,$(@F).$(ABI)) $(FIND_MODULE) $(LIBS) -o $@
 
 $(BUILD)/libtouchstone-image.so: $(IMAGE_O) scripts/module.map
 	$(call say,LINK,$@)
@@ -168,6 +171,22 @@ $(BUILD)/installed/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a $(BUILD)/instal
 	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE)/$$(cat $(@D)/dirs) $(filter-out %/dirs,$^) $(LIBS) -o $@
 $(BUILD)/installed/dirs: FORCE
 	$(call keep,$(shell realpath -ms --relative-to=$(bindir) $(libdir)))
+
+# For pkg-config. Paths below the prefix follow where it is moved to.
+below = $(patsubst $(prefix)/%,$${prefix}/%,$(1))
+define TOUCHSTONE_PC
+prefix=$(prefix)
+libdir=$(call below,$(libdir))
+includedir=$(call below,$(includedir))
+
+Name: touchstone
+Description: Bit-exact reference for many-view and point-based rendering
+Version: $(VERSION)
+Cflags: -I$${includedir}
+Libs: -L$${libdir} -ltouchstone
+Libs.private: $(filter -fopenmp,$(THREADED)) $(LIBS) -lstdc++
+endef
+export TOUCHSTONE_PC
 
 ##   core               static command for digests and goldens: build/core/touchstone-core
 CORE_BUILD ?= $(if $(filter command%,$(origin BUILD)),$(BUILD),build/core)
@@ -392,12 +411,14 @@ INCLUDE := $(DESTDIR)$(includedir)/touchstone
 DATA := $(DESTDIR)$(datadir)/touchstone
 DOC := $(DESTDIR)$(docdir)
 install: all $(BUILD)/installed/touchstone $(PLAIN)/made $(PSEUDOCODE)/made $(PTX)
-	install -d $(BIN) $(LIB) $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference
+	install -d $(BIN) $(LIB)/pkgconfig $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference
 	install -m 755 $(BUILD)/installed/touchstone $(BIN)/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(LIB)/libtouchstone.a
-	install -m 755 $(BUILD)/libtouchstone.so $(LIB)/libtouchstone.so.0
+	install -m 755 $(BUILD)/libtouchstone.so $(LIB)/libtouchstone.so.$(VERSION)
 	install -m 755 $(BUILD)/libtouchstone-image.so $(LIB)
-	ln -sfn libtouchstone.so.0 $(LIB)/libtouchstone.so
+	ln -sfn libtouchstone.so.$(VERSION) $(LIB)/libtouchstone.so.$(ABI)
+	ln -sfn libtouchstone.so.$(ABI) $(LIB)/libtouchstone.so
+	printf '%s\n' "$$TOUCHSTONE_PC" > $(LIB)/pkgconfig/touchstone.pc
 	install -m 644 $(wildcard include/touchstone/*.h) $(INCLUDE)
 	for list in records params; do scripts/assembled include/touchstone/$$list.def > $(INCLUDE)/$$list.def; done
 	install -m 755 scripts/spirv-exact $(DATA)/spirv-exact
@@ -413,10 +434,16 @@ install: all $(BUILD)/installed/touchstone $(PLAIN)/made $(PSEUDOCODE)/made $(PT
 	rm $(DOC)/kernels/made
 	install -m 644 $(wildcard $(patsubst %,reference/*.%,md json png)) $(DOC)/reference
 uninstall:
-	rm -f $(BIN)/touchstone $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.0 -image.so)
+	rm -f $(BIN)/touchstone $(LIB)/pkgconfig/touchstone.pc
+	rm -f $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.$(ABI) .so.$(VERSION) -image.so)
 	rm -rf $(INCLUDE) $(DATA) $(DOC)/kernels $(DOC)/reference
 	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE)
 	[ ! -d $(DOC) ] || rmdir --ignore-fail-on-non-empty $(DOC)
+
+##   installcheck       judges what is installed there: programs built by pkg-config, the command, uninstall
+installcheck:
+	$(Q)BUILD='$(BUILD)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' BIN='$(BIN)' LIB='$(LIB)' \
+		scripts/installcheck
 
 ##   clean              removes build/
 clean:
@@ -429,4 +456,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test test-long tests fuzz matrix matrix-short mutants faults release-check bench style format deps install uninstall clean help FORCE
+.PHONY: all core golden demo test test-long tests fuzz matrix matrix-short mutants faults release-check bench style format deps install uninstall installcheck clean help FORCE

@@ -1,5 +1,5 @@
 /* Image files and image metrics. The first image that is read or written loads libtouchstone-image.so, which must stand
- * beside the library or the program, in ../lib of it, or where the system looks. */
+ * beside the shared library, or where a program that is linked with the static one looks for libraries. */
 #ifndef TOUCHSTONE_IMAGE_H
 #define TOUCHSTONE_IMAGE_H
 #include <stddef.h>
