@@ -100,7 +100,7 @@ CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson l
 LIBS := -lembree$(EMBREE) $(call packages,--libs,jansson libcrypto zlib OpenCL) $(call packages,--libs,tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test test-long fuzz matrix matrix-short mutants faults release-check style format deps uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test check test-long dist fuzz matrix matrix-short mutants faults release-check style format deps uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -309,6 +309,10 @@ test: deps
 	$(Q)$(MAKE) --no-print-directory all tests
 	$(Q)CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-tests $(T)
 
+##   check              the same, but installs nothing: says what is missing; so do all others with TS_INSTALL=0
+check:
+	$(Q)TS_INSTALL=0 $(MAKE) --no-print-directory test
+
 ##   test-long          the same for the tests of tests/long.txt, which take minutes
 test-long:
 	$(Q)$(MAKE) --no-print-directory test T=--long
@@ -445,6 +449,14 @@ installcheck:
 	$(Q)BUILD='$(BUILD)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' BIN='$(BIN)' LIB='$(LIB)' \
 		scripts/installcheck
 
+##   dist               build/touchstone-VERSION.tar.xz of the last commit, the same bytes each time
+DIST := build/touchstone-$(VERSION)
+dist:
+	$(Q)mkdir -p build
+	$(Q)git -c tar.umask=0022 archive --prefix=$(notdir $(DIST))/ -o $(DIST).tar HEAD
+	$(Q)xz -T1 -f $(DIST).tar
+	@echo $(DIST).tar.xz
+
 ##   clean              removes build/
 clean:
 	rm -rf build
@@ -456,4 +468,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test test-long tests fuzz matrix matrix-short mutants faults release-check bench style format deps install uninstall installcheck clean help FORCE
+.PHONY: all core golden demo test check test-long tests fuzz matrix matrix-short mutants faults release-check bench style format deps install uninstall installcheck dist clean help FORCE

@@ -1,0 +1,26 @@
+#!/bin/bash
+# The tarball of `make dist`: the same bytes each time, the files of the commit, and it builds where there is no git.
+. "$(dirname "$0")/../cli/tap.bash"
+if ! git rev-parse --git-dir > /dev/null 2>&1; then
+	echo '1..0 # SKIP not a git checkout'
+	exit
+fi
+
+# dist NAME COMMAND...: a tarball made by the command.
+dist() {
+	local name=$1 made
+	shift
+	made=$("$@" make -s dist | tail -n 1) && cp "$made" "$scratch/$name"
+}
+(umask 077 && dist first env TZ=Asia/Tokyo) && dist second env LC_ALL=C && cmp "$scratch/first" "$scratch/second"
+verdict $? 'the same bytes each time'
+
+mkdir "$scratch/tree"
+tar -xJf "$scratch/second" -C "$scratch/tree" && root=$(echo "$scratch"/tree/touchstone-*) && [ -d "$root" ] &&
+	diff <(cd "$root" && find . ! -type d | sort) <(git ls-tree -r --name-only HEAD | sed 's|^|./|' | sort)
+verdict $? 'the files of the commit'
+
+object=build/none/obj/src/model/commit.c.o
+(cd "$root" && BUILD=build/none GIT_DIR=/nowhere make -s "$object") && grep -q unknown "$root/$object"
+verdict $? 'builds without git'
+finish
