@@ -24,6 +24,9 @@ includedir = $(prefix)/include
 datarootdir = $(prefix)/share
 datadir = $(datarootdir)
 docdir = $(datarootdir)/doc/touchstone
+mandir = $(datarootdir)/man
+bashcompletiondir = $(datarootdir)/bash-completion/completions
+zshcompletiondir = $(datarootdir)/zsh/site-functions
 
 VERSION := $(shell sed -n 's/^\#define TS_VERSION "\(.*\)"/\1/p' src/model/core.h)
 ABI := $(firstword $(subst ., ,$(VERSION)))
@@ -268,6 +271,12 @@ $(Q)mkdir -p $(@D)
 $(Q)echo '$(1)' | cmp -s - $@ || echo '$(1)' > $@
 endef
 
+# The manual, of what the command says by itself.
+MANUAL := $(BUILD)/gen/manual
+$(MANUAL)/made: scripts/manual $(BUILD)/touchstone
+	$(call say,GEN,$(@D))
+	$(Q)rm -rf $(@D) && scripts/manual $(BUILD)/touchstone $(@D) && touch $@
+
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
 	$(call keep,$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS))
@@ -408,14 +417,18 @@ format:
 deps:
 	$(Q)scripts/install-deps
 
-##   install uninstall  under DESTDIR, in PREFIX=/usr/local or GNU's directories: prefix bindir libdir datadir docdir ...
+##   install uninstall  under DESTDIR, in PREFIX=/usr/local or GNU's directories: prefix bindir libdir docdir mandir ...
 BIN := $(DESTDIR)$(bindir)
 LIB := $(DESTDIR)$(libdir)
 INCLUDE := $(DESTDIR)$(includedir)/touchstone
 DATA := $(DESTDIR)$(datadir)/touchstone
 DOC := $(DESTDIR)$(docdir)
-install: all $(BUILD)/installed/touchstone $(PLAIN)/made $(PSEUDOCODE)/made $(PTX)
-	install -d $(BIN) $(LIB)/pkgconfig $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference
+MAN := $(DESTDIR)$(mandir)/man1
+BASH_COMPLETION := $(DESTDIR)$(bashcompletiondir)
+ZSH_COMPLETION := $(DESTDIR)$(zshcompletiondir)
+install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(PTX)
+	install -d $(BIN) $(LIB)/pkgconfig $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference $(MAN) \
+		$(BASH_COMPLETION) $(ZSH_COMPLETION)
 	install -m 755 $(BUILD)/installed/touchstone $(BIN)/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(LIB)/libtouchstone.a
 	install -m 755 $(BUILD)/libtouchstone.so $(LIB)/libtouchstone.so.$(VERSION)
@@ -432,22 +445,26 @@ install: all $(BUILD)/installed/touchstone $(PLAIN)/made $(PSEUDOCODE)/made $(PT
 	rm $(DATA)/glsl/made
 	install -m 644 $(wildcard scenes/*) $(DATA)/scenes
 	install -m 644 $(wildcard tests/ports/vulkan/*) $(DATA)/ports/vulkan
+	install -m 644 $(MANUAL)/*.1 $(MAN)
+	install -m 644 scripts/completion $(BASH_COMPLETION)/touchstone
+	install -m 644 scripts/completion $(ZSH_COMPLETION)/_touchstone
 	install -m 644 README.md CHANGELOG.md LICENSE $(DOC)
 	rm -rf $(DOC)/kernels
 	cp -R $(PSEUDOCODE) $(DOC)/kernels
 	rm $(DOC)/kernels/made
 	install -m 644 $(wildcard $(patsubst %,reference/*.%,md json png)) $(DOC)/reference
 uninstall:
-	rm -f $(BIN)/touchstone $(LIB)/pkgconfig/touchstone.pc
+	rm -f $(BIN)/touchstone $(LIB)/pkgconfig/touchstone.pc $(MAN)/touchstone.1 $(MAN)/touchstone-*.1
+	rm -f $(BASH_COMPLETION)/touchstone $(ZSH_COMPLETION)/_touchstone
 	rm -f $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.$(ABI) .so.$(VERSION) -image.so)
 	rm -rf $(INCLUDE) $(DATA) $(DOC)/kernels $(DOC)/reference
 	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE)
 	[ ! -d $(DOC) ] || rmdir --ignore-fail-on-non-empty $(DOC)
 
-##   installcheck       judges what is installed there: programs built by pkg-config, the command, uninstall
+##   installcheck       judges what is installed there: programs built by pkg-config, the command, its manual and completion, uninstall
 installcheck:
 	$(Q)BUILD='$(BUILD)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' BIN='$(BIN)' LIB='$(LIB)' \
-		scripts/installcheck
+		MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
 
 ##   dist               build/touchstone-VERSION.tar.xz of the last commit, the same bytes each time
 DIST := build/touchstone-$(VERSION)

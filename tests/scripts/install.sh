@@ -12,7 +12,8 @@ places=(prefix=$at libdir=$at/lib/machine docdir=/opt/docs)
 
 make -s install DESTDIR="$scratch/made" "${places[@]}" > "$scratch/stdout"
 verdict $? 'installs'
-find "$scratch/made" ! -type d -printf '/%P\n' | grep -vE "^($at/(bin/touchstone$|lib/machine/|include/touchstone/|share/)|/opt/docs/)" > "$scratch/astray"
+find "$scratch/made" ! -type d -printf '/%P\n' |
+	grep -vE "^($at/(bin/touchstone$|lib/machine/|include/touchstone/|share/)|/opt/docs/)" > "$scratch/astray"
 [ ! -s "$scratch/astray" ]
 verdict $? 'into the folders that were named'
 

@@ -16,14 +16,16 @@ deps() {
 }
 
 deps scripts/install-deps
-[ "$status" -eq 0 ] && [ "$(cat "$scratch/stdout")" = 'install-deps: installing gcc' ] && grep -q '^install .* gcc$' "$scratch/asked"
+[ "$status" -eq 0 ] && [ "$(cat "$scratch/stdout")" = 'install-deps: installing gcc' ] &&
+	grep -q '^install .* gcc$' "$scratch/asked"
 verdict $? 'what is missing is printed and installed'
 
 for target in demo test check; do
 	install=0
 	[ $target = check ] && install=1
 	deps env TS_INSTALL=$install make $target T=none
-	[ "$status" -ne 0 ] && [ ! -s "$scratch/asked" ] && [ "$(grep -c '^install-deps: .*missing: gcc$' "$scratch/stderr")" -eq 1 ]
+	[ "$status" -ne 0 ] && [ ! -s "$scratch/asked" ] &&
+		[ "$(grep -c '^install-deps: .*missing: gcc$' "$scratch/stderr")" -eq 1 ]
 	verdict $? "make $target installs nothing and says what is missing"
 done
 
