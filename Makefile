@@ -318,13 +318,13 @@ test: deps
 	$(Q)$(MAKE) --no-print-directory all tests
 	$(Q)CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-tests $(T)
 
-##   check              the same, but installs nothing: says what is missing; so do all others with TS_INSTALL=0
-check:
-	$(Q)TS_INSTALL=0 $(MAKE) --no-print-directory test
-
 ##   test-long          the same for the tests of tests/long.txt, which take minutes
 test-long:
 	$(Q)$(MAKE) --no-print-directory test T=--long
+
+##   check              as test, but installs nothing and says what is missing; so do the others with TS_INSTALL=0
+check:
+	$(Q)TS_INSTALL=0 $(MAKE) --no-print-directory test
 
 tests: $(TESTS) $(BUILD)/touchstone-core $(BUILD)/record/touchstone $(BUILD)/cuda/libcuda.so.1
 
@@ -461,7 +461,7 @@ uninstall:
 	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE)
 	[ ! -d $(DOC) ] || rmdir --ignore-fail-on-non-empty $(DOC)
 
-##   installcheck       judges what is installed there: programs built by pkg-config, the command, its manual and completion, uninstall
+##   installcheck       judges what is installed there: command, libraries, pkg-config, manual, completion; and uninstall
 installcheck:
 	$(Q)BUILD='$(BUILD)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' BIN='$(BIN)' LIB='$(LIB)' \
 		MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
