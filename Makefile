@@ -469,6 +469,7 @@ installcheck:
 ##   dist               build/touchstone-VERSION.tar.xz of the last commit, the same bytes each time
 DIST := build/touchstone-$(VERSION)
 dist:
+	$(Q)[ -e .git ] || { echo "make dist: no git checkout here, whose last commit would be packed" >&2; exit 2; }
 	$(Q)mkdir -p build
 	$(Q)git -c tar.umask=0022 archive --prefix=$(notdir $(DIST))/ -o $(DIST).tar HEAD
 	$(Q)xz -T1 -f $(DIST).tar

@@ -23,4 +23,7 @@ verdict $? 'the files of the commit'
 object=build/none/obj/src/model/commit.c.o
 (cd "$root" && BUILD=build/none GIT_DIR=/nowhere make -s "$object") && grep -q unknown "$root/$object"
 verdict $? 'builds without git'
+
+! said=$(make -s -C "$root" dist 2>&1) && grep -q '^make dist: no git checkout here' <<< "$said"
+verdict $? 'makes no tarball without git'
 finish
