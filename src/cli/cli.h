@@ -19,9 +19,17 @@ enum {
 
 enum { TS_MAX_ARGUMENTS = 2 };
 
+/* What images need not be, each where it is typed; all that are typed must hold. */
+typedef struct {
+	double percent;  /* of the pixels may differ, */
+	double hardfail; /* no channel by more than this, */
+	double rmse;     /* and the root mean square of all differences is at most this */
+} ts_tolerances;
+
 /* How a comparison judges, and what it writes. Strings are NULL if nothing was said. */
 typedef struct {
 	ts_relaxations relaxations; /* but for the mask */
+	ts_tolerances tolerances;   /* of images */
 	const char *mask;           /* file */
 	const char *layout;
 	bool forced; /* each stage by the candidate's own inputs */
@@ -32,6 +40,7 @@ typedef struct {
 
 /* What was typed. Strings belong to argv. */
 typedef struct {
+	double began; /* ts_seconds */
 	bool given[TS_N_OPTIONS];
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
@@ -63,7 +72,8 @@ typedef struct {
 	u32 min_arguments, max_arguments;
 	bool options[TS_N_OPTIONS]; /* those it takes */
 	ts_status (*run)(ts_cli *cli);
-	void (*print_more)(void); /* prints what `help NAME` has from tables; NULL: nothing */
+	void (*failed)(const ts_cli *cli); /* is told that the command ended with an error, which was said; NULL: nothing */
+	void (*print_more)(void);          /* prints what `help NAME` has from tables; NULL: nothing */
 } ts_command;
 
 typedef struct ts_option ts_option;
@@ -110,6 +120,8 @@ ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
+/* Writes the file of --junit where there was no comparison. */
+void ts_compare_failed(const ts_cli *cli);
 ts_status ts_vectors_command(ts_cli *cli);
 ts_status ts_probe_command(ts_cli *cli);
 void ts_probe_help(void);

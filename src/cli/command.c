@@ -76,6 +76,12 @@ static void require_path(void)
 	if (getenv("PATH") == NULL && confstr(_CS_PATH, path, sizeof path) <= sizeof path) setenv("PATH", path, 1);
 }
 
+/* Tells the command that it ended with an error. */
+static void tell_failed(const task *t)
+{
+	if (t->command->failed != NULL) t->command->failed(&t->cli);
+}
+
 static int run(void *user)
 {
 	task *t = user;
@@ -88,7 +94,18 @@ static int run(void *user)
 	}
 	if (status == TS_OK) status = t->command->run(cli);
 	if (cli->job.how.backend != NULL) cli->job.how.backend->close(cli->job.how.backend);
-	return end(status);
+	int code = end(status);
+	if (code == TS_ERROR) tell_failed(t);
+	return code;
+}
+
+/* A worker that could not say how it ended leaves the message to this process. */
+static int run_worker(task *t)
+{
+	ts_fail("%s", "");
+	int code = ts_worker_run(run, t, t->cli.worker.seconds, t->cli.worker.mib);
+	if (code == TS_ERROR && ts_error_message()[0] != 0) tell_failed(t);
+	return code;
 }
 
 int ts_cli_main(int argc, char **argv)
@@ -99,7 +116,7 @@ int ts_cli_main(int argc, char **argv)
 	task t = {.command = NULL};
 	ts_status status = read_task(&t, argc, argv);
 	if (t.command == NULL) return end(status);
-	if (!t.cli.worker.none) return ts_worker_run(run, &t, t.cli.worker.seconds, t.cli.worker.mib);
+	if (!t.cli.worker.none) return run_worker(&t);
 	if (t.cli.worker.seconds == 0 && t.cli.worker.mib == 0) return run(&t);
 	return end(ts_fail("--timeout, --memory: limits of the worker; leave --no-worker out"));
 }

@@ -106,7 +106,9 @@ const ts_command ts_command_table[] = {
      "not. Ulps count floats from the reference to the candidate: positive where the candidate is greater.\n"
      "The first divergence is one line. With --forced each stage has a line, and each of its buffers that differs.\n"
      "Prefix sums are judged by their counts: the line names the thing whose count is wrong.\n"
-     "With -o DIR, a picture of the pixels that differ for each buffer that has them.",
+     "With -o DIR, a picture of the pixels that differ for each buffer that has them.\n"
+     "Images: every typed --allow, --percent, --hardfail and --rmse must hold; without them no value may differ. The\n"
+     "values of PNG and JPEG go from 0 to 1. EXR holds linear radiance, which --exposure E compares as displayed.",
      2,
      2,
      TS_OPT(FORCED),
@@ -117,6 +119,10 @@ const ts_command ts_command_table[] = {
      TS_OPT(ABS),
      TS_OPT(REL),
      TS_OPT(ALLOW),
+     TS_OPT(PERCENT),
+     TS_OPT(HARDFAIL),
+     TS_OPT(RMSE),
+     TS_OPT(EXPOSURE),
      TS_OPT(IGNORE),
      TS_OPT(MASK),
      TS_OPT(LAYOUT),
@@ -126,7 +132,8 @@ const ts_command ts_command_table[] = {
      TS_OPT(OUTPUT),
      TS_OPT(FORCE),
      TS_OPT(JSON),
-     .run = ts_compare_command},
+     .run = ts_compare_command,
+     .failed = ts_compare_failed},
 	{"probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",
      "TRACE: a folder that render --trace wrote, or a port's.\n"
      "--pixel: who competed for it, who won by how much, and each term of its light; with --view a texel of a view\n"

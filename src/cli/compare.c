@@ -8,25 +8,70 @@
 #include "compare_images.h"
 #include "../study/folder.h"
 
+/* What is compared. */
+typedef enum { TRACES, BUFFERS, IMAGES, N_KINDS } kind;
+static const char *const kind_names[] = {"traces", "buffers", "images"};
+
 static bool ends_in(const char *path, const char *suffix)
 {
 	size_t n = strlen(path), m = strlen(suffix);
 	return n > m && strcmp(path + n - m, suffix) == 0;
 }
 
-typedef struct {
-	ts_trace *reference, *candidate;
-	u8 *mask;
-	ts_relaxations relaxations;
-} sides;
-
-static ts_status open_sides(sides *s, const ts_cli *cli)
+static kind kind_of(const char *path)
 {
-	const char *ref = cli->arguments[0], *cand = cli->arguments[1];
+	static const char *const images[] = {".png", ".exr", ".jpg", ".jpeg"};
+	for (u32 i = 0; i < sizeof images / sizeof *images; i++) {
+		if (ends_in(path, images[i])) return IMAGES;
+	}
+	return ends_in(path, ".npy") ? BUFFERS : TRACES;
+}
+
+/* No option is passed over in silence. */
+static ts_status check_options(const ts_cli *cli, kind is)
+{
+	static const struct {
+		u32 option;
+		bool takes[N_KINDS];
+	} limited[] = {
+		{TS_OPTION_FORCED, {[TRACES] = true}},
+		{TS_OPTION_DECIDED, {[TRACES] = true}},
+		{TS_OPTION_LAYOUT, {[TRACES] = true}},
+		{TS_OPTION_ORDER, {[TRACES] = true}},
+		{TS_OPTION_PERCENT, {[IMAGES] = true}},
+		{TS_OPTION_HARDFAIL, {[IMAGES] = true}},
+		{TS_OPTION_RMSE, {[IMAGES] = true}},
+		{TS_OPTION_EXPOSURE, {[IMAGES] = true}},
+		{TS_OPTION_IGNORE, {[TRACES] = true, [BUFFERS] = true}},
+	};
+	for (u32 i = 0; i < sizeof limited / sizeof *limited; i++) {
+		u32 option = limited[i].option;
+		if (!cli->given[option] || limited[i].takes[is]) continue;
+		const char *right = limited[i].takes[IMAGES]    ? "images"
+		                    : limited[i].takes[BUFFERS] ? "traces and buffers"
+		                                                : "traces";
+		return ts_fail("--%s: means something for %s only; %s is one of two %s: leave the option out",
+		               ts_option_table[option].name, right, cli->arguments[0], kind_names[is]);
+	}
 	if (cli->given[TS_OPTION_ORDER] && cli->judging.layout == NULL) {
 		return ts_fail("--order: only with --layout; a trace.json has its own");
 	}
-	if (ends_in(ref, ".npy")) {
+	if (cli->judging.tap && cli->job.output.json) return ts_fail("--tap, --json: both print; choose one");
+	if (cli->job.output.force && cli->job.output.dir == NULL) return ts_fail("--force: only with -o DIR");
+	return TS_OK;
+}
+
+typedef struct {
+	const ts_cli *cli;
+	ts_trace *reference, *candidate;
+	ts_comparison *comparison;
+	ts_relaxations relaxations;
+} sides;
+
+static ts_status open_sides(sides *s, kind is)
+{
+	const char *ref = s->cli->arguments[0], *cand = s->cli->arguments[1], *layout = s->cli->judging.layout;
+	if (is == BUFFERS) {
 		ts_buffer_id a, b;
 		if (ts_trace_open_file(&s->reference, ref, &a) != TS_OK) return TS_ERROR;
 		if (ts_trace_open_file(&s->candidate, cand, &b) != TS_OK) return TS_ERROR;
@@ -34,27 +79,25 @@ static ts_status open_sides(sides *s, const ts_cli *cli)
 		return ts_fail("%s: holds %s, and the reference %s", cand, ts_buffer_table[b].name, ts_buffer_table[a].name);
 	}
 	if (ts_trace_open(&s->reference, ref) != TS_OK) return TS_ERROR;
-	const char *layout = cli->judging.layout;
 	if (layout == NULL) return ts_trace_open(&s->candidate, cand);
-	return ts_trace_open_layout(&s->candidate, cand, layout, cli->job.how.arrival, s->reference);
+	return ts_trace_open_layout(&s->candidate, cand, layout, s->cli->job.how.arrival, s->reference);
 }
 
-/* 1 where the picture is not black. */
-static ts_status read_mask(sides *s, const char *path)
+ts_status ts_compare_mask(ts_relaxations *relaxations, const ts_cli *cli)
 {
 	f32 *pixels;
 	u32 width, height, channels;
-	if (path == NULL) return TS_OK;
-	if (ts_image_read(&pixels, &width, &height, &channels, path) != TS_OK) return TS_ERROR;
-	s->mask = ts_alloc_zero((size_t)width, height, "a mask");
-	for (size_t i = 0; s->mask != NULL && i < (size_t)width * height * channels; i++) {
-		if (pixels[i] > 0.0f) s->mask[i / channels] = 1;
+	if (cli->judging.mask == NULL) return TS_OK;
+	if (ts_image_read(&pixels, &width, &height, &channels, cli->judging.mask) != TS_OK) return TS_ERROR;
+	u8 *mask = ts_alloc_zero((size_t)width, height, "a mask");
+	for (size_t i = 0; mask != NULL && i < (size_t)width * height * channels; i++) {
+		if (pixels[i] > 0.0f) mask[i / channels] = 1;
 	}
 	free(pixels);
-	s->relaxations.mask = s->mask;
-	s->relaxations.mask_width = width;
-	s->relaxations.mask_height = height;
-	return s->mask != NULL ? TS_OK : TS_ERROR;
+	relaxations->mask = mask;
+	relaxations->mask_width = width;
+	relaxations->mask_height = height;
+	return mask != NULL ? TS_OK : TS_ERROR;
 }
 
 /* A picture of the pixels where a buffer of rows and columns differs: white. */
@@ -79,59 +122,57 @@ static ts_status draw_marks(const sides *s, ts_buffer_id id)
 	return status;
 }
 
-static ts_status draw_all(const sides *s, const ts_comparison *c, ts_report *report)
+static ts_status draw_all(const void *user)
 {
+	const sides *s = user;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		bool pixels = ts_shape_is_image(ts_buffer_shape(id));
-		if (!pixels || c->verdict[id].judgement != TS_UNLIKE || s->reference->item[id].npy.n == 0) continue;
+		bool unlike = s->comparison->verdict[id].judgement == TS_UNLIKE && s->reference->item[id].npy.n > 0;
+		if (!unlike || !ts_shape_is_image(ts_buffer_shape(id))) continue;
 		if (draw_marks(s, (ts_buffer_id)id) != TS_OK) return TS_ERROR;
 	}
-	ts_report_value(report, "program", json_string(ts_program));
-	return ts_results_report(report) == TS_OK ? ts_folder_commit() : TS_ERROR;
+	return TS_OK;
 }
 
-static ts_status tell(const sides *s, const ts_comparison *c, const ts_cli *cli)
+static void report_all(ts_report *report, const void *user)
 {
-	ts_report report;
-	ts_report_begin(&report, cli->job.output.json);
-	ts_compare_report(&report, c, s->reference, s->candidate, &cli->judging);
-	ts_status status = ts_report_check(&report);
-	if (status == TS_OK && cli->judging.junit != NULL) status = ts_compare_junit(c, s->reference, cli->judging.junit);
-	if (status == TS_OK && cli->job.output.dir != NULL) {
-		status = ts_results_begin(cli->job.output.dir, cli->job.output.force);
-		if (status == TS_OK) status = draw_all(s, c, &report);
-		if (status != TS_OK) ts_folder_discard();
-	}
-	if (status == TS_OK && cli->judging.tap) {
-		ts_compare_tap(c, s->reference, stdout);
-		ts_report_discard(&report);
-		return TS_OK;
-	}
-	if (status == TS_OK) return ts_report_end(&report);
-	ts_report_discard(&report);
-	return status;
+	const sides *s = user;
+	ts_compare_report(report, s->comparison, s->reference, s->candidate, s->cli);
 }
 
-static ts_status judge(const sides *s, ts_comparison *c, const ts_cli *cli)
+static void put_junit(ts_junit *junit, const void *user)
 {
-	if (!cli->judging.forced) return ts_compare(c, s->reference, s->candidate, &s->relaxations);
+	const sides *s = user;
+	ts_compare_junit(junit, s->comparison, s->reference);
+}
+
+static void print_tap(FILE *out, const void *user)
+{
+	const sides *s = user;
+	ts_compare_tap(s->comparison, s->reference, out);
+}
+
+static ts_status judge(const sides *s)
+{
+	if (!s->cli->judging.forced) return ts_compare(s->comparison, s->reference, s->candidate, &s->relaxations);
 	if (ts_selftest_require() != TS_OK) return TS_ERROR;
-	return ts_compare_forced(c, s->reference, s->candidate, &s->relaxations, cli->job.how.threads);
+	return ts_compare_forced(s->comparison, s->reference, s->candidate, &s->relaxations, s->cli->job.how.threads);
 }
 
 ts_status ts_compare_command(ts_cli *cli)
 {
-	const char *ref = cli->arguments[0];
-	if (ends_in(ref, ".png") || ends_in(ref, ".exr")) return ts_compare_images(cli);
-	sides s = {.relaxations = cli->judging.relaxations};
-	ts_comparison *c = ts_comparison_make(cli->judging.first);
-	ts_status status = c != NULL ? open_sides(&s, cli) : TS_ERROR;
-	if (status == TS_OK) status = read_mask(&s, cli->judging.mask);
-	if (status == TS_OK) status = judge(&s, c, cli);
-	if (status != TS_ERROR && tell(&s, c, cli) != TS_OK) status = TS_ERROR;
+	static const ts_compare_forms forms = {report_all, put_junit, print_tap, draw_all};
+	kind is = kind_of(cli->arguments[0]);
+	if (check_options(cli, is) != TS_OK) return TS_ERROR;
+	if (is == IMAGES) return ts_compare_images(cli);
+	sides s = {.cli = cli, .relaxations = cli->judging.relaxations};
+	s.comparison = ts_comparison_make(cli->judging.first);
+	ts_status status = s.comparison != NULL ? open_sides(&s, is) : TS_ERROR;
+	if (status == TS_OK) status = ts_compare_mask(&s.relaxations, cli);
+	if (status == TS_OK) status = judge(&s);
+	if (status != TS_ERROR && ts_compare_tell(cli, &forms, &s) != TS_OK) status = TS_ERROR;
 	ts_trace_close(s.reference);
 	ts_trace_close(s.candidate);
-	free(s.mask);
-	ts_comparison_free(c);
+	free((void *)s.relaxations.mask);
+	ts_comparison_free(s.comparison);
 	return status;
 }

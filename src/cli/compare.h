@@ -3,9 +3,10 @@
 #define TS_CLI_COMPARE_H
 #include "../compare/compare.h"
 #include "cli.h"
+#include "junit.h"
 #include "../study/table.h"
 
-enum { TS_DIFFERENCE_TEXT = 512, TS_FIRST_TEXT = 1152, TS_LINE_TEXT = 2048 };
+enum { TS_DIFFERENCE_TEXT = 512, TS_FIRST_TEXT = 1152, TS_LINE_TEXT = 2048, TS_RELAXED_TEXT = 600 };
 
 /* "pixel (35, 0), field normal[1]: ref 1 = 0x1p+0 (3f800000) candidate -1 = -0x1p+0 (bf800000) -2130706433 ulp". */
 void ts_compare_difference(char text[TS_DIFFERENCE_TEXT], ts_buffer_id id, const ts_named *named);
@@ -23,15 +24,29 @@ i64 ts_compare_ulps(ts_buffer_id id, const ts_difference *difference);
 /* "same", "different", ... */
 const char *ts_compare_word(ts_judgement judgement);
 
+/* All relaxations, as they are typed: they are part of the verdict; "" if there are none. */
+void ts_compare_relaxed(char text[TS_RELAXED_TEXT], const ts_cli *cli);
+/* Reads the mask of cli: 1 where the picture is not black. relaxations->mask by free(). Without --mask does nothing. */
+ts_status ts_compare_mask(ts_relaxations *relaxations, const ts_cli *cli);
 /* A row a buffer, the verdict, the line of the first divergence, and where stages were given the candidate's inputs all
  * that differ; as text and as JSON. */
 void ts_compare_report(ts_report *report, const ts_comparison *comparison, const ts_trace *reference,
-                       const ts_trace *candidate, const ts_judging *judging);
+                       const ts_trace *candidate, const ts_cli *cli);
 /* Part of it: the verdicts of the stages, as JSON; as text if they were given the candidate's inputs. */
 void ts_compare_stages(ts_report *report, const ts_comparison *comparison, const ts_trace *reference);
 /* A line a stage, in Test Anything Protocol. */
 void ts_compare_tap(const ts_comparison *comparison, const ts_trace *reference, FILE *out);
-/* JUnit XML, a uniquely named case a stage. */
-ts_status ts_compare_junit(const ts_comparison *comparison, const ts_trace *reference, const char *path);
+/* A uniquely named case a stage. */
+void ts_compare_junit(ts_junit *junit, const ts_comparison *comparison, const ts_trace *reference);
+
+/* What a comparison can say, of what `user` knows. */
+typedef struct {
+	void (*report)(ts_report *report, const void *user);
+	void (*junit)(ts_junit *junit, const void *user);
+	void (*tap)(FILE *out, const void *user);
+	ts_status (*draw)(const void *user); /* pictures into the folder of -o */
+} ts_compare_forms;
+/* Says all that cli asks for. */
+ts_status ts_compare_tell(const ts_cli *cli, const ts_compare_forms *forms, const void *user);
 
 #endif

@@ -4,65 +4,262 @@
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
+#include "../image/format.h"
+#include "../kernels/base/srgb.h"
+#include "../scene/print.h"
 #include "../trace/field.h"
-#include "../compare/relax.h"
-#include "../study/table.h"
+#include "../study/folder.h"
+#include "compare.h"
 
 typedef struct {
 	f32 *pixels;
 	u32 width, height, channels;
+	bool linear; /* radiance; else sRGB codes divided by 255 */
 } picture;
 
-static ts_status read_pictures(picture p[2], const ts_cli *cli)
+typedef struct {
+	const ts_cli *cli;
+	picture p[2];
+	ts_relaxations relaxations;
+	u8 *marks;              /* of pixels: 255 where a channel differs */
+	u64 *first, n_first;    /* the first values that differ, as many as are shown */
+	u64 n_values, n_pixels; /* judged */
+	u64 n_unlike, n_unlike_pixels;
+	double squares, largest; /* of differences, relaxed ones too; infinite beside a NaN */
+	bool same;
+} images;
+
+static ts_status read_picture(picture *p, const char *path)
 {
-	for (u32 i = 0; i < 2; i++) {
-		const char *path = cli->arguments[i];
-		if (ts_image_read(&p[i].pixels, &p[i].width, &p[i].height, &p[i].channels, path) != TS_OK) return TS_ERROR;
-	}
-	if (p[0].width == p[1].width && p[0].height == p[1].height && p[0].channels == p[1].channels) return TS_OK;
-	return ts_fail("%s: %u x %u with %u channels; the reference has %u x %u with %u", cli->arguments[1],
-	               (unsigned)p[1].width, (unsigned)p[1].height, (unsigned)p[1].channels, (unsigned)p[0].width,
-	               (unsigned)p[0].height, (unsigned)p[0].channels);
+	ts_image_format format;
+	if (ts_image_format_of(&format, path) != TS_OK) return TS_ERROR;
+	p->linear = format == TS_IMAGE_EXR;
+	return ts_image_read(&p->pixels, &p->width, &p->height, &p->channels, path);
 }
 
-static void tell_first(ts_report *report, const picture *p, u64 first, u64 n_unlike)
+static ts_status check_sizes(const images *s)
 {
-	static const ts_field value = {.name = "", .kind = 'f', .count = 1, .bytes = 4};
+	const picture *ref = &s->p[0], *cand = &s->p[1];
+	const ts_relaxations *r = &s->relaxations;
+	if (ref->width != cand->width || ref->height != cand->height || ref->channels != cand->channels) {
+		return ts_fail("%s: %u x %u with %u channels; the reference has %u x %u with %u", s->cli->arguments[1],
+		               (unsigned)cand->width, (unsigned)cand->height, (unsigned)cand->channels, (unsigned)ref->width,
+		               (unsigned)ref->height, (unsigned)ref->channels);
+	}
+	if (r->mask == NULL || (r->mask_width == ref->width && r->mask_height == ref->height)) return TS_OK;
+	return ts_fail("mask: %u x %u pixels; the images have %u x %u", (unsigned)r->mask_width, (unsigned)r->mask_height,
+	               (unsigned)ref->width, (unsigned)ref->height);
+}
+
+/* CONTRACT rule 38. */
+static void display(picture *p, f32 exposure)
+{
+	for (size_t i = 0; p->linear && i < (size_t)p->width * p->height * p->channels; i++) {
+		p->pixels[i] = (f32)ts_srgb_byte(p->pixels[i] * exposure) / 255.0f;
+	}
+}
+
+static ts_status make_comparable(images *s)
+{
+	const char *const *path = s->cli->arguments;
+	u32 linear = s->p[0].linear ? 0 : 1;
+	if (!s->cli->given[TS_OPTION_EXPOSURE]) {
+		if (s->p[0].linear == s->p[1].linear) return TS_OK;
+		return ts_fail(
+			"%s holds linear radiance, and %s sRGB codes; --exposure 1 compares them as a display shows them",
+			path[linear], path[1 - linear]);
+	}
+	if (s->cli->job.exposed) return ts_fail("--exposure auto: needs a scene; give the factor of the rendered picture");
+	if (!s->p[linear].linear)
+		return ts_fail("--exposure: %s and %s both hold sRGB codes; leave it out", path[0], path[1]);
+	if (s->p[linear].channels != 1 && s->p[linear].channels != 3) {
+		return ts_fail("--exposure: %s has %u channels; expected 1 or 3, as alpha is not shown", path[linear],
+		               (unsigned)s->p[linear].channels);
+	}
+	for (u32 i = 0; i < 2; i++) display(&s->p[i], TS_PARAM(&s->cli->job.params, image_exposure));
+	return TS_OK;
+}
+
+static ts_status open_images(images *s)
+{
+	for (u32 i = 0; i < 2; i++) {
+		if (read_picture(&s->p[i], s->cli->arguments[i]) != TS_OK) return TS_ERROR;
+	}
+	if (make_comparable(s) != TS_OK || ts_compare_mask(&s->relaxations, s->cli) != TS_OK) return TS_ERROR;
+	if (check_sizes(s) != TS_OK) return TS_ERROR;
+	s->marks = ts_alloc_zero(s->p[0].width, s->p[0].height, "a picture of differences");
+	s->first = ts_alloc(s->cli->judging.first, sizeof *s->first, "first differences");
+	return s->marks != NULL && s->first != NULL ? TS_OK : TS_ERROR;
+}
+
+static double distance(f32 ref, f32 cand)
+{
+	double apart = ref == cand ? 0 : fabs((double)ref - (double)cand);
+	return isnan(apart) ? INFINITY : apart;
+}
+
+static void judge_pixel(images *s, u64 pixel)
+{
+	u32 channels = s->p[0].channels;
+	for (u64 i = pixel * channels; i < (pixel + 1) * channels; i++) {
+		f32 ref = s->p[0].pixels[i], cand = s->p[1].pixels[i];
+		double apart = distance(ref, cand);
+		s->squares += apart * apart;
+		s->largest = fmax(s->largest, apart);
+		if (ts_relax_close(&s->relaxations, ts_f2u(ref), ts_f2u(cand))) continue;
+		if (s->n_first < s->cli->judging.first) s->first[s->n_first++] = i;
+		s->n_unlike++;
+		s->marks[pixel] = 255;
+	}
+	s->n_pixels++;
+	s->n_values += channels;
+	s->n_unlike_pixels += s->marks[pixel] != 0;
+}
+
+static double rmse_of(const images *s) { return sqrt(s->squares / (double)s->n_values); }
+static double percent_of(const images *s) { return 100.0 * (double)s->n_unlike_pixels / (double)s->n_pixels; }
+
+/* All tolerances that were typed hold; without one nothing differs. */
+static bool passes(const images *s)
+{
+	const bool *given = s->cli->given;
+	const ts_tolerances *t = &s->cli->judging.tolerances;
+	if (!given[TS_OPTION_PERCENT] && !given[TS_OPTION_HARDFAIL] && !given[TS_OPTION_RMSE]) {
+		return s->n_unlike <= s->relaxations.allow;
+	}
+	return (!given[TS_OPTION_ALLOW] || s->n_unlike <= s->relaxations.allow) &&
+	       (!given[TS_OPTION_PERCENT] || percent_of(s) <= t->percent) &&
+	       (!given[TS_OPTION_HARDFAIL] || s->largest <= t->hardfail) &&
+	       (!given[TS_OPTION_RMSE] || rmse_of(s) <= t->rmse);
+}
+
+static ts_status judge(images *s)
+{
+	const u8 *mask = s->relaxations.mask;
+	for (u64 i = 0; i < (u64)s->p[0].width * s->p[0].height; i++) {
+		if (mask == NULL || mask[i] != 0) judge_pixel(s, i);
+	}
+	if (s->n_pixels == 0) return ts_fail("%s: black everywhere: nothing to judge", s->cli->judging.mask);
+	s->same = passes(s);
+	return TS_OK;
+}
+
+/* Where and how a value differs. */
+static void show(char text[TS_DIFFERENCE_TEXT], const images *s, u64 value)
+{
+	static const ts_field field = {.name = "", .kind = 'f', .count = 1, .bytes = 4};
 	char ref[TS_VALUE_TEXT], cand[TS_VALUE_TEXT];
-	u64 pixel = first / p[0].channels;
-	ts_field_show(ref, &value, ts_f2u(p[0].pixels[first]));
-	ts_field_show(cand, &value, ts_f2u(p[1].pixels[first]));
-	ts_report_line(report,
-	               "pixel (%" PRIu64 ", %" PRIu64 "), channel %" PRIu64 ": ref %s candidate %s — first of %" PRIu64,
-	               pixel % p[0].width, pixel / p[0].width, first % p[0].channels, ref, cand, n_unlike);
-	ts_report_value(report, "x", json_integer((json_int_t)(pixel % p[0].width)));
-	ts_report_value(report, "y", json_integer((json_int_t)(pixel / p[0].width)));
+	u64 pixel = value / s->p[0].channels;
+	ts_field_show(ref, &field, ts_f2u(s->p[0].pixels[value]));
+	ts_field_show(cand, &field, ts_f2u(s->p[1].pixels[value]));
+	snprintf(text, TS_DIFFERENCE_TEXT, "pixel (%" PRIu64 ", %" PRIu64 "), channel %" PRIu64 ": ref %s candidate %s",
+	         pixel % s->p[0].width, pixel / s->p[0].width, value % s->p[0].channels, ref, cand);
+}
+
+static void sum_up(char text[TS_LINE_TEXT], const images *s)
+{
+	char relaxed[TS_RELAXED_TEXT], exposure[64] = "";
+	ts_compare_relaxed(relaxed, s->cli);
+	if (s->cli->given[TS_OPTION_EXPOSURE]) {
+		snprintf(exposure, sizeof exposure, "; displayed: --exposure %.9g",
+		         (double)TS_PARAM(&s->cli->job.params, image_exposure));
+	}
+	snprintf(text, TS_LINE_TEXT,
+	         "%" PRIu64 " values, %" PRIu64 " different in %.4g %% of the pixels, largest difference %.9g, root mean "
+	         "square %.9g%s%s%s",
+	         s->n_values, s->n_unlike, percent_of(s), s->largest, rmse_of(s), relaxed[0] != 0 ? "; relaxed: " : "",
+	         relaxed, exposure);
+}
+
+/* Line i of what is said of all: the figures, then what differs first. False: there are no more. */
+static bool line_of(char text[TS_LINE_TEXT], const images *s, u64 i)
+{
+	char first[TS_DIFFERENCE_TEXT];
+	if (i == 0) sum_up(text, s);
+	if (i == 0 || i > s->n_first) return i == 0;
+	show(first, s, s->first[i - 1]);
+	if (i == 1) snprintf(text, TS_LINE_TEXT, "%s — first of %" PRIu64, first, s->n_unlike);
+	if (i > 1) snprintf(text, TS_LINE_TEXT, "  %s", first);
+	return true;
+}
+
+static json_t *number(double value) { return isfinite(value) ? json_real(value) : json_null(); }
+
+static void put_values(ts_report *report, const images *s)
+{
+	char relaxed[TS_RELAXED_TEXT];
+	ts_compare_relaxed(relaxed, s->cli);
+	ts_report_value(report, "reference", ts_text_json(s->cli->arguments[0]));
+	ts_report_value(report, "candidate", ts_text_json(s->cli->arguments[1]));
+	ts_report_value(report, "verdict", json_string(s->same ? "same" : "different"));
+	ts_report_value(report, "relaxations", ts_text_json(relaxed));
+	if (s->cli->given[TS_OPTION_EXPOSURE]) {
+		ts_report_value(report, "exposure", json_real((double)TS_PARAM(&s->cli->job.params, image_exposure)));
+	}
+	ts_report_value(report, "values", json_integer((json_int_t)s->n_values));
+	ts_report_value(report, "different", json_integer((json_int_t)s->n_unlike));
+	ts_report_value(report, "pixels", json_integer((json_int_t)s->n_pixels));
+	ts_report_value(report, "pixels_different", json_integer((json_int_t)s->n_unlike_pixels));
+	ts_report_value(report, "largest", number(s->largest));
+	ts_report_value(report, "root_mean_square", number(rmse_of(s)));
+}
+
+static void report_images(ts_report *report, const void *user)
+{
+	const images *s = user;
+	char text[TS_LINE_TEXT], shown[TS_DIFFERENCE_TEXT];
+	json_t *first = json_array();
+	for (u64 i = 0; line_of(text, s, i); i++) ts_report_line(report, "%s", text);
+	put_values(report, s);
+	for (u64 i = 0; i < s->n_first; i++) {
+		u64 pixel = s->first[i] / s->p[0].channels;
+		show(shown, s, s->first[i]);
+		json_t *value =
+			json_pack("{s:s, s:I, s:I, s:I}", "line", shown, "x", (json_int_t)(pixel % s->p[0].width), "y",
+		              (json_int_t)(pixel / s->p[0].width), "channel", (json_int_t)(s->first[i] % s->p[0].channels));
+		report->failed |= json_array_append_new(first, value) != 0;
+	}
+	ts_report_value(report, "first", first);
+}
+
+static void put_junit(ts_junit *junit, const void *user)
+{
+	const images *s = user;
+	char text[TS_LINE_TEXT];
+	ts_junit_case(junit, "touchstone.images", s->cli->arguments[1], ts_seconds() - s->cli->began);
+	for (u64 i = 0; !s->same && line_of(text, s, i); i++) ts_junit_say(junit, TS_JUNIT_FAILURE, "different", text);
+	ts_junit_case_end(junit);
+}
+
+static void print_tap(FILE *out, const void *user)
+{
+	const images *s = user;
+	char text[TS_LINE_TEXT];
+	fprintf(out, "%sok 1 - image\n", s->same ? "" : "not ");
+	for (u64 i = 0; line_of(text, s, i); i++) fprintf(out, "# %s\n", text);
+	fprintf(out, "1..1\n");
+}
+
+/* White where the images differ, so that it is a mask of all but that. */
+static ts_status draw(const void *user)
+{
+	const images *s = user;
+	const char *path = s->n_unlike > 0 ? ts_folder_file("difference.png") : NULL;
+	if (path == NULL) return s->n_unlike > 0 ? TS_ERROR : TS_OK;
+	return ts_image_write_png(path, s->marks, s->p[0].width, s->p[0].height, 1);
 }
 
 ts_status ts_compare_images(const ts_cli *cli)
 {
-	picture p[2] = {{.pixels = NULL}, {.pixels = NULL}};
-	const ts_relaxations *relaxations = &cli->judging.relaxations;
-	ts_status status = read_pictures(p, cli);
-	u64 n = (u64)p[0].width * p[0].height * p[0].channels, first = 0, n_unlike = 0;
-	double squares = 0;
-	for (u64 i = 0; status == TS_OK && i < n; i++) {
-		double apart = (double)p[0].pixels[i] - (double)p[1].pixels[i];
-		squares += apart * apart;
-		if (ts_relax_close(relaxations, ts_f2u(p[0].pixels[i]), ts_f2u(p[1].pixels[i]))) continue;
-		if (n_unlike++ == 0) first = i;
-	}
-	if (status == TS_OK) {
-		ts_report report;
-		ts_report_begin(&report, cli->job.output.json);
-		ts_report_line(&report, "%" PRIu64 " values, %" PRIu64 " different, root mean square %.9g", n, n_unlike,
-		               n > 0 ? sqrt(squares / (double)n) : 0);
-		ts_report_value(&report, "values", json_integer((json_int_t)n));
-		ts_report_value(&report, "different", json_integer((json_int_t)n_unlike));
-		if (n_unlike > 0) tell_first(&report, p, first, n_unlike);
-		status = ts_report_end(&report);
-	}
-	free(p[0].pixels);
-	free(p[1].pixels);
-	return status != TS_OK ? status : n_unlike > relaxations->allow ? TS_DIFFERENT : TS_OK;
+	static const ts_compare_forms forms = {report_images, put_junit, print_tap, draw};
+	images s = {.cli = cli, .relaxations = cli->judging.relaxations};
+	ts_status status = open_images(&s);
+	if (status == TS_OK) status = judge(&s);
+	if (status == TS_OK) status = ts_compare_tell(cli, &forms, &s);
+	free(s.p[0].pixels);
+	free(s.p[1].pixels);
+	free((void *)s.relaxations.mask);
+	free(s.marks);
+	free(s.first);
+	return status == TS_OK && !s.same ? TS_DIFFERENT : status;
 }

@@ -27,21 +27,26 @@ static void row(ts_table *table, const ts_verdict *v, const char *stage, ts_buff
 	ts_table_text(table, ts_compare_word(v->judgement));
 }
 
-/* All of them, as they are typed: they are part of the verdict. */
-static void relaxations_of(char *text, size_t bytes, const ts_judging *judging)
+void ts_compare_relaxed(char text[TS_RELAXED_TEXT], const ts_cli *cli)
 {
+	const ts_judging *judging = &cli->judging;
 	const ts_relaxations *r = &judging->relaxations;
-	FILE *out = fmemopen(text, bytes, "w");
+	const ts_tolerances *t = &judging->tolerances;
+	FILE *out = fmemopen(text, TS_RELAXED_TEXT, "w");
 	text[0] = 0;
 	if (out == NULL) return;
 	if (r->ulp > 0) fprintf(out, " --ulp %" PRIu64, r->ulp);
 	if (r->abs > 0) fprintf(out, " --abs %.17g", r->abs);
 	if (r->rel > 0) fprintf(out, " --rel %.17g", r->rel);
 	if (r->allow > 0) fprintf(out, " --allow %" PRIu64, r->allow);
+	if (cli->given[TS_OPTION_PERCENT]) fprintf(out, " --percent %.17g", t->percent);
+	if (cli->given[TS_OPTION_HARDFAIL]) fprintf(out, " --hardfail %.17g", t->hardfail);
+	if (cli->given[TS_OPTION_RMSE]) fprintf(out, " --rmse %.17g", t->rmse);
 	if (r->decided) fprintf(out, " --decided");
 	if (r->ignore != NULL) fprintf(out, " --ignore %.200s", r->ignore);
 	if (judging->mask != NULL) fprintf(out, " --mask %.200s", judging->mask);
 	fclose(out);
+	if (text[0] != 0) memmove(text, text + 1, strlen(text));
 }
 
 /* Of sums the thing whose count it is; -1: there is none, where they begin. */
@@ -115,9 +120,9 @@ static void advise(ts_report *report, const ts_comparison *c, const ts_trace *re
 }
 
 void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
-                       const ts_judging *judging)
+                       const ts_cli *cli)
 {
-	char line[TS_LINE_TEXT], relaxed[600], unable[48] = "";
+	char line[TS_LINE_TEXT], relaxed[TS_RELAXED_TEXT], unable[48] = "";
 	ts_buffer_id ids[TS_N_BUFFERS];
 	ts_table table = ts_table_begin("buffers", "", columns);
 	ts_emit_order(ids, reference->pipeline);
@@ -126,19 +131,20 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
 		if (c->verdict[ids[i]].judgement == TS_NOT_JUDGED) continue;
 		row(&table, &c->verdict[ids[i]], step != NULL ? step->stage : "scene", ids[i]);
 	}
-	relaxations_of(relaxed, sizeof relaxed, judging);
+	ts_compare_relaxed(relaxed, cli);
 	ts_report_table(report, &table);
 	ts_report_line(report, "%s", "");
 	tell_unlike(report, c, reference, ids);
 	if (!c->forced) advise(report, c, reference);
 	if (c->n_unable > 0) snprintf(unable, sizeof unable, ", %u not judged", (unsigned)c->n_unable);
 	ts_report_line(report, "%u buffers judged, %u different, %u missing%s%s%s", (unsigned)c->n_judged,
-	               (unsigned)c->n_unlike, (unsigned)c->n_missing, unable, relaxed[0] != 0 ? "; relaxed:" : "", relaxed);
+	               (unsigned)c->n_unlike, (unsigned)c->n_missing, unable, relaxed[0] != 0 ? "; relaxed: " : "",
+	               relaxed);
 	ts_report_value(report, "reference", ts_text_json(reference->dir));
 	ts_report_value(report, "candidate", ts_text_json(candidate->dir));
 	ts_report_value(report, "candidate_producer", ts_text_json(candidate->producer));
 	ts_report_value(report, "candidate_order", json_string(candidate->arrival ? "arrival" : "canonical"));
-	ts_report_value(report, "relaxations", ts_text_json(relaxed[0] != 0 ? relaxed + 1 : ""));
+	ts_report_value(report, "relaxations", ts_text_json(relaxed));
 	ts_report_value(report, "verdict", json_string(c->n_unlike > 0 ? "different" : "same"));
 	if (c->first != TS_N_BUFFERS) {
 		ts_compare_line(line, c, reference, c->first);

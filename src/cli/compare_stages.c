@@ -1,5 +1,4 @@
 /* The verdicts of stages: as text, as JSON, as TAP and as JUnit XML. */
-#include "../output/file.h"
 #include "compare.h"
 #include "../scene/print.h"
 #include "../trace/emit.h"
@@ -24,6 +23,7 @@ typedef struct {
 	const char *why;      /* of what could not be judged; else "" */
 	ts_buffer_id unlike[TS_N_BUFFERS];
 	u32 n_unlike;
+	double seconds; /* that judging took */
 } stages;
 
 static stages begin(const ts_comparison *comparison, const ts_trace *reference)
@@ -36,6 +36,7 @@ static void add_buffer(stages *s, ts_buffer_id id)
 	const ts_verdict *v = &s->comparison->verdict[id];
 	if (v->judgement == TS_UNLIKE) s->unlike[s->n_unlike++] = id;
 	if (v->judgement == TS_UNABLE) s->why = v->why;
+	s->seconds += v->seconds;
 	s->verdict = v->judgement > s->verdict ? v->judgement : s->verdict;
 }
 
@@ -137,80 +138,22 @@ void ts_compare_tap(const ts_comparison *c, const ts_trace *reference, FILE *out
 	fprintf(out, "1..%u\n", (unsigned)n);
 }
 
-static void put_escaped(const char *text, FILE *out)
-{
-	static const struct {
-		char c;
-		const char *name;
-	} names[] = {
-		{'&', "&amp;"},
-		{'<', "&lt;"},
-		{'>', "&gt;"},
-		{'"', "&quot;"},
-	};
-	for (; *text != 0; text++) {
-		const char *name = NULL;
-		for (u32 i = 0; i < sizeof names / sizeof *names; i++) name = names[i].c == *text ? names[i].name : name;
-		if (name != NULL) {
-			fputs(name, out);
-		} else {
-			fputc(*text, out);
-		}
-	}
-}
-
-static void put_failure(const stages *s, FILE *out)
+static void put_case(ts_junit *junit, const stages *s)
 {
 	char line[TS_LINE_TEXT];
+	snprintf(line, sizeof line, "touchstone.%s", s->reference->pipeline->name);
+	ts_junit_case(junit, line, s->name, s->seconds);
 	for (u32 i = 0; i < s->n_unlike; i++) {
 		for (u32 k = 0; detail(line, s, s->unlike[i], k); k++) {
-			fputs(i + k == 0 ? "<failure message=\"" : "\n", out);
-			put_escaped(line, out);
-			if (i + k == 0) fputs("\">", out);
+			ts_junit_say(junit, TS_JUNIT_FAILURE, "different", line);
 		}
 	}
-	fputs("</failure>", out);
+	snprintf(line, sizeof line, "%s%s%s", ts_compare_word(s->verdict), s->why[0] != 0 ? ": " : "", s->why);
+	if (s->verdict < TS_SAME) ts_junit_say(junit, TS_JUNIT_SKIPPED, NULL, line);
+	ts_junit_case_end(junit);
 }
 
-/* Why may name a file, whose name may hold any bytes. */
-static ts_status put_skipped(const stages *s, FILE *out)
+void ts_compare_junit(ts_junit *junit, const ts_comparison *c, const ts_trace *reference)
 {
-	json_t *why = ts_text_json(s->why);
-	if (why == NULL) return ts_fail("no memory for a reason");
-	fprintf(out, "<skipped message=\"%s%s", ts_compare_word(s->verdict), s->why[0] != 0 ? ": " : "");
-	put_escaped(json_string_value(why), out);
-	fputs("\"/>", out);
-	json_decref(why);
-	return TS_OK;
-}
-
-static ts_status put_case(const stages *s, FILE *out)
-{
-	ts_status status = TS_OK;
-	fprintf(out, "  <testcase classname=\"touchstone.%s\" name=\"%s\">", s->reference->pipeline->name, s->name);
-	if (s->verdict == TS_UNLIKE) put_failure(s, out);
-	if (s->verdict < TS_SAME) status = put_skipped(s, out);
-	fputs("</testcase>\n", out);
-	return status;
-}
-
-ts_status ts_compare_junit(const ts_comparison *c, const ts_trace *reference, const char *path)
-{
-	u32 n = 0, n_unlike = 0, n_skipped = 0;
-	for (stages s = begin(c, reference); next(&s); n++) {
-		n_unlike += s.verdict == TS_UNLIKE;
-		n_skipped += s.verdict < TS_SAME;
-	}
-	ts_file_text text;
-	if (ts_file_text_begin(&text, path) != TS_OK) return TS_ERROR;
-	FILE *out = text.out;
-	fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", out);
-	fprintf(out, "<testsuite name=\"touchstone compare\" tests=\"%u\" failures=\"%u\" skipped=\"%u\">\n", (unsigned)n,
-	        (unsigned)n_unlike, (unsigned)n_skipped);
-	ts_status status = TS_OK;
-	for (stages s = begin(c, reference); next(&s) && status == TS_OK;) status = put_case(&s, out);
-	fputs("</testsuite>\n", out);
-	if (status == TS_OK) return ts_file_text_replace(&text, path);
-	ts_file_text_drop(&text);
-	return status;
+	for (stages s = begin(c, reference); next(&s);) put_case(junit, &s);
 }

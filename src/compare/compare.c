@@ -63,7 +63,9 @@ static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *re
 	} else if (candidate->item[id].path == NULL) {
 		v->judgement = TS_MISSING;
 	} else {
+		double began = ts_seconds();
 		status = judge_given(v, id, reference, candidate, order, relaxations);
+		v->seconds = ts_seconds() - began;
 	}
 	count(c, id);
 	return status;

@@ -31,6 +31,7 @@ typedef struct {
 	ts_difference first, worst; /* worst: of floats, by ulps */
 	i64 worst_ulps;
 	char why[TS_WHY_TEXT]; /* of TS_UNABLE; of TS_UNLIKE both shapes, where no element was compared; else "" */
+	double seconds;        /* that ts_compare or ts_compare_forced took; a stage's are its first output's */
 	/* Set by the caller. */
 	u8 *marks;           /* receives 1 for each element that differs; NULL: not wanted */
 	ts_differences list; /* receives the first differences: records without a partner, then elements */

@@ -3,6 +3,7 @@
 #define TS_IMAGE_FORMAT_H
 #include <stdbool.h>
 #include <stddef.h>
+#include <touchstone/status.h>
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -15,6 +16,9 @@ typedef enum { TS_IMAGE_UNKNOWN, TS_IMAGE_PNG, TS_IMAGE_JPEG, TS_IMAGE_EXR, TS_I
 /* `head` holds n bytes, TS_IMAGE_HEAD or more, or the whole of a shorter file. *name becomes what the format is called;
  * NULL is allowed. */
 ts_image_format ts_image_format_find(const void *head, size_t n, const char **name);
+
+/* The format of a file by its first bytes; refuses what ts_image_read does not read. */
+ts_status ts_image_format_of(ts_image_format *format, const char *path);
 
 /* Whether ts_image_decode decodes it. */
 static inline bool ts_image_format_is_decoded(ts_image_format format)

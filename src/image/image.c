@@ -133,8 +133,7 @@ ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t wid
 	return put(path, status, file, bytes);
 }
 
-/* So that nothing is read of what is no image. */
-static ts_status check_format(const char *path)
+ts_status ts_image_format_of(ts_image_format *format, const char *path)
 {
 	uint8_t head[TS_IMAGE_HEAD];
 	struct stat info;
@@ -145,8 +144,8 @@ static ts_status check_format(const char *path)
 	size_t n = fread(head, 1, sizeof head, file);
 	fclose(file);
 	const char *name = "its first bytes are those of no format";
-	ts_image_format format = ts_image_format_find(head, n, &name);
-	if (format == TS_IMAGE_EXR || ts_image_format_is_decoded(format)) return TS_OK;
+	*format = ts_image_format_find(head, n, &name);
+	if (*format == TS_IMAGE_EXR || ts_image_format_is_decoded(*format)) return TS_OK;
 	return ts_fail("%s: %s; a PNG, JPEG or EXR is expected", path, name);
 }
 
@@ -154,11 +153,12 @@ ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint3
 {
 	size_t bytes = 0;
 	uint8_t *clean = NULL;
+	ts_image_format is;
 	*pixels = NULL;
-	if (check_format(path) != TS_OK || require_codec(path) != TS_OK) return TS_ERROR;
+	if (ts_image_format_of(&is, path) != TS_OK || require_codec(path) != TS_OK) return TS_ERROR;
 	void *file = ts_input_read(&bytes, path);
 	if (file == NULL) return TS_ERROR;
-	ts_image_format is = ts_image_format_find(file, bytes, NULL);
+	is = ts_image_format_find(file, bytes, NULL);
 	const char *format = is == TS_IMAGE_PNG ? "png" : is == TS_IMAGE_JPEG ? "jpeg" : "openexr";
 	ts_status status = is == TS_IMAGE_PNG ? ts_png_clean(&clean, &bytes, file, bytes, path) : TS_OK;
 	const void *whole = clean != NULL ? clean : file;

@@ -76,6 +76,7 @@ static ts_status judge_stage(ts_comparison *c, const ts_stage *stage, const ts_t
                              const ts_trace *candidate, const ts_relaxations *relaxations, u32 threads)
 {
 	ts_load *load;
+	double began = ts_seconds();
 	ts_status status = ts_replay(&load, stage, reference, candidate, threads);
 	if (status != TS_OK && ts_refused()) return take_refusal(c, stage, candidate, relaxations);
 	for (u32 i = 0; status == TS_OK && ts_stage_outputs(stage)[i] != TS_N_BUFFERS; i++) {
@@ -83,6 +84,7 @@ static ts_status judge_stage(ts_comparison *c, const ts_stage *stage, const ts_t
 		if (is_judged(id, candidate, relaxations)) status = judge_output(&c->verdict[id], load, id, relaxations);
 	}
 	ts_load_end(load);
+	c->verdict[ts_stage_outputs(stage)[0]].seconds = ts_seconds() - began;
 	return status;
 }
 

@@ -1,0 +1,38 @@
+/* JUnit XML, as continuous integration reads it: one suite of cases (tests/cli/junit.xsd). */
+#ifndef TS_CLI_JUNIT_H
+#define TS_CLI_JUNIT_H
+#include "../kernels/base/compat.h"
+#include "../output/file.h"
+
+/* How a case ended. */
+typedef enum {
+	TS_JUNIT_PASSED,
+	TS_JUNIT_SKIPPED,
+	TS_JUNIT_FAILURE,
+	TS_JUNIT_ERROR,
+	TS_N_JUNIT_OUTCOMES,
+} ts_junit_outcome;
+
+/* A suite that is being written. May not be moved. Texts may hold any bytes: those that XML has no place for are shown
+ * as \xHH or '?'. */
+typedef struct {
+	const char *path;
+	ts_file_text cases;
+	ts_junit_outcome outcome; /* of the case that is open */
+	u32 n[TS_N_JUNIT_OUTCOMES];
+	bool failed; /* out of memory */
+} ts_junit;
+
+/* On failure there is nothing to end. */
+ts_status ts_junit_begin(ts_junit *junit, const char *path);
+/* Opens a case that passes unless ts_junit_say follows. */
+void ts_junit_case(ts_junit *junit, const char *classname, const char *name, double seconds);
+/* Adds a line to the open case. The first one is the message, and says how the case ended; `type` is a word for that,
+ * NULL where the case was skipped. */
+void ts_junit_say(ts_junit *junit, ts_junit_outcome outcome, const char *type, const char *line);
+void ts_junit_case_end(ts_junit *junit);
+/* Writes the file, whole or not at all, and releases all, also on failure. `relaxations` are a property of the suite;
+ * "" none. `seconds` is how long the suite took. */
+ts_status ts_junit_end(ts_junit *junit, const char *relaxations, double seconds);
+
+#endif
