@@ -106,7 +106,7 @@ const ts_command ts_command_table[] = {
      "not. Ulps count floats from the reference to the candidate: positive where the candidate is greater.\n"
      "The first divergence is one line. With --forced each stage has a line, and each of its buffers that differs.\n"
      "Prefix sums are judged by their counts: the line names the thing whose count is wrong.\n"
-     "With -o DIR, a picture of the pixels that differ for each buffer that has them.\n"
+     "With -o DIR, a picture of the pixels that differ for each buffer that has them, and of each cube that differs.\n"
      "Images: every typed --allow, --percent, --hardfail and --rmse must hold; without them no value may differ. The\n"
      "values of PNG and JPEG go from 0 to 1. EXR holds linear radiance, which --exposure E compares as displayed.",
      2,

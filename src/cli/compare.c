@@ -6,7 +6,6 @@
 #include <touchstone/image.h>
 #include "../replay/forced.h"
 #include "compare_images.h"
-#include "../study/folder.h"
 
 /* What is compared. */
 typedef enum { TRACES, BUFFERS, IMAGES, N_KINDS } kind;
@@ -100,37 +99,10 @@ ts_status ts_compare_mask(ts_relaxations *relaxations, const ts_cli *cli)
 	return mask != NULL ? TS_OK : TS_ERROR;
 }
 
-/* A picture of the pixels where a buffer of rows and columns differs: white. */
-static ts_status draw_marks(const sides *s, ts_buffer_id id)
-{
-	const ts_npy *npy = &s->reference->item[id].npy;
-	u64 pixels = npy->shape[0] * npy->shape[1], every = npy->n / pixels;
-	const ts_order same = {.given = false};
-	char name[96];
-	ts_verdict v = {.marks = ts_alloc_zero((size_t)npy->n, 1, "a picture of differences")};
-	if (v.marks == NULL) return TS_ERROR;
-	ts_status status = ts_compare_buffer(&v, id, s->reference, s->candidate, &same, &s->relaxations);
-	for (u64 i = 0; i < npy->n; i++) {
-		u8 mark = v.marks[i] != 0 ? 255 : 0;
-		if (i % every == 0) v.marks[i / every] = mark;
-		v.marks[i / every] |= mark;
-	}
-	snprintf(name, sizeof name, "%s.png", ts_buffer_table[id].name);
-	const char *path = status == TS_OK ? ts_folder_file(name) : NULL;
-	status = path != NULL ? ts_image_write_png(path, v.marks, (u32)npy->shape[1], (u32)npy->shape[0], 1) : TS_ERROR;
-	free(v.marks);
-	return status;
-}
-
 static ts_status draw_all(const void *user)
 {
 	const sides *s = user;
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		bool unlike = s->comparison->verdict[id].judgement == TS_UNLIKE && s->reference->item[id].npy.n > 0;
-		if (!unlike || !ts_shape_is_image(ts_buffer_shape(id))) continue;
-		if (draw_marks(s, (ts_buffer_id)id) != TS_OK) return TS_ERROR;
-	}
-	return TS_OK;
+	return ts_compare_draw(s->comparison, s->reference, s->candidate, &s->relaxations);
 }
 
 static void report_all(ts_report *report, const void *user)

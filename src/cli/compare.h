@@ -39,6 +39,12 @@ void ts_compare_tap(const ts_comparison *comparison, const ts_trace *reference, 
 /* A uniquely named case a stage. */
 void ts_compare_junit(ts_junit *junit, const ts_comparison *comparison, const ts_trace *reference);
 
+/* Writes BUFFER.png into the folder of -o for each buffer of rows and columns that is unlike, and for each cube where a
+ * buffer of texels is unlike BUFFER-cube-R.png: the faces +X, -X, +Y, -Y, +Z, -Z side by side, levels of a mip map one
+ * below the other. White is what differs. Cubes are drawn only where the reference has cube_size.face. */
+ts_status ts_compare_draw(const ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
+                          const ts_relaxations *relaxations);
+
 /* What a comparison can say, of what `user` knows. */
 typedef struct {
 	void (*report)(ts_report *report, const void *user);

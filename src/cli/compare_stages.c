@@ -65,6 +65,7 @@ static bool next(stages *s)
 		s->verdict = TS_NOT_JUDGED;
 		s->why = "";
 		s->n_unlike = 0;
+		s->seconds = 0;
 		if (s->next == NULL) {
 			s->next = ts_pipeline_steps(s->reference->pipeline);
 			add_scene(s);

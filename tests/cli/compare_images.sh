@@ -189,5 +189,12 @@ run compare r/trace-epr r/trace-epr --junit j.xml --ignore image.srgb,image.radi
 verdict $? 'JUnit of a trace'
 xmllint --noout --schema "$schema" j.xml 2> lint
 verdict $? 'suits the schema'
+python3 - <<'PY'
+import xml.dom.minidom
+suite = xml.dom.minidom.parse("j.xml").documentElement
+times = [float(c.getAttribute("time")) for c in suite.getElementsByTagName("testcase")]
+assert 0 < sum(times) <= float(suite.getAttribute("time")) and times[-1] == 0, times  # the last is ignored
+PY
+verdict $? 'whose cases take no longer together than the suite'
 
 finish
