@@ -46,26 +46,32 @@ static ts_status read_task(task *t, int argc, char **argv)
 		ts_help_print(NULL);
 		return TS_OK;
 	}
-	const ts_command *command = ts_cli_require(argv[1]);
+	const ts_command *command = t->command = ts_cli_require(argv[1]);
 	ts_status status = command != NULL ? ts_cli_parse(&t->cli, command, argc - 1, argv + 1) : TS_ERROR;
 	if (status != TS_OK) return status;
 	if (t->cli.given[TS_OPTION_HELP]) {
 		ts_help_print(command);
+		t->command = NULL;
 		return TS_OK;
 	}
 	if (t->cli.job.sweep.n > 0 && strcmp(command->name, "render") != 0) {
 		return ts_fail("--set %s=%s: one value; only render takes lists", t->cli.job.sweep.swept[0].name,
 		               t->cli.job.sweep.swept[0].values);
 	}
-	t->command = command;
 	return TS_OK;
 }
 
-/* Prints why it failed, and returns the exit code. */
-static int end(ts_status status)
+static void tell_failed(const task *t)
+{
+	if (t->command != NULL && t->command->failed != NULL) t->command->failed(&t->cli);
+}
+
+/* Prints why it failed, tells the command of an error, and returns the exit code. */
+static int end(const task *t, ts_status status)
 {
 	if (status != TS_ERROR && ts_file_print("", 0) != TS_OK) status = TS_ERROR;
 	if (status == TS_ERROR || status == TS_SKIPPED) fprintf(stderr, "%s: %s\n", ts_program, ts_error_message());
+	if (status == TS_ERROR) tell_failed(t);
 	return (int)status;
 }
 
@@ -74,12 +80,6 @@ static void require_path(void)
 {
 	char path[256];
 	if (getenv("PATH") == NULL && confstr(_CS_PATH, path, sizeof path) <= sizeof path) setenv("PATH", path, 1);
-}
-
-/* Tells the command that it ended with an error. */
-static void tell_failed(const task *t)
-{
-	if (t->command->failed != NULL) t->command->failed(&t->cli);
 }
 
 static int run(void *user)
@@ -94,9 +94,7 @@ static int run(void *user)
 	}
 	if (status == TS_OK) status = t->command->run(cli);
 	if (cli->job.how.backend != NULL) cli->job.how.backend->close(cli->job.how.backend);
-	int code = end(status);
-	if (code == TS_ERROR) tell_failed(t);
-	return code;
+	return end(t, status);
 }
 
 /* A worker that could not say how it ended leaves the message to this process. */
@@ -115,8 +113,8 @@ int ts_cli_main(int argc, char **argv)
 	ts_cli_listen();
 	task t = {.command = NULL};
 	ts_status status = read_task(&t, argc, argv);
-	if (t.command == NULL) return end(status);
+	if (status != TS_OK || t.command == NULL) return end(&t, status);
 	if (!t.cli.worker.none) return run_worker(&t);
 	if (t.cli.worker.seconds == 0 && t.cli.worker.mib == 0) return run(&t);
-	return end(ts_fail("--timeout, --memory: limits of the worker; leave --no-worker out"));
+	return end(&t, ts_fail("--timeout, --memory: limits of the worker; leave --no-worker out"));
 }

@@ -34,6 +34,9 @@ ts_status ts_golden_command(ts_cli *cli)
 	}
 	if (nearest.distance != 0)
 		return ts_fail("golden: no action \"%.60s\"%s", typed, ts_nearest_hint(&nearest, "touchstone help golden"));
+	if (cli->given[TS_OPTION_REASON] && actions[action].run != ts_golden_bless_action) {
+		return ts_fail("golden %s: --reason is for bless, which writes it down; leave it out", typed);
+	}
 	goldens.job = &cli->job;
 	goldens.reason = cli->golden.reason;
 	const char *dir = cli->golden.dir != NULL ? cli->golden.dir : "reference";

@@ -181,6 +181,11 @@ if ${CC:-gcc} -shared -fPIC -o end.so "$ending" -ldl 2> stderr; then
 	verdict $? 'an error in JUnit: a run that a signal ended'
 	suits 1 0 1 0 'which suits the schema'
 fi
+rm j.xml
+run compare a.png b.png --junit j.xml --rmse x
+[ "$status" -eq 2 ] && grep -qF -- '--rmse: &quot;x&quot; is not a number' j.xml
+verdict $? 'an error in JUnit: a value that is none'
+suits 1 0 1 0 'which suits the schema'
 refuses '/dev/full: cannot be written' compare a.png b.png --junit /dev/full
 
 # JUnit of traces.

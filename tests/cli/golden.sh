@@ -64,6 +64,8 @@ touch "$ref/few.new/notes"
 fails 'few.new: holds notes, which is no part of a golden' new few
 rm "$ref/few.new/notes"
 
+fails 'golden check: --reason is for bless' check few --reason first
+fails 'golden new: --reason is for bless' new few --reason first
 fails 'no reason' bless few
 fails 'no reason' bless few --reason '  '
 fails 'control characters' bless few --reason $'one\ntwo'
