@@ -24,7 +24,8 @@ i64 ts_compare_ulps(ts_buffer_id id, const ts_difference *difference);
 /* "same", "different", ... */
 const char *ts_compare_word(ts_judgement judgement);
 
-/* All relaxations, as they are typed: they are part of the verdict; "" if there are none. */
+/* All relaxations, as they are typed, but control characters become '?': they are part of the verdict. "" if there are
+ * none. */
 void ts_compare_relaxed(char text[TS_RELAXED_TEXT], const ts_cli *cli);
 /* Reads the mask of cli: 1 where the picture is not black. relaxations->mask by free(). Without --mask does nothing. */
 ts_status ts_compare_mask(ts_relaxations *relaxations, const ts_cli *cli);

@@ -47,6 +47,7 @@ void ts_compare_relaxed(char text[TS_RELAXED_TEXT], const ts_cli *cli)
 	if (judging->mask != NULL) fprintf(out, " --mask %.200s", judging->mask);
 	fclose(out);
 	if (text[0] != 0) memmove(text, text + 1, strlen(text));
+	ts_line_clean(text);
 }
 
 /* Of sums the thing whose count it is; -1: there is none, where they begin. */

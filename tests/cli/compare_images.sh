@@ -109,6 +109,11 @@ run compare a.png a.png -o out --force
 [ "$status" -eq 0 ] && [ "$(ls out)" = report.json ]
 verdict $? '--force replaces it'
 
+cp mask.png $'m\nok 2 - m.png'
+run compare a.png b.png --mask $'m\nok 2 - m.png' --tap
+[ "$status" -eq 1 ] && [ "$(grep -c '^ok' stdout)" -eq 0 ] && grep -qx '# relaxed: --mask m?ok 2 - m.png' stdout
+verdict $? 'the name of a mask is no line of TAP'
+
 # Every option works or is refused, by images, buffers and traces.
 run "${frame[@]:0:${#frame[@]}-1}" --method epr --trace-only scene,eye,image -o r
 verdict "$status" 'pictures, buffers and a trace'
