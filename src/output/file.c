@@ -129,7 +129,7 @@ ts_status ts_file_replace(const char *path, const void *data, size_t bytes)
 {
 	struct stat there;
 	ts_lock lock;
-	if (stat(path, &there) == 0 && !S_ISREG(there.st_mode)) return ts_file_write(path, data, bytes);
+	if (lstat(path, &there) == 0 && !S_ISREG(there.st_mode)) return ts_file_write(path, data, bytes);
 	size_t n = strlen(path) + sizeof ".partial";
 	char *partial = ts_alloc(n, 1, path);
 	if (partial == NULL) return TS_ERROR;

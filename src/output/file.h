@@ -30,7 +30,7 @@ int ts_sync(int descriptor);
 /* A whole file at once. */
 ts_status ts_file_write(const char *path, const void *data, size_t bytes);
 /* The same as PATH.partial, then renamed: what was there stays until all is written. Two processes that do so at a time
- * do not mix. What is no regular file, as a pipe, is written as it is. */
+ * do not mix. What is no regular file, as a pipe or a link, is written as it is. */
 ts_status ts_file_replace(const char *path, const void *data, size_t bytes);
 
 /* To standard output, behind what its stream holds. */

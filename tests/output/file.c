@@ -134,6 +134,22 @@ static void test_pipe(void **state)
 	unlink(scratch_path("pipe"));
 }
 
+/* A link stays, and so what it leads to is written: /dev/stdout is one. */
+static void test_link(void **state)
+{
+	(void)state;
+	struct stat there;
+	char *link = strdup(scratch_path("link"));
+	assert_int_equal(ts_file_write(scratch_path("end"), "a longer text", 13), TS_OK);
+	assert_int_equal(symlink("end", link), 0);
+	assert_int_equal(ts_file_replace(link, "abc", 3), TS_OK);
+	assert_true(lstat(link, &there) == 0 && S_ISLNK(there.st_mode));
+	assert_true(stat(scratch_path("end"), &there) == 0 && there.st_size == 3);
+	unlink(scratch_path("end"));
+	unlink(link);
+	free(link);
+}
+
 static void test_text(void **state)
 {
 	(void)state;
@@ -153,7 +169,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_pieces),  cmocka_unit_test(test_full), cmocka_unit_test(test_absent),
-		cmocka_unit_test(test_replace), cmocka_unit_test(test_pipe), cmocka_unit_test(test_text),
+		cmocka_unit_test(test_replace), cmocka_unit_test(test_pipe), cmocka_unit_test(test_link),
+		cmocka_unit_test(test_text),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }
