@@ -97,12 +97,13 @@ static int run(void *user)
 	return end(t, status);
 }
 
-/* A worker that could not say how it ended leaves the message to this process. */
+/* A worker that could not say how it ended leaves the message to this process. The worker comes back here, too. */
 static int run_worker(task *t)
 {
+	const pid_t own = getpid();
 	ts_fail("%s", "");
 	int code = ts_worker_run(run, t, t->cli.worker.seconds, t->cli.worker.mib);
-	if (code == TS_ERROR && ts_error_message()[0] != 0) tell_failed(t);
+	if (getpid() == own && code == TS_ERROR && ts_error_message()[0] != 0) tell_failed(t);
 	return code;
 }
 

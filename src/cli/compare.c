@@ -74,6 +74,10 @@ static ts_status open_sides(sides *s, kind is)
 		ts_buffer_id a, b;
 		if (ts_trace_open_file(&s->reference, ref, &a) != TS_OK) return TS_ERROR;
 		if (ts_trace_open_file(&s->candidate, cand, &b) != TS_OK) return TS_ERROR;
+		if (s->cli->judging.mask != NULL && !ts_shape_is_image(ts_buffer_shape(a))) {
+			return ts_fail("--mask: means something for pixels only; %s holds %s: leave the option out", ref,
+			               ts_buffer_table[a].name);
+		}
 		if (a == b) return TS_OK;
 		return ts_fail("%s: holds %s, and the reference %s", cand, ts_buffer_table[b].name, ts_buffer_table[a].name);
 	}
@@ -89,8 +93,9 @@ ts_status ts_compare_mask(ts_relaxations *relaxations, const ts_cli *cli)
 	if (cli->judging.mask == NULL) return TS_OK;
 	if (ts_image_read(&pixels, &width, &height, &channels, cli->judging.mask) != TS_OK) return TS_ERROR;
 	u8 *mask = ts_alloc_zero((size_t)width, height, "a mask");
+	const u32 colours = channels % 2 == 0 ? channels - 1 : channels; /* the last of two or four is alpha */
 	for (size_t i = 0; mask != NULL && i < (size_t)width * height * channels; i++) {
-		if (pixels[i] > 0.0f) mask[i / channels] = 1;
+		if (i % channels < colours && pixels[i] > 0.0f) mask[i / channels] = 1;
 	}
 	free(pixels);
 	relaxations->mask = mask;

@@ -14,7 +14,7 @@
 typedef struct {
 	f32 *pixels;
 	u32 width, height, channels;
-	bool linear; /* radiance; else sRGB codes divided by 255 */
+	bool linear; /* radiance; else sRGB codes, from 0 to 1 */
 } picture;
 
 typedef struct {
@@ -158,17 +158,13 @@ static void show(char text[TS_DIFFERENCE_TEXT], const images *s, u64 value)
 
 static void sum_up(char text[TS_LINE_TEXT], const images *s)
 {
-	char relaxed[TS_RELAXED_TEXT], exposure[64] = "";
+	char relaxed[TS_RELAXED_TEXT];
 	ts_compare_relaxed(relaxed, s->cli);
-	if (s->cli->given[TS_OPTION_EXPOSURE]) {
-		snprintf(exposure, sizeof exposure, "; displayed: --exposure %.9g",
-		         (double)TS_PARAM(&s->cli->job.params, image_exposure));
-	}
 	snprintf(text, TS_LINE_TEXT,
 	         "%" PRIu64 " values, %" PRIu64 " different in %.4g %% of the pixels, largest difference %.9g, root mean "
-	         "square %.9g%s%s%s",
+	         "square %.9g%s%s",
 	         s->n_values, s->n_unlike, percent_of(s), s->largest, rmse_of(s), relaxed[0] != 0 ? "; relaxed: " : "",
-	         relaxed, exposure);
+	         relaxed);
 }
 
 /* Line i of what is said of all: the figures, then what differs first. False: there are no more. */

@@ -38,10 +38,13 @@ void ts_compare_relaxed(char text[TS_RELAXED_TEXT], const ts_cli *cli)
 	if (r->ulp > 0) fprintf(out, " --ulp %" PRIu64, r->ulp);
 	if (r->abs > 0) fprintf(out, " --abs %.17g", r->abs);
 	if (r->rel > 0) fprintf(out, " --rel %.17g", r->rel);
-	if (r->allow > 0) fprintf(out, " --allow %" PRIu64, r->allow);
+	if (cli->given[TS_OPTION_ALLOW]) fprintf(out, " --allow %" PRIu64, r->allow);
 	if (cli->given[TS_OPTION_PERCENT]) fprintf(out, " --percent %.17g", t->percent);
 	if (cli->given[TS_OPTION_HARDFAIL]) fprintf(out, " --hardfail %.17g", t->hardfail);
 	if (cli->given[TS_OPTION_RMSE]) fprintf(out, " --rmse %.17g", t->rmse);
+	if (cli->given[TS_OPTION_EXPOSURE]) {
+		fprintf(out, " --exposure %.9g", (double)TS_PARAM(&cli->job.params, image_exposure));
+	}
 	if (r->decided) fprintf(out, " --decided");
 	if (r->ignore != NULL) fprintf(out, " --ignore %.200s", r->ignore);
 	if (judging->mask != NULL) fprintf(out, " --mask %.200s", judging->mask);

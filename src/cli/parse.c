@@ -117,8 +117,8 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 	for (int answer; (answer = getopt_long(argc, argv, k.letters, k.options, NULL)) != -1;) {
 		if (answer == '?' || answer == ':') return refuse(command, &k, answer, argv);
 		const ts_option *o = option_of(answer);
-		cli->given[o - ts_option_table] = true;
 		if (o->take((char *)cli + o->at, o, optarg) != TS_OK) return TS_ERROR;
+		cli->given[o - ts_option_table] = true;
 	}
 	if (cli->job.scene.n_mirrors > 0 && !cli->job.mirrored) {
 		TS_PARAM_SET(&cli->job.params, reflectors_count, 0);
