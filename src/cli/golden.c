@@ -26,14 +26,15 @@ ts_status ts_golden_command(ts_cli *cli)
 {
 	static ts_goldens goldens;
 	u32 action = 0;
+	char help[64];
 	const char *typed = cli->arguments[0];
 	ts_nearest nearest = ts_nearest_begin(typed);
 	for (u32 i = 0; i < N_ACTIONS; i++) {
 		ts_nearest_offer(&nearest, actions[i].name);
 		if (strcmp(typed, actions[i].name) == 0) action = i;
 	}
-	if (nearest.distance != 0)
-		return ts_fail("golden: no action \"%.60s\"%s", typed, ts_nearest_hint(&nearest, "touchstone help golden"));
+	snprintf(help, sizeof help, "%s help golden", ts_program);
+	if (nearest.distance != 0) return ts_fail("golden: no action \"%.60s\"%s", typed, ts_nearest_hint(&nearest, help));
 	if (cli->given[TS_OPTION_REASON] && actions[action].run != ts_golden_bless_action) {
 		return ts_fail("golden %s: --reason is for bless, which writes it down; leave it out", typed);
 	}

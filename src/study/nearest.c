@@ -58,7 +58,7 @@ const char *ts_nearest_hint(ts_nearest *nearest, const char *lists)
 	char *hint = nearest->hint;
 	const bool near = nearest->distance <= ((u32)strnlen(nearest->typed, MAX_NAME) + 1) / 3;
 	hint[0] = 0;
-	if (near) snprintf(hint, sizeof nearest->hint, "; the nearest is %s%s", nearest->mark, nearest->best);
+	if (near) snprintf(hint, sizeof nearest->hint, "; the nearest is %s%.64s", nearest->mark, nearest->best);
 	if (lists == NULL) return hint;
 	const size_t used = strlen(hint);
 	snprintf(hint + used, sizeof nearest->hint - used, "%s \"%s\" lists all", near ? ", and" : ";", lists);

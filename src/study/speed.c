@@ -16,28 +16,37 @@ bool ts_speed_wants(const ts_job *job, const char *name)
 	return job->scenes == NULL || ts_words_listed(job->scenes, name);
 }
 
-static void offer_names(ts_nearest *nearest)
+static void offer(ts_nearest *nearest, char *names, size_t bytes, const char *name)
 {
+	const size_t used = strlen(names);
+	ts_nearest_offer(nearest, name);
+	snprintf(names + used, bytes - used, "%s%s", used != 0 ? ", " : "", name);
+}
+
+/* Also lists them. */
+static void offer_names(ts_nearest *nearest, char *names, size_t bytes)
+{
+	names[0] = 0;
 	for (const ts_speed_of *const *at = lists; *at != NULL; at++) {
 		const ts_speed_scene *scene = (*at)->scenes;
 		const ts_speed_growth *growth = (*at)->growths;
-		for (; scene != NULL && scene->name != NULL; scene++) ts_nearest_offer(nearest, scene->name);
-		for (; growth != NULL && growth->name != NULL; growth++) ts_nearest_offer(nearest, growth->name);
+		for (; scene != NULL && scene->name != NULL; scene++) offer(nearest, names, bytes, scene->name);
+		for (; growth != NULL && growth->name != NULL; growth++) offer(nearest, names, bytes, growth->name);
 	}
 }
 
 static ts_status check_names(const ts_job *job)
 {
 	const char *names = job->scenes;
-	char item[32];
+	char item[32], all[256];
 	u32 n = 0;
 	while (names != NULL && ts_words_item(&names, item, sizeof item)) {
 		ts_nearest nearest = ts_nearest_begin(item);
-		offer_names(&nearest);
+		offer_names(&nearest, all, sizeof all);
 		n++;
 		if (nearest.distance > 0)
-			return ts_fail("bench speed: --scene %s: nothing of that name is measured%s", item,
-			               ts_nearest_hint(&nearest, "touchstone help bench"));
+			return ts_fail("bench speed: --scene %s: nothing of that name is measured%s; there are %s", item,
+			               ts_nearest_hint(&nearest, NULL), all);
 	}
 	if (job->objects != NULL && n != 1)
 		return ts_fail("bench speed: --objects are the values of one growth, which --scene names");
