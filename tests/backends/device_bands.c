@@ -17,6 +17,17 @@ static ts_status run_items(ts_backend *backend, ts_frame *frame, const ts_launch
 	return TS_OK;
 }
 
+static u64 n_items;
+static ts_status count_items(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
+{
+	(void)backend;
+	(void)frame;
+	(void)launch;
+	(void)args;
+	n_items = n;
+	return TS_OK;
+}
+
 static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
 	return ts_device_launch(backend, frame, launch, args, n, run_items);
@@ -72,6 +83,33 @@ static void test_bands(void **state)
 	}
 }
 
+static bool knows_bands(const ts_arg_list *list)
+{
+	for (const ts_arg *row = list->rows; row < list->rows + list->n; row++) {
+		if (strcmp(row->name, "others") == 0) return true;
+		if (row->role == TS_ROLE_INNER && knows_bands(row->inner())) return true;
+	}
+	return false;
+}
+
+/* Each kernel whose arguments have bands gets them, but those that share a struct with one: they are over points or
+ * texels. */
+static void test_every_kernel(void **state)
+{
+	(void)state;
+	static u64 args[TS_ARGUMENTS / sizeof(u64)];
+	ts_backend backend = {.ends_loops = true};
+	for (u32 k = 0; k < TS_N_KERNELS; k++) {
+		const ts_launch of = {(ts_kernel)k, {TS_ALL}};
+		const bool shares = k == TS_KERNEL_scatter || k == TS_KERNEL_shadow_splat || k == TS_KERNEL_rsm_patch;
+		ts_frame frame = {.bytes = 0};
+		u64 n = 1000;
+		assert_int_equal(ts_device_launch(&backend, &frame, &of, args, n, count_items), TS_OK);
+		if ((n_items > n) != (knows_bands(ts_kernel_args((ts_kernel)k)) && !shares))
+			fail_msg("%s: %u items of %u", ts_kernel_name((ts_kernel)k), (unsigned)n_items, (unsigned)n);
+	}
+}
+
 static void test_points(void **state)
 {
 	(void)state;
@@ -85,6 +123,7 @@ static void test_points(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_bands), cmocka_unit_test(test_points)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_bands), cmocka_unit_test(test_every_kernel),
+	                                   cmocka_unit_test(test_points)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
