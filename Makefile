@@ -28,8 +28,11 @@ mandir = $(datarootdir)/man
 bashcompletiondir = $(datarootdir)/bash-completion/completions
 zshcompletiondir = $(datarootdir)/zsh/site-functions
 
-VERSION := $(shell sed -n 's/^\#define TS_VERSION "\(.*\)"/\1/p' src/model/core.h)
-ABI := $(firstword $(subst ., ,$(VERSION)))
+SHOWN_VERSION := sed -n 's/^\#define TS_VERSION "\(.*\)"/\1/p'
+VERSION := $(shell $(SHOWN_VERSION) src/model/core.h)
+NUMBERS := $(subst ., ,$(VERSION))
+# Of the soname: a program that was built with 0.1 does not run with 0.2.
+ABI := $(firstword $(NUMBERS))$(if $(filter 0,$(firstword $(NUMBERS))),.$(word 2,$(NUMBERS)))
 PKG_CONFIG ?= pkg-config
 JOBS ?= $(shell nproc)
 ifeq ($(MAKELEVEL),0)
@@ -418,6 +421,11 @@ deps:
 	$(Q)scripts/install-deps
 
 ##   install uninstall  under DESTDIR, in PREFIX=/usr/local or GNU's directories: prefix bindir libdir docdir mandir ...
+ifneq (,$(filter install uninstall installcheck,$(MAKECMDGOALS)))
+$(foreach folder,bindir libdir includedir datadir docdir mandir bashcompletiondir zshcompletiondir,\
+	$(if $(filter 1,$(words $($(folder)))),,$(error $(folder)="$($(folder))": a folder without blanks would be right)))
+$(if $(word 2,$(DESTDIR)),$(error DESTDIR="$(DESTDIR)": a folder without blanks would be right))
+endif
 BIN := $(DESTDIR)$(bindir)
 LIB := $(DESTDIR)$(libdir)
 INCLUDE := $(DESTDIR)$(includedir)/touchstone
@@ -426,6 +434,8 @@ DOC := $(DESTDIR)$(docdir)
 MAN := $(DESTDIR)$(mandir)/man1
 BASH_COMPLETION := $(DESTDIR)$(bashcompletiondir)
 ZSH_COMPLETION := $(DESTDIR)$(zshcompletiondir)
+REFERENCE := $(wildcard $(patsubst %,reference/*.%,md json png))
+COMMANDS := $(shell sed -nE 's/^\t\{"([a-z]+)",.*/\1/p' src/cli/commands.c)
 install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(PTX)
 	install -d $(BIN) $(LIB)/pkgconfig $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference $(MAN) \
 		$(BASH_COMPLETION) $(ZSH_COMPLETION)
@@ -435,14 +445,16 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	install -m 755 $(BUILD)/libtouchstone-image.so $(LIB)
 	ln -sfn libtouchstone.so.$(VERSION) $(LIB)/libtouchstone.so.$(ABI)
 	ln -sfn libtouchstone.so.$(ABI) $(LIB)/libtouchstone.so
-	printf '%s\n' "$$TOUCHSTONE_PC" > $(LIB)/pkgconfig/touchstone.pc
+	printf '%s\n' "$$TOUCHSTONE_PC" | install -m 644 /dev/stdin $(LIB)/pkgconfig/touchstone.pc
 	install -m 644 $(wildcard include/touchstone/*.h) $(INCLUDE)
-	for list in records params; do scripts/assembled include/touchstone/$$list.def > $(INCLUDE)/$$list.def; done
+	for list in records params; do scripts/assembled include/touchstone/$$list.def | \
+		install -m 644 /dev/stdin $(INCLUDE)/$$list.def || exit; done
 	install -m 755 scripts/spirv-exact $(DATA)/spirv-exact
 	install -m 644 $(PTX) $(DATA)/kernels.ptx
 	rm -rf $(DATA)/glsl
 	cp -R $(PLAIN) $(DATA)/glsl
 	rm $(DATA)/glsl/made
+	chmod -R u=rwX,go=rX $(DATA)/glsl
 	install -m 644 $(wildcard scenes/*) $(DATA)/scenes
 	install -m 644 $(wildcard tests/ports/vulkan/*) $(DATA)/ports/vulkan
 	install -m 644 $(MANUAL)/*.1 $(MAN)
@@ -452,27 +464,28 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	rm -rf $(DOC)/kernels
 	cp -R $(PSEUDOCODE) $(DOC)/kernels
 	rm $(DOC)/kernels/made
-	install -m 644 $(wildcard $(patsubst %,reference/*.%,md json png)) $(DOC)/reference
+	chmod -R u=rwX,go=rX $(DOC)/kernels
+	install -m 644 $(REFERENCE) $(DOC)/reference
 uninstall:
-	rm -f $(BIN)/touchstone $(LIB)/pkgconfig/touchstone.pc $(MAN)/touchstone.1 $(MAN)/touchstone-*.1
+	rm -f $(BIN)/touchstone $(LIB)/pkgconfig/touchstone.pc $(MAN)/touchstone.1 $(COMMANDS:%=$(MAN)/touchstone-%.1)
 	rm -f $(BASH_COMPLETION)/touchstone $(ZSH_COMPLETION)/_touchstone
 	rm -f $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.$(ABI) .so.$(VERSION) -image.so)
-	rm -rf $(INCLUDE) $(DATA) $(DOC)/kernels $(DOC)/reference
-	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE)
-	[ ! -d $(DOC) ] || rmdir --ignore-fail-on-non-empty $(DOC)
+	rm -rf $(INCLUDE) $(DATA) $(DOC)/kernels
+	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE $(REFERENCE))
+	for folder in $(DOC)/reference $(DOC); do [ ! -d $$folder ] || rmdir --ignore-fail-on-non-empty $$folder; done
 
 ##   installcheck       judges what is installed there: command, libraries, pkg-config, manual, completion; and uninstall
-installcheck:
+installcheck: | $(filter install,$(MAKECMDGOALS))
 	$(Q)BUILD='$(BUILD)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' BIN='$(BIN)' LIB='$(LIB)' \
-		MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
+		INCLUDE='$(INCLUDE)' ABI='$(ABI)' MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
 
 ##   dist               build/touchstone-VERSION.tar.xz of the last commit, the same bytes each time
-DIST := build/touchstone-$(VERSION)
+DIST = build/touchstone-$(shell git show HEAD:src/model/core.h 2>/dev/null | $(SHOWN_VERSION))
 dist:
 	$(Q)[ -e .git ] || { echo "make dist: no git checkout here, whose last commit would be packed" >&2; exit 2; }
 	$(Q)mkdir -p build
 	$(Q)git -c tar.umask=0022 archive --prefix=$(notdir $(DIST))/ -o $(DIST).tar HEAD
-	$(Q)xz -T1 -f $(DIST).tar
+	$(Q)env -u XZ_OPT -u XZ_DEFAULTS xz -T1 -f $(DIST).tar
 	@echo $(DIST).tar.xz
 
 ##   clean              removes build/

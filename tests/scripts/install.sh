@@ -10,8 +10,9 @@ grep -q -e -Werror "${BUILD:-build/release}/flags" && export WERROR=1
 at=/opt/touchstone
 places=(prefix=$at libdir=$at/lib/machine docdir=/opt/docs)
 
-make -s install DESTDIR="$scratch/made" "${places[@]}" > "$scratch/stdout"
-verdict $? 'installs'
+(umask 077 && make -s install DESTDIR="$scratch/made" "${places[@]}" > "$scratch/stdout") &&
+	[ -z "$(find "$scratch/made/opt" ! -type d ! -perm -444)" ]
+verdict $? 'installs, for all to read'
 find "$scratch/made" ! -type d -printf '/%P\n' |
 	grep -vE "^($at/(bin/touchstone$|lib/machine/|include/touchstone/|share/)|/opt/docs/)" > "$scratch/astray"
 [ ! -s "$scratch/astray" ]
@@ -21,8 +22,12 @@ mv "$scratch/made" "$scratch/moved"
 make -s installcheck DESTDIR="$scratch/moved" "${places[@]}" | sed 's/^/# /'
 verdict "${PIPESTATUS[0]}" 'all of it works where it is moved to'
 
-echo kept > "$scratch/moved/opt/docs/other"
+echo kept | tee "$scratch/moved/opt/docs/"{other,reference/other} "$scratch/moved$at/share/man/man1/touchstone-other.1" > "$scratch/stdout"
 make -s uninstall DESTDIR="$scratch/moved" "${places[@]}" > "$scratch/stdout" &&
-	[ "$(find "$scratch/moved" ! -type d)" = "$scratch/moved/opt/docs/other" ]
+	[ "$(find "$scratch/moved" ! -type d -exec cat {} + | sort | uniq -c)" = '      3 kept' ]
 verdict $? 'uninstall leaves what is of others'
+for word in docdir= libdir='a b' DESTDIR='a b'; do
+	! make -s uninstall "$word" 2> "$scratch/stderr" && grep -q 'without blanks would be right' "$scratch/stderr"
+	verdict $? "uninstall of $word is refused"
+done
 finish

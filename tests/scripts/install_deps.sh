@@ -15,7 +15,7 @@ deps() {
 	status=$?
 }
 
-deps scripts/install-deps
+deps env -u TS_INSTALL scripts/install-deps
 [ "$status" -eq 0 ] && [ "$(cat "$scratch/stdout")" = 'install-deps: installing gcc' ] &&
 	grep -q '^install .* gcc$' "$scratch/asked"
 verdict $? 'what is missing is printed and installed'
