@@ -36,7 +36,8 @@ int main(int n_words, char **word)
 }
 END
 library=$(dirname "$(realpath "${BUILD:-build/release}/libtouchstone.so")")
-ln -s "$library/libtouchstone.so" "$scratch/libtouchstone.so.0"
+soname=$(readelf -d "$library/libtouchstone.so" | sed -n 's/.*SONAME.*\[\(.*\)\]/\1/p')
+ln -s "$library/libtouchstone.so" "$scratch/$soname"
 ln -s "$library/libtouchstone-image.so" "$scratch/libtouchstone-image.so"
 gcc -Iinclude "$scratch/program.c" "$library/libtouchstone.so" -Wl,-rpath,"$scratch" -o "$scratch/program" &&
 	printf '\166\057\061\001' > "$scratch/cut.exr" && "$scratch/program" "$scratch/cut.exr" > "$scratch/stdout" 2> "$scratch/stderr"
