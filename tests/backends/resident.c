@@ -73,7 +73,7 @@ static void test_failure_once(void **state)
 	}
 }
 
-/* What a fetch kept is told by the next finish, which itself may have nothing to wait for. */
+/* The fetch fails and keeps its message. The next finish tells it, though the device has nothing left to do. */
 static void test_kept(void **state)
 {
 	(void)state;
