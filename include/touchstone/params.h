@@ -1,4 +1,4 @@
-/* Parameters: what a run can be told. params.def lists them. */
+/* Parameters: what a run can be told, each by its name; ts_param_at walks the table of all. */
 #ifndef TOUCHSTONE_PARAMS_H
 #define TOUCHSTONE_PARAMS_H
 #include <stddef.h>
@@ -8,23 +8,26 @@
 extern "C" {
 #endif
 
-/* The library's own tests build it with TS_RECORD_PARAMS: then its sources can read members by one accessor only. */
-#ifdef TS_RECORD_PARAMS
-#define TS_PARAM_MEMBER(field) by_TS_PARAM_only_##field
-#else
-#define TS_PARAM_MEMBER(field) field
-#endif
-#define PARAM_U32(field, name, def, min, max, unit, source, help) uint32_t TS_PARAM_MEMBER(field);
-#define PARAM_F32(field, name, def, min, max, unit, source, help) float TS_PARAM_MEMBER(field);
-#define PARAM_ENUM(field, name, def, choices, source, help) uint32_t TS_PARAM_MEMBER(field);
-typedef struct {
-#include <touchstone/params.def>
-} ts_params;
+typedef struct ts_params ts_params;
 
-#define CHOICES(...) enum { __VA_ARGS__ };
-#include <touchstone/params.def>
+/* Makes a set of parameters, all at their defaults. Release it by ts_params_free; NULL on failure: no memory. */
+TS_API ts_status ts_params_make(ts_params **params);
 
-/* One row of params.def, for programs that list parameters. Numbers are decimal text as written there. */
+/* Makes a copy, on the same terms. */
+TS_API ts_status ts_params_copy(ts_params **copy, const ts_params *params);
+
+/* Releases a set of parameters; NULL is allowed. Scenes and traces keep copies of their own. */
+TS_API void ts_params_free(ts_params *params);
+
+/* Sets one parameter from text, as in --set name=value. On failure params is unchanged and the message names
+ * the parameter, the value and the range. */
+TS_API ts_status ts_params_set(ts_params *params, const char *name, const char *value);
+
+/* Writes the value of a parameter as text that ts_params_set reads back to the same bits. 64 bytes hold every value;
+ * TS_ERROR if text_bytes do not hold this one, or there is no such parameter. */
+TS_API ts_status ts_params_get(const ts_params *params, const char *name, char *text, size_t text_bytes);
+
+/* One parameter. Numbers are decimal text. */
 typedef struct {
 	const char *name;
 	const char *kind; /* "u32", "f32" or "enum" */
@@ -35,21 +38,8 @@ typedef struct {
 	const char *help;
 } ts_param_info;
 
-/* The table; *n receives its length. */
-TS_API const ts_param_info *ts_param_table(size_t *n);
-
-/* Sets every parameter to its default. */
-TS_API void ts_params_default(ts_params *params);
-
-/* Sets one parameter from text, as in --set name=value. On failure params is unchanged and the message names
- * the parameter, the value and the range. */
-TS_API ts_status ts_params_set(ts_params *params, const char *name, const char *value);
-
-/* Writes the value of table row `row` as text that ts_params_set reads back to the same bits. */
-TS_API void ts_params_format(const ts_params *params, size_t row, char *text, size_t text_bytes);
-
-/* Every parameter lies in its range; for a struct that was not filled by ts_params_set. */
-TS_API ts_status ts_params_check(const ts_params *params);
+/* Parameter i of all, from 0; NULL behind the last. */
+TS_API const ts_param_info *ts_param_at(size_t i);
 
 #ifdef __cplusplus
 }

@@ -7,9 +7,12 @@
  * is left open. The normal is not stored: it is the unit vector of u x v, made by the kernel that sets a surfel up. */
 #ifndef TOUCHSTONE_SCENE_H
 #define TOUCHSTONE_SCENE_H
+#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <touchstone/context.h>
 #include <touchstone/params.h>
+#include <touchstone/records.h>
 #include <touchstone/status.h>
 #ifdef __cplusplus
 extern "C" {
@@ -23,10 +26,11 @@ typedef struct ts_scene ts_scene;
 /* The animation that every scene has: all stands still, as the nodes say. */
 #define TS_ANIMATION_NONE "none"
 
-/* What of a scene is wanted, beside the parameters. Zero-initialise for defaults. Coordinates must be finite and within
- * 2^24, the eye must not be its target, and a radius must be above 0. Rays find places in files only: in a built-in
- * scene eye, mirrors and lamps stand by its box and walls where nothing is said. */
+/* What of a scene is wanted, beside the parameters; all but `bytes` may be 0. Coordinates must be finite and within
+ * 2^24, the eye must not be its target, and a radius must be above 0. Rays find no places in built-in scenes: there
+ * eye, mirrors and lamps stand by box and walls where nothing is said. */
 typedef struct {
+	size_t bytes;          /* sizeof(ts_scene_options) */
 	const char *camera;    /* name of a camera of the file; NULL: its first one, and without any an eye that rays place;
 	                        * "circle": eye, mirrors and lamps by the scene's box and walls alone, the eye circling */
 	const char *reflector; /* name of a node of the file to make a mirror of; NULL: those marked in extras */
@@ -40,17 +44,54 @@ typedef struct {
 	const float *lamp; /* x, y and z of the lamp of shadows and indirect light; NULL: rays or the hall place it */
 } ts_scene_options;
 
-/* Opens a scene. Result in *scene, to be released with ts_scene_free; NULL on failure.
- *   spec     a built-in scene, a row of ts_builtin_table, optionally with ":triangles=COUNT" (10000 to 16000000;
+/* Opens a scene. Release it by ts_scene_free; NULL on failure.
+ *   spec     a built-in scene, a row of ts_builtin_at, optionally with ":triangles=COUNT" (10000 to 16000000;
  *            suffixes k and M; 300k unless said) and ":texels=SIDE" (no texture is larger than SIDE a side: a power of
  *            two, 16 to 512; 512 unless said), that of surfels with ":surfels=COUNT"; or the path of a .gltf, .glb or
  *            .ply file. Files are untrusted: every count, offset and index is checked, and nothing outside the file's
  *            own folder is opened.
  *   params   reads reflectors.*, seed, eye.*, width and height: the added mirrors.
- *   options  may be NULL.
+ *   options  NULL: all defaults.
  * The result does not depend on threads. */
-TS_API ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *params,
+TS_API ts_status ts_scene_open(ts_context *context, ts_scene **scene, const char *spec, const ts_params *params,
                                const ts_scene_options *options);
+
+/* An image that textures read: height rows of width RGBA texels, from the top, each side 1 to 65536. */
+typedef struct {
+	const uint8_t *rgba;
+	uint32_t width, height;
+	int srgb; /* not 0: red, green and blue are sRGB-coded */
+} ts_image_array;
+
+/* A camera of its own name, for ts_scene_options.camera. The axes are unit vectors. */
+typedef struct {
+	const char *name;
+	float eye[3], right[3], up[3], back[3]; /* world; it looks along -back */
+	float yfov;                             /* vertical field of view in turns; 0: the parameter eye.fov */
+} ts_camera_array;
+
+/* A scene as the caller's arrays; all but `bytes` may be 0. Padding and ts_object's first_vertex and n_vertices are not
+ * read. */
+typedef struct {
+	size_t bytes;                /* sizeof(ts_scene_arrays) */
+	const char *name;            /* in messages and in traces; NULL: "arrays" */
+	const ts_vertex *vertices;   /* each names its object */
+	const ts_triangle *triangles; /* of three vertices of one object */
+	const ts_material *materials;
+	const ts_slot *slots;
+	const ts_image_array *images;
+	const ts_light *lights;      /* none: a sun, as of a file without lights */
+	const ts_object *objects;    /* none: all vertices are of object 0, which stands still. A reflector other than
+	                              * TS_NO_INDEX makes an object a mirror */
+	const ts_surfel *surfels;
+	const ts_camera_array *cameras;
+	uint32_t n_vertices, n_triangles, n_materials, n_slots, n_images, n_lights, n_objects, n_surfels, n_cameras;
+} ts_scene_arrays;
+
+/* Makes a scene of arrays, which are copied, as ts_scene_open makes one of a file: with the same checks, mirrors that
+ * are added, and places that rays find. options: reflector and animation must be NULL. */
+TS_API ts_status ts_scene_make(ts_context *context, ts_scene **scene, const ts_scene_arrays *arrays,
+                               const ts_params *params, const ts_scene_options *options);
 
 /* Releases a scene; NULL is allowed. */
 TS_API void ts_scene_free(ts_scene *scene);
@@ -58,11 +99,13 @@ TS_API void ts_scene_free(ts_scene *scene);
 /* What was loaded, and what in the file was not understood: as text, or as JSON if json is not 0. */
 TS_API ts_status ts_scene_print(const ts_scene *scene, FILE *out, int json);
 
-/* One row per built-in scene: name and a one-line description. *n receives the length. */
+/* A built-in scene, and what it is in one line. */
 typedef struct {
 	const char *name, *doc;
 } ts_builtin_info;
-TS_API const ts_builtin_info *ts_builtin_table(size_t *n);
+
+/* Built-in scene i, from 0; NULL behind the last. */
+TS_API const ts_builtin_info *ts_builtin_at(size_t i);
 
 #ifdef __cplusplus
 }

@@ -73,6 +73,8 @@ typedef struct {
 	ts_status (*open)(ts_backend **backend, const ts_backend_options *options);
 } ts_backend_kind;
 extern const ts_backend_kind ts_c_kind, ts_opencl_kind, ts_vulkan_kind, ts_cuda_kind;
+/* Those that the library, or the core, has: the reference first, ended by NULL. */
+extern const ts_backend_kind *const ts_backend_kinds[];
 
 /* The reference, in C: threads of OpenMP. */
 typedef struct {

@@ -3,9 +3,6 @@
 #define TS_CLI_BACKENDS_H
 #include "../study/job.h"
 
-/* Each program's own, the reference first, ended by NULL. */
-extern const ts_backend_kind *const ts_backend_kinds[];
-
 /* Opens the job's backend into job->how, if it is not the reference; a device that breaks the numeric contract
  * is refused, unless it may. */
 ts_status ts_backend_open(ts_job *job);

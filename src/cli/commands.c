@@ -11,7 +11,6 @@
 
 const char *const ts_program = "touchstone";
 ts_preview *const ts_golden_preview = ts_image_write_png;
-const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, &ts_opencl_kind, &ts_vulkan_kind, &ts_cuda_kind, NULL};
 
 const ts_command ts_command_table[] = {
 	{"render",

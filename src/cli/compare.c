@@ -81,8 +81,8 @@ static ts_status open_sides(sides *s, kind is)
 		if (a == b) return TS_OK;
 		return ts_fail("%s: holds %s, and the reference %s", cand, ts_buffer_table[b].name, ts_buffer_table[a].name);
 	}
-	if (ts_trace_open(&s->reference, ref) != TS_OK) return TS_ERROR;
-	if (layout == NULL) return ts_trace_open(&s->candidate, cand);
+	if (ts_trace_open_folder(&s->reference, ref) != TS_OK) return TS_ERROR;
+	if (layout == NULL) return ts_trace_open_folder(&s->candidate, cand);
 	return ts_trace_open_layout(&s->candidate, cand, layout, s->cli->job.how.arrival, s->reference);
 }
 
@@ -130,7 +130,7 @@ static void print_tap(FILE *out, const void *user)
 
 static ts_status judge(const sides *s)
 {
-	if (!s->cli->judging.forced) return ts_compare(s->comparison, s->reference, s->candidate, &s->relaxations);
+	if (!s->cli->judging.forced) return ts_compare_traces(s->comparison, s->reference, s->candidate, &s->relaxations);
 	if (ts_selftest_require() != TS_OK) return TS_ERROR;
 	return ts_compare_forced(s->comparison, s->reference, s->candidate, &s->relaxations, s->cli->job.how.threads);
 }

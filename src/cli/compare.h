@@ -1,28 +1,15 @@
 /* What a comparison says, in each of its forms. */
 #ifndef TS_CLI_COMPARE_H
 #define TS_CLI_COMPARE_H
-#include "../compare/compare.h"
+#include "../compare/line.h"
 #include "cli.h"
 #include "junit.h"
 #include "../study/table.h"
 
-enum { TS_DIFFERENCE_TEXT = 512, TS_FIRST_TEXT = 1152, TS_LINE_TEXT = 2048, TS_RELAXED_TEXT = 600 };
+enum { TS_RELAXED_TEXT = 600 };
 
-/* "pixel (35, 0), field normal[1]: ref 1 = 0x1p+0 (3f800000) candidate -1 = -0x1p+0 (bf800000) -2130706433 ulp". */
-void ts_compare_difference(char text[TS_DIFFERENCE_TEXT], ts_buffer_id id, const ts_named *named);
-/* The first difference of a buffer that is unlike, " — first of " and how many there are. */
-void ts_compare_first(char text[TS_FIRST_TEXT], ts_buffer_id id, const ts_verdict *verdict);
-/* The line that can be pasted: that, behind stage and buffer, and whether the stage's inputs were the same. */
-void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *comparison, const ts_trace *reference,
-                     ts_buffer_id id);
 /* Lines of the differences behind the first, as far as they are listed. */
 void ts_compare_more(ts_report *report, ts_buffer_id id, const ts_verdict *verdict, const char *indent);
-/* "mirror_pixel.record: elements that differ, by field: position 12, normal 3"; whether there is anything to say. */
-bool ts_compare_note(char text[TS_LINE_TEXT], ts_buffer_id id, const ts_verdict *verdict);
-/* Floats from the reference's value to the candidate's; 0: they are no floats; INT64_MAX: one is a NaN. */
-i64 ts_compare_ulps(ts_buffer_id id, const ts_difference *difference);
-/* "same", "different", ... */
-const char *ts_compare_word(ts_judgement judgement);
 
 /* All relaxations, as they are typed, but control characters become '?': they are part of the verdict. "" if there are
  * none. */

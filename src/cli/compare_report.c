@@ -27,6 +27,15 @@ static void row(ts_table *table, const ts_verdict *v, const char *stage, ts_buff
 	ts_table_text(table, ts_compare_word(v->judgement));
 }
 
+void ts_compare_more(ts_report *report, ts_buffer_id id, const ts_verdict *v, const char *indent)
+{
+	char text[TS_DIFFERENCE_TEXT];
+	for (u32 i = 1; i < v->list.n; i++) {
+		ts_compare_difference(text, id, &v->list.items[i]);
+		ts_report_line(report, "%s%s", indent, text);
+	}
+}
+
 void ts_compare_relaxed(char text[TS_RELAXED_TEXT], const ts_cli *cli)
 {
 	const ts_judging *judging = &cli->judging;

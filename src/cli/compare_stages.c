@@ -3,15 +3,6 @@
 #include "../scene/print.h"
 #include "../trace/emit.h"
 
-const char *ts_compare_word(ts_judgement judgement)
-{
-	static const char *const words[] = {
-		[TS_NOT_JUDGED] = "not judged", [TS_MISSING] = "missing", [TS_IGNORED] = "ignored",
-		[TS_UNABLE] = "not judged",     [TS_SAME] = "same",       [TS_UNLIKE] = "different",
-	};
-	return words[judgement];
-}
-
 /* A stage, or first the scene. */
 typedef struct {
 	const ts_comparison *comparison;

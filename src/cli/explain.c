@@ -79,11 +79,11 @@ ts_status ts_explain_command(ts_cli *cli)
 	if (cli->stage == NULL) return ts_fail("explain: --stage NAME must be given; see: touchstone list stages");
 	if (cli->inputs != NULL && cli->n_arguments > 1)
 		return ts_fail("explain: OTHER or --inputs, not both; OTHER is beside TRACE, --inputs in its place");
-	if (ts_selftest_require() != TS_OK || ts_trace_open(&trace, cli->arguments[0]) != TS_OK) return TS_ERROR;
+	if (ts_selftest_require() != TS_OK || ts_trace_open_folder(&trace, cli->arguments[0]) != TS_OK) return TS_ERROR;
 	ts_status status = TS_OK;
-	if (cli->n_arguments > 1) status = ts_trace_open(&other, cli->arguments[1]);
+	if (cli->n_arguments > 1) status = ts_trace_open_folder(&other, cli->arguments[1]);
 	if (status == TS_OK && other != NULL) status = ts_load_match(trace, other);
-	if (status == TS_OK && cli->inputs != NULL) status = ts_trace_open(&inputs, cli->inputs);
+	if (status == TS_OK && cli->inputs != NULL) status = ts_trace_open_folder(&inputs, cli->inputs);
 	if (status == TS_OK) status = explain(cli, trace, other, inputs);
 	ts_trace_close(inputs);
 	ts_trace_close(other);

@@ -16,7 +16,7 @@ static ts_status print(const ts_scene *scene, bool json)
 ts_status ts_info_command(ts_cli *cli)
 {
 	ts_scene *scene;
-	ts_status status = ts_scene_open(&scene, cli->arguments[0], &cli->job.params, &cli->job.scene);
+	ts_status status = ts_scene_load(&scene, cli->arguments[0], &cli->job.params, &cli->job.scene);
 	if (status == TS_OK) status = print(scene, cli->job.output.json);
 	ts_scene_free(scene);
 	return status;

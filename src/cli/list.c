@@ -184,10 +184,9 @@ static ts_table list_truths(void)
 
 static ts_table list_scenes(void)
 {
-	size_t n;
-	const ts_builtin_info *b = ts_builtin_table(&n);
+	const ts_builtin_info *b;
 	ts_table table = ts_table_begin("scenes", "", plain_columns);
-	for (; n > 0; n--, b++) {
+	for (size_t i = 0; (b = ts_builtin_at(i)) != NULL; i++) {
 		ts_table_text(&table, b->name);
 		ts_table_text(&table, b->doc);
 	}

@@ -177,15 +177,18 @@ static ts_status tell(const ts_cli *cli, json_t *answer)
 ts_status ts_probe_command(ts_cli *cli)
 {
 	ts_probe *probe;
+	ts_trace *trace;
 	json_t *answer = NULL;
 	int asked = (cli->place.pixel != NULL) + (cli->place.point != NULL) + cli->given[TS_OPTION_TRIANGLE];
 	if (asked != 1) return ts_fail("probe: one of --pixel X,Y, --triangle T and --point P must be given");
 	if (cli->place.view != NULL && cli->place.pixel == NULL) return ts_fail("probe: --view goes with --pixel");
-	if (ts_probe_open(&probe, cli->arguments[0]) != TS_OK) return TS_ERROR;
-	ts_status status = ask(probe, cli, &answer);
+	if (ts_trace_open_folder(&trace, cli->arguments[0]) != TS_OK) return TS_ERROR;
+	ts_status status = ts_probe_open(&probe, trace);
+	if (status == TS_OK) status = ask(probe, cli, &answer);
 	if (status == TS_OK) status = tell(cli, answer);
 	json_decref(answer);
 	ts_probe_close(probe);
+	ts_trace_close(trace);
 	return status;
 }
 

@@ -17,7 +17,7 @@ static const char *place(void *user, const char *name)
 static void replay(ts_replayed *r, const ts_cli *cli, const ts_trace *reference, const ts_trace *candidate)
 {
 	ts_load *load;
-	r->status = ts_replay(&load, r->stage, reference, candidate, cli->job.how.threads);
+	r->status = ts_replay_run(&load, r->stage, reference, candidate, cli->job.how.threads);
 	for (const ts_buffer_id *id = ts_stage_outputs(r->stage); *id != TS_N_BUFFERS && r->status != TS_ERROR; id++) {
 		if (!load->run.frame.buffer[*id].made) continue;
 		ts_status status = ts_judge(&r->judged[r->n_judged++], load, *id, NULL);
@@ -92,9 +92,9 @@ ts_status ts_replay_command(ts_cli *cli)
 	ts_trace *reference, *candidate = NULL;
 	if (cli->job.output.dir != NULL && cli->stage == NULL)
 		return ts_fail("replay: -o is for the outputs of one stage; add --stage");
-	if (ts_selftest_require() != TS_OK || ts_trace_open(&reference, cli->arguments[0]) != TS_OK) return TS_ERROR;
+	if (ts_selftest_require() != TS_OK || ts_trace_open_folder(&reference, cli->arguments[0]) != TS_OK) return TS_ERROR;
 	ts_status status = TS_OK;
-	if (cli->inputs != NULL) status = ts_trace_open(&candidate, cli->inputs);
+	if (cli->inputs != NULL) status = ts_trace_open_folder(&candidate, cli->inputs);
 	if (status == TS_OK) status = replay_traces(cli, reference, candidate);
 	ts_trace_close(candidate);
 	ts_trace_close(reference);

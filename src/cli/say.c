@@ -9,8 +9,9 @@ static const double interval = 0.1;
 
 static _Thread_local double last;
 
-static void progress(const char *label, uint64_t done, uint64_t total)
+static void progress(void *user, const char *label, uint64_t done, uint64_t total)
 {
+	(void)user;
 	if (!isatty(STDERR_FILENO)) return;
 	if (done >= total) {
 		fputs("\r\033[K", stderr);
@@ -23,6 +24,10 @@ static void progress(const char *label, uint64_t done, uint64_t total)
 	fflush(stderr);
 }
 
-static void line(const char *text) { fprintf(stderr, "%s: %s\n", ts_program, text); }
+static void line(void *user, const char *text)
+{
+	(void)user;
+	fprintf(stderr, "%s: %s\n", ts_program, text);
+}
 
-void ts_cli_listen(void) { ts_listen(&(ts_listener){line, progress}); }
+void ts_cli_listen(void) { ts_listen(&(ts_listener){.line = line, .progress = progress}); }

@@ -223,7 +223,7 @@ static ts_status judge_set(judge *j, const ts_trace *candidate)
 	}
 	if (ts_order_unmet(&v->list, order, j->id, j->reference, candidate) != TS_OK) return TS_ERROR;
 	if (j->id == order->key) return TS_OK;
-	j->gather = ts_gather_open(cand, j->bytes, order);
+	j->gather = ts_gather_open(cand, j->id, order);
 	ts_status status = j->gather != NULL ? judge_elements(j, order->n_ref) : TS_ERROR;
 	ts_gather_close(j->gather);
 	return status;

@@ -3,7 +3,6 @@
 #include <assert.h>
 #include <stdlib.h>
 #include "../kernels/base/num.h"
-#include "../trace/reader.h"
 
 enum { LEAST_BYTES = 1 << 25, BYTES_A_RECORD = 8 };
 
@@ -15,14 +14,15 @@ struct ts_gather {
 	u8 *window;
 };
 
-ts_gather *ts_gather_open(const ts_trace_item *item, size_t element_bytes, const ts_order *order)
+ts_gather *ts_gather_open(const ts_trace_item *item, ts_buffer_id id, const ts_order *order)
 {
+	size_t element_bytes = ts_buffer_table[id].element_bytes;
 	assert(item->npy.n == order->n_cand);
 	ts_gather *g = ts_alloc_zero(1, sizeof *g, "a window");
 	if (g == NULL) return NULL;
 	u64 most = (LEAST_BYTES + order->n_ref * BYTES_A_RECORD) / element_bytes;
 	*g = (ts_gather){.order = order, .element_bytes = element_bytes, .most = most < order->n_ref ? most : order->n_ref};
-	g->reader = ts_reader_open(item->path, item->npy.data_at, item->npy.n, element_bytes);
+	g->reader = ts_trace_read(item, id);
 	g->window = g->reader != NULL ? ts_alloc((size_t)g->most, element_bytes, "a window of records") : NULL;
 	if (g->window != NULL) return g;
 	ts_gather_close(g);

@@ -8,7 +8,7 @@ typedef struct ts_gather ts_gather;
 
 /* Opens a set of the candidate, as many records as `order`, which must stay, knows of it. NULL with the message set on
  * failure. */
-ts_gather *ts_gather_open(const ts_trace_item *item, size_t element_bytes, const ts_order *order);
+ts_gather *ts_gather_open(const ts_trace_item *item, ts_buffer_id id, const ts_order *order);
 /* The candidate's records for those of the reference from `first` on, *n of them, at least 1; the bytes of one that it
  * lacks are 0. Valid until the next call; cheap while `first` ascends. NULL with the message set if the file cannot be
  * read. */

@@ -22,6 +22,10 @@ ts_status ts_refuse(const char *format, ...) __attribute__((format(printf, 1, 2)
 /* Whether this thread's last failure was such a refusal. */
 bool ts_refused(void);
 
+/* Whether an argument of a public function is NULL; the message names both. */
+#define TS_LACKS(argument) ts_lacks(__func__, #argument, argument)
+bool ts_lacks(const char *function, const char *name, const void *argument);
+
 /* Makes one line of any text that is to be printed: control characters, C0 and the C1 of UTF-8, could break the line or
  * drive the terminal; each of their bytes becomes '?'. */
 void ts_line_clean(char *text);
@@ -56,13 +60,17 @@ unsigned ts_selftest(void);
 /* The same as a status with a message that names the primitives. */
 ts_status ts_selftest_require(void);
 
-/* Who hears what is said beside results and failures. NULL: nobody. */
+/* Who hears what is said beside results and failures, and may end what takes long. NULL: nobody. */
 typedef struct {
-	void (*line)(const char *text); /* without its end */
-	void (*progress)(const char *label, uint64_t done, uint64_t total);
+	void (*line)(void *user, const char *text); /* without its end */
+	void (*progress)(void *user, const char *label, uint64_t done, uint64_t total);
+	int (*cancelled)(void *user); /* not 0: what runs is to fail */
+	void *user;
 } ts_listener;
-/* Before the first thread starts; without it nothing is heard. */
+/* Of this thread; without it nothing is heard. */
 void ts_listen(const ts_listener *listener);
+/* Whether the listener wants no more of what runs. */
+bool ts_cancelled(void);
 /* One line, by ts_line_clean. */
 void ts_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Progress of long work: done of total. Ends with done == total. */

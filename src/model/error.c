@@ -51,6 +51,11 @@ ts_status ts_refuse(const char *format, ...)
 	return status;
 }
 
+bool ts_lacks(const char *function, const char *name, const void *argument)
+{
+	return argument == NULL && ts_fail("%s: %s is NULL; it must point to something", function, name) != TS_OK;
+}
+
 bool ts_refused(void) { return refused; }
 
 const char *ts_error_message(void) { return message; }

@@ -1,4 +1,4 @@
-/* How sources read and set a member of ts_params.
+/* The struct of all parameters, and how sources read and set a member of it.
  *
  * A build with TS_RECORD_PARAMS notes who reads which (tests/record/record.c), and refuses whatever does without
  * TS_PARAM: there the members have other names. */
@@ -7,7 +7,42 @@
 #include <stddef.h>
 #include <touchstone/params.h>
 
+#ifdef TS_RECORD_PARAMS
+#define TS_PARAM_MEMBER(field) by_TS_PARAM_only_##field
+#else
+#define TS_PARAM_MEMBER(field) field
+#endif
+#define PARAM_U32(field, name, def, min, max, unit, source, help) uint32_t TS_PARAM_MEMBER(field);
+#define PARAM_F32(field, name, def, min, max, unit, source, help) float TS_PARAM_MEMBER(field);
+#define PARAM_ENUM(field, name, def, choices, source, help) uint32_t TS_PARAM_MEMBER(field);
+struct ts_params {
+#include "params.def"
+};
+
+#define CHOICES(...) enum { __VA_ARGS__ };
+#include "params.def"
+
 enum { TS_N_PARAMS = sizeof(ts_params) / sizeof(uint32_t) };
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The table of TS_N_PARAMS rows; *n receives its length. */
+const ts_param_info *ts_param_table(size_t *n);
+
+/* Sets every parameter to its default. */
+void ts_params_default(ts_params *params);
+
+/* Writes the value of table row `row` as text that ts_params_set reads back to the same bits. */
+void ts_params_format(const ts_params *params, size_t row, char *text, size_t text_bytes);
+
+/* Every parameter lies in its range; for a struct that was not filled by ts_params_set. */
+ts_status ts_params_check(const ts_params *params);
+
+#ifdef __cplusplus
+}
+#endif
 
 #define TS_PARAM_SET(params, field, value) ((void)((params)->TS_PARAM_MEMBER(field) = (value)))
 

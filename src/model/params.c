@@ -1,5 +1,5 @@
 /* The parameters of params.def: table, defaults, parsing and printing. */
-#include <touchstone/params.h>
+#include "param.h"
 #include <assert.h>
 #include <errno.h>
 #include <inttypes.h>
@@ -16,14 +16,14 @@
 	{name, "f32", #def, #min, #max, unit, "", source, help},
 #define PARAM_ENUM(field, name, def, choices, source, help) {name, "enum", #def, "0", "", "", choices, source, help},
 static const ts_param_info table[] = {
-#include <touchstone/params.def>
+#include "params.def"
 };
 
 #define PARAM_U32(field, ...) offsetof(ts_params, TS_PARAM_MEMBER(field)),
 #define PARAM_F32(field, ...) offsetof(ts_params, TS_PARAM_MEMBER(field)),
 #define PARAM_ENUM(field, ...) offsetof(ts_params, TS_PARAM_MEMBER(field)),
 static const size_t offsets[] = {
-#include <touchstone/params.def>
+#include "params.def"
 };
 
 enum { N_PARAMS = sizeof table / sizeof *table };
@@ -34,6 +34,8 @@ const ts_param_info *ts_param_table(size_t *n)
 	*n = N_PARAMS;
 	return table;
 }
+
+const ts_param_info *ts_param_at(size_t i) { return i < N_PARAMS ? &table[i] : NULL; }
 
 static void store(ts_params *params, size_t row, const void *value) { memcpy((char *)params + offsets[row], value, 4); }
 
@@ -159,14 +161,55 @@ static ts_status set_row(ts_params *params, size_t row, const char *text)
 	}
 }
 
-ts_status ts_params_set(ts_params *params, const char *name, const char *value)
+/* Its row; TS_ERROR if there is none. */
+static ts_status find(size_t *row, const char *name)
 {
 	const char *now = ts_name_typed(TS_NAME_param, name);
-	for (size_t row = 0; row < N_PARAMS; row++) {
-		if (strcmp(table[row].name, now) == 0) return set_row(params, row, value);
+	for (*row = 0; *row < N_PARAMS; ++*row) {
+		if (strcmp(table[*row].name, now) == 0) return TS_OK;
 	}
 	return ts_fail("there is no parameter \"%.80s\": `touchstone list params` names them all", name);
 }
+
+ts_status ts_params_set(ts_params *params, const char *name, const char *value)
+{
+	size_t row;
+	if (TS_LACKS(params) || TS_LACKS(name) || TS_LACKS(value)) return TS_ERROR;
+	return find(&row, name) == TS_OK ? set_row(params, row, value) : TS_ERROR;
+}
+
+ts_status ts_params_get(const ts_params *params, const char *name, char *text, size_t text_bytes)
+{
+	size_t row;
+	char value[64];
+	if (TS_LACKS(params) || TS_LACKS(name) || TS_LACKS(text) || find(&row, name) != TS_OK) return TS_ERROR;
+	ts_params_format(params, row, value, sizeof value);
+	if (strlen(value) >= text_bytes) {
+		return ts_fail("parameter %s: its value does not fit in %zu bytes; 64 would be right", name, text_bytes);
+	}
+	strcpy(text, value);
+	return TS_OK;
+}
+
+ts_status ts_params_make(ts_params **params)
+{
+	if (TS_LACKS(params)) return TS_ERROR;
+	*params = ts_alloc(1, sizeof **params, "parameters");
+	if (*params == NULL) return TS_ERROR;
+	ts_params_default(*params);
+	return TS_OK;
+}
+
+ts_status ts_params_copy(ts_params **copy, const ts_params *params)
+{
+	if (TS_LACKS(copy)) return TS_ERROR;
+	*copy = NULL;
+	if (TS_LACKS(params) || ts_params_make(copy) != TS_OK) return TS_ERROR;
+	**copy = *params;
+	return TS_OK;
+}
+
+void ts_params_free(ts_params *params) { free(params); }
 
 void ts_params_default(ts_params *params)
 {

@@ -1,10 +1,10 @@
-/* What is said beside results and failures goes to the program's listener; a library prints nothing. */
+/* What is said beside results and failures goes to the thread's listener; a library prints nothing. */
 #include <stdio.h>
 #include "core.h"
 
 enum { LINE_BYTES = 1024 };
 
-static ts_listener listener;
+static _Thread_local ts_listener listener;
 
 void ts_listen(const ts_listener *to) { listener = *to; }
 
@@ -17,10 +17,12 @@ void ts_say(const char *format, ...)
 	vsnprintf(text, sizeof text, format, arguments);
 	va_end(arguments);
 	ts_line_clean(text);
-	listener.line(text);
+	listener.line(listener.user, text);
 }
 
 void ts_progress(const char *label, uint64_t done, uint64_t total)
 {
-	if (listener.progress != NULL) listener.progress(label, done, total);
+	if (listener.progress != NULL) listener.progress(listener.user, label, done, total);
 }
+
+bool ts_cancelled(void) { return listener.cancelled != NULL && listener.cancelled(listener.user) != 0; }

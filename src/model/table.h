@@ -1,6 +1,7 @@
 /* The rows of records.def: buffers, fields of their elements, what they sum, and what their fields are indices into. */
 #ifndef TS_CORE_TABLE_H
 #define TS_CORE_TABLE_H
+#include <touchstone/tables.h>
 #include "../kernels/base/records.h"
 #include "shape.h"
 
@@ -11,12 +12,7 @@ typedef enum {
 	TS_B_none = TS_N_BUFFERS,
 } ts_buffer_id;
 
-/* One BUFFER row. */
-typedef struct {
-	const char *name, *element;
-	size_t element_bytes;
-	const char *shape, *order, *key, *doc;
-} ts_buffer_info;
+/* The BUFFER rows. */
 extern const ts_buffer_info ts_buffer_table[TS_N_BUFFERS];
 
 const ts_shape *ts_buffer_shape(ts_buffer_id id);
@@ -27,12 +23,7 @@ ts_dim ts_buffer_counts(ts_buffer_id id);
  * TS_DIM_none. */
 ts_dim ts_buffer_tells(ts_buffer_id id);
 
-/* One FIELD row; `record` groups them. */
-typedef struct {
-	const char *record, *type, *name;
-	u32 count;
-	const char *doc;
-} ts_field_info;
+/* The FIELD rows. */
 const ts_field_info *ts_field_table(size_t *n);
 /* Bytes of a number of that type: of `type` above, or of an element that is no record. */
 size_t ts_type_bytes(const char *type);

@@ -59,9 +59,9 @@ void ts_probe_methods(char text[TS_PROBE_TEXT], const ts_probe_part *part);
 const char *ts_probe_option(ts_probe_subject subject);
 
 /* ---- answers ---- */
-/* Opens the trace in folder `dir`, of a method that a row answers for. On failure *probe is NULL; else release it by
- * ts_probe_close. */
-ts_status ts_probe_open(ts_probe **probe, const char *dir);
+/* Begins with a trace, which must stay, of a method that a row answers for. On failure *probe is NULL; else release it
+ * by ts_probe_close. */
+ts_status ts_probe_open(ts_probe **probe, const ts_trace *trace);
 /* NULL is allowed. */
 void ts_probe_close(ts_probe *probe);
 /* Sets *answer to a new object, of the row that fits, or fails. On failure *answer is NULL. */

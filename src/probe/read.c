@@ -25,20 +25,20 @@ static void find_sizes(ts_probe *p)
 	ts_sizes_give(&p->sizes, &run);
 }
 
-ts_status ts_probe_open(ts_probe **probe, const char *dir)
+ts_status ts_probe_open(ts_probe **probe, const ts_trace *trace)
 {
 	*probe = NULL;
+	if (!trace->has_params) {
+		return ts_fail("%s: trace.json has no params, and without them nothing can be computed again", trace->dir);
+	}
+	if (ts_probe_explains(trace) != TS_OK) return TS_ERROR;
 	ts_probe *made = ts_alloc_zero(1, sizeof *made, "a probe");
-	if (made == NULL) return TS_ERROR;
-	ts_status status = ts_trace_open(&made->trace, dir);
-	if (status == TS_OK && !made->trace->has_params) {
-		status = ts_fail("%s: trace.json has no params, and without them nothing can be computed again", dir);
-	}
-	if (status == TS_OK) status = ts_probe_explains(made->trace);
-	if (status != TS_OK) {
+	if (made != NULL) made->trace = ts_alloc(1, sizeof *trace, "a probe");
+	if (made == NULL || made->trace == NULL) {
 		ts_probe_close(made);
-		return status;
+		return TS_ERROR;
 	}
+	*made->trace = *trace;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) made->fields[id] = ts_fields_of((ts_buffer_id)id);
 	find_sizes(made);
 	*probe = made;
@@ -55,7 +55,7 @@ void ts_probe_close(ts_probe *p)
 	free(p->texels);
 	free(p->image_read);
 	ts_load_end(p->load);
-	ts_trace_close(p->trace);
+	free(p->trace);
 	free(p);
 }
 

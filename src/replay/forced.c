@@ -77,7 +77,7 @@ static ts_status judge_stage(ts_comparison *c, const ts_stage *stage, const ts_t
 {
 	ts_load *load;
 	double began = ts_seconds();
-	ts_status status = ts_replay(&load, stage, reference, candidate, threads);
+	ts_status status = ts_replay_run(&load, stage, reference, candidate, threads);
 	if (status != TS_OK && ts_refused()) return take_refusal(c, stage, candidate, relaxations);
 	for (u32 i = 0; status == TS_OK && ts_stage_outputs(stage)[i] != TS_N_BUFFERS; i++) {
 		ts_buffer_id id = ts_stage_outputs(stage)[i];

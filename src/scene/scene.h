@@ -1,8 +1,8 @@
 /* The scene as the stages see it: plain arrays of records.def's records. */
 #ifndef TS_SCENE_SCENE_H
 #define TS_SCENE_SCENE_H
-#include <touchstone/scene.h>
 #include "../kernels/base/records.h"
+#include <touchstone/scene.h>
 #include "../model/param.h"
 
 #define TS_COORDINATE_LIMIT 16777216.0f /* of any coordinate in the world */
@@ -59,6 +59,9 @@ struct ts_scene {
 	char **notes;
 	u32 n_notes; /* what in the file was not understood, a line each */
 };
+
+/* What ts_scene_open does (open/open.c). */
+ts_status ts_scene_load(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *options);
 
 /* Places in ts_scene.stands. */
 enum { TS_STAND_SPOT, TS_STAND_BALL, TS_N_STANDS };

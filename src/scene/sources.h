@@ -16,7 +16,7 @@ void ts_gltf_load(ts_build *build, const char *path, const char *reflector, cons
 /* ply.c: a .ply file of points. `neighbours` as above, of all points; normals that are not there are estimated. */
 void ts_ply_load(ts_build *build, const char *path, u32 neighbours);
 
-/* builtin.c: whether spec is NAME or NAME:OPTIONS, NAME being one of ts_builtin_table. */
+/* builtin.c: whether spec is NAME or NAME:OPTIONS, NAME being one of ts_builtin_at. */
 bool ts_builtin_is(const char *spec);
 /* The names as words, "a, b and c", for a message. Cut to text_bytes. */
 void ts_builtin_names(char *text, size_t text_bytes);
@@ -26,6 +26,10 @@ void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params)
 /* All of opening a built-in scene, with the reflectors that params ask for; needs neither glTF nor JSON. wanted may
  * be NULL. *scene by ts_scene_free; NULL on failure, also where spec is no built-in scene. */
 ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *wanted);
+
+/* arrays.c: what ts_scene_make does. */
+ts_status ts_scene_of_arrays(ts_scene **scene, const ts_scene_arrays *arrays, const ts_params *params,
+                             const ts_scene_options *options);
 
 /* ground.c: a square under the scene, if the parameter asks for it. */
 void ts_ground_add(ts_build *build, const ts_params *params);

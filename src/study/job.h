@@ -1,8 +1,6 @@
 /* What is asked of a render or a measurement: what it shows, how it runs, and what it leaves. */
 #ifndef TS_CLI_JOB_H
 #define TS_CLI_JOB_H
-#include <touchstone/params.h>
-#include <touchstone/scene.h>
 #include "../methods/stage.h"
 
 enum { TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48, TS_MAX_MIRRORS = 64 };

@@ -1,7 +1,6 @@
 /* Reading words that were typed. */
 #ifndef TS_CLI_WORDS_H
 #define TS_CLI_WORDS_H
-#include <touchstone/params.h>
 #include "../model/core.h"
 #include "../kernels/base/compat.h"
 #include "job.h"

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "field.h"
 
 ts_status ts_item_path(char path[TS_PATH], const char *dir, const char *name)
 {
@@ -95,6 +96,32 @@ ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, co
 	item->npy.n = bytes / ts_buffer_table[id].element_bytes;
 	item->path = strdup(path);
 	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
+}
+
+/* Kernels read numbers where they stand. */
+static bool is_aligned(const void *data, ts_buffer_id id)
+{
+	const ts_fields fields = ts_fields_of(id);
+	u32 bytes = 1;
+	for (u32 f = 0; f < fields.n; f++) bytes = fields.field[f].bytes > bytes ? fields.field[f].bytes : bytes;
+	return (uintptr_t)data % bytes == 0;
+}
+
+ts_status ts_item_put(ts_trace *trace, ts_buffer_id id, const ts_npy *shape, const void *data)
+{
+	static const u64 nothing;
+	ts_trace_item *item = &trace->item[id];
+	const ts_buffer_info *info = &ts_buffer_table[id];
+	if (!fits(id, shape)) return ts_fail("%s: its shape is none of %s", info->name, info->shape);
+	if (!is_aligned(data, id)) {
+		return ts_fail("%s: the array is not aligned as its %s elements must be", info->name, info->element);
+	}
+	char *path = strdup(info->name);
+	if (path == NULL) return ts_fail("%s: out of memory", info->name);
+	free(item->path);
+	free(item->owned);
+	*item = (ts_trace_item){.path = path, .memory = shape->n > 0 ? data : &nothing, .npy = *shape};
+	return TS_OK;
 }
 
 /* The first dimension follows from what was computed, not from the scene and the parameters. */

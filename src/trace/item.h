@@ -22,6 +22,9 @@ ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_tru
  */
 ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, const ts_npy *like);
 
+/* Gives it an array in memory, which must stay, in place of what it has. */
+ts_status ts_item_put(ts_trace *trace, ts_buffer_id id, const ts_npy *shape, const void *data);
+
 /* Refuses a candidate's buffer of another crop than the reference's, or of other sizes that the frame fixes. */
 ts_status ts_item_match(ts_buffer_id id, const ts_trace_item *reference, const ts_trace_item *candidate);
 

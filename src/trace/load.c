@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "../kernels/base/num.h"
-#include "reader.h"
 
 const ts_trace_item *ts_load_item(const ts_trace *reference, const ts_trace *candidate, ts_buffer_id id)
 {
@@ -84,26 +83,13 @@ static ts_status choose(ts_load *load, const ts_buffer_id *ids)
 	               (double)bytes / 1e9, (double)ts_memory_limit() / 1e9);
 }
 
-static ts_status read_into(u8 *to, const ts_trace_item *item, size_t element_bytes)
-{
-	ts_reader *reader = ts_reader_open(item->path, item->npy.data_at, item->npy.n, element_bytes);
-	const void *data = reader;
-	for (u64 first = 0, n; first < item->npy.n && reader != NULL; first += n) {
-		data = ts_reader_at(reader, first, &n);
-		if (data == NULL) break;
-		memcpy(to + first * element_bytes, data, (size_t)n * element_bytes);
-	}
-	ts_reader_close(reader);
-	return data != NULL ? TS_OK : TS_ERROR;
-}
-
 static ts_status read_all(ts_load *load)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_trace_item *item = load->item[id];
 		if (item == NULL) continue;
 		void *to = ts_frame_make(&load->run.frame, (ts_buffer_id)id, item->npy.n_dims, item->npy.shape);
-		if (to == NULL || read_into(to, item, ts_buffer_table[id].element_bytes) != TS_OK) return TS_ERROR;
+		if (to == NULL || ts_trace_copy(to, item, (ts_buffer_id)id) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }

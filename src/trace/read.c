@@ -186,7 +186,7 @@ static ts_status read_json(ts_trace *trace)
 	return status;
 }
 
-static ts_trace *trace_new(const char *dir)
+ts_trace *ts_trace_new(const char *dir)
 {
 	ts_trace *trace = ts_alloc_zero(1, sizeof *trace, "a trace");
 	if (trace == NULL) return NULL;
@@ -198,10 +198,10 @@ static ts_trace *trace_new(const char *dir)
 	return NULL;
 }
 
-ts_status ts_trace_open(ts_trace **trace, const char *dir)
+ts_status ts_trace_open_folder(ts_trace **trace, const char *dir)
 {
 	*trace = NULL;
-	ts_trace *made = trace_new(dir);
+	ts_trace *made = ts_trace_new(dir);
 	if (made == NULL) return TS_ERROR;
 	if (read_json(made) != TS_OK) {
 		ts_trace_close(made);
@@ -230,7 +230,7 @@ ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *la
                                const ts_trace *like)
 {
 	*trace = NULL;
-	ts_trace *made = trace_new(dir);
+	ts_trace *made = ts_trace_new(dir);
 	char *list = made != NULL ? strdup(layout) : NULL, *rest = NULL;
 	if (list == NULL) {
 		ts_trace_close(made);
@@ -275,7 +275,7 @@ ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *i
 	}
 	char dir[TS_PATH];
 	snprintf(dir, sizeof dir, "%.*s", slash != NULL ? (int)(slash - path) : 1, slash != NULL ? path : ".");
-	ts_trace *made = trace_new(dir[0] != 0 ? dir : "/");
+	ts_trace *made = ts_trace_new(dir[0] != 0 ? dir : "/");
 	if (made == NULL) return TS_ERROR;
 	made->pipeline = pipeline_of(*id);
 	if (ts_item_add(made, *id, file, TS_TYPED) != TS_OK) {
@@ -293,10 +293,27 @@ ts_reader *ts_trace_read(const ts_trace_item *item, ts_buffer_id id)
 	                            : ts_reader_open(item->path, item->npy.data_at, item->npy.n, bytes);
 }
 
+ts_status ts_trace_copy(void *to, const ts_trace_item *item, ts_buffer_id id)
+{
+	size_t element_bytes = ts_buffer_table[id].element_bytes;
+	ts_reader *reader = ts_trace_read(item, id);
+	const void *data = reader;
+	for (u64 first = 0, n; first < item->npy.n && reader != NULL; first += n) {
+		data = ts_reader_at(reader, first, &n);
+		if (data == NULL) break;
+		memcpy((u8 *)to + first * element_bytes, data, (size_t)n * element_bytes);
+	}
+	ts_reader_close(reader);
+	return data != NULL ? TS_OK : TS_ERROR;
+}
+
 void ts_trace_close(ts_trace *trace)
 {
 	if (trace == NULL) return;
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) free(trace->item[id].path);
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		free(trace->item[id].path);
+		free(trace->item[id].owned);
+	}
 	free(trace->dir);
 	free(trace);
 }

@@ -3,19 +3,21 @@
 #ifndef TS_TRACE_READ_H
 #define TS_TRACE_READ_H
 #include "../methods/pipeline.h"
+#include <touchstone/trace.h>
 #include "npy.h"
 #include "reader.h"
 
 /* A buffer's file. */
 typedef struct {
 	char *path;         /* NULL: the trace has no such file */
-	const void *memory; /* where the elements are if not in that file, which was not made then */
+	const void *memory; /* where the elements are if not in that file, which may not be there then */
+	void *owned;        /* the same, if the trace releases it */
 	ts_npy npy;
 	bool cropped;
 	u32 crop[4]; /* x, y, width, height */
 } ts_trace_item;
 
-typedef struct {
+struct ts_trace {
 	char *dir;
 	const ts_pipeline *pipeline;
 	bool arrival;   /* points stand in any order */
@@ -24,11 +26,17 @@ typedef struct {
 	ts_params params;   /* if it has them */
 	char producer[128]; /* its name and version, clean */
 	ts_trace_item item[TS_N_BUFFERS];
-} ts_trace;
+	ts_buffer_view view[TS_N_BUFFERS]; /* as ts_trace_buffer handed them out */
+	ts_counter counters[TS_MAX_COUNTERS]; /* of the run that made it */
+	u32 n_counters;
+};
+
+/* A trace without buffers, whose messages call it `dir`; NULL with the message set. */
+ts_trace *ts_trace_new(const char *dir);
 
 /* Opens the trace in folder `dir` by its trace.json. The message says what is wrong, in which file, and what would be
  * right. On failure *trace is NULL; else release it by ts_trace_close. */
-ts_status ts_trace_open(ts_trace **trace, const char *dir);
+ts_status ts_trace_open_folder(ts_trace **trace, const char *dir);
 
 /* Opens a folder without trace.json as a candidate of `pipeline`, by a list "NAME=FILE,..." of buffers and their files
  * there: .npy, or else raw little-endian elements, whose first dimension follows from the size and whose others are
@@ -42,8 +50,8 @@ ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *i
 /* A reader of the elements of a buffer that is there; NULL with the message set. */
 ts_reader *ts_trace_read(const ts_trace_item *item, ts_buffer_id id);
 
-/* NULL is allowed. */
-void ts_trace_close(ts_trace *trace);
+/* Copies all elements of a buffer that is there; TS_ERROR: its file cannot be read. */
+ts_status ts_trace_copy(void *to, const ts_trace_item *item, ts_buffer_id id);
 
 /* The buffer of that name, or of that old name; false if there is none. */
 bool ts_trace_find(ts_buffer_id *id, const char *name);

@@ -79,7 +79,7 @@ void ts_truth_ask(const ts_truth_asked *asked, ts_sampling *sampling)
 	u64 chunk = CHUNK_RAYS / (share * asked->each + 1);
 	chunk = chunk < LEAST_CHUNK ? LEAST_CHUNK : min(chunk, CHUNK);
 	ts_work work = ts_work_begin(asked->label, n * share * asked->each);
-	for (u64 first = 0; first < asked->n; first += chunk) {
+	for (u64 first = 0; first < asked->n && !ts_cancelled(); first += chunk) {
 		u64 end = min(first + chunk, asked->n);
 #pragma omp parallel for num_threads((int)asked->threads) schedule(dynamic, 1) reduction(+ : done)
 		for (u64 i = first; i < end; i += TS_ASKED) done += ask_group(asked, s, i, min(i + TS_ASKED, end), share);

@@ -1,6 +1,5 @@
 /* Bands, as on a device that ends long loops: the bits of whole items, whatever makes the items. */
 #include <string.h>
-#include <touchstone/scene.h>
 #include "../model/test.h"
 #include "../../src/backends/device.h"
 #include "../../src/trace/sums.h"
@@ -47,7 +46,7 @@ static void sums_of(ts_sums *sums, const char *effect, const char *method, bool 
 	params.lamp_views = 5;
 	params.lamp_cubes = 2;
 	assert_int_equal(ts_params_set(&params, "points.buffered", "off"), TS_OK);
-	assert_int_equal(ts_scene_open(&scene, "dining:triangles=10000:texels=32", &params, NULL), TS_OK);
+	assert_int_equal(ts_scene_load(&scene, "dining:triangles=10000:texels=32", &params, NULL), TS_OK);
 	ts_c_begin(&c, 2);
 	c.backend.launch = launch;
 	c.backend.ends_loops = ends_loops;

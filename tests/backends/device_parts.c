@@ -1,6 +1,5 @@
 /* Arrays in parts, as on a device that cannot allocate them at once: the same bits. */
 #include "device.h"
-#include <touchstone/scene.h>
 #include "../../src/trace/sums.h"
 
 static ts_status sums_of(ts_sums *sums, ts_backend *backend)
@@ -11,7 +10,7 @@ static ts_status sums_of(ts_sums *sums, ts_backend *backend)
 	params.width = 240;
 	params.height = 135;
 	params.lookup_bounces = 2;
-	assert_int_equal(ts_scene_open(&scene, "atrium:triangles=10000:texels=32", &params, NULL), TS_OK);
+	assert_int_equal(ts_scene_load(&scene, "atrium:triangles=10000:texels=32", &params, NULL), TS_OK);
 	ts_how how = {.threads = 2, .backend = backend};
 	ts_status status = ts_sums_of(sums, ts_pipeline_find("reflections", "epr"), scene, &params, &how);
 	ts_scene_free(scene);

@@ -75,8 +75,8 @@ static int begin(void **state)
 	ts_scene_free(scene);
 	small_copy(dir[1], dir[0]);
 	small_edit(dir[1], arrive, NULL);
-	assert_int_equal(ts_trace_open(&ref, dir[0]), TS_OK);
-	assert_int_equal(ts_trace_open(&cand, dir[1]), TS_OK);
+	assert_int_equal(ts_trace_open_folder(&ref, dir[0]), TS_OK);
+	assert_int_equal(ts_trace_open_folder(&cand, dir[1]), TS_OK);
 	n_points = ref->item[TS_B_points_key].npy.n;
 	place = malloc(n_points * sizeof *place);
 	assert_true(place != NULL && n_points > 1000);
@@ -103,7 +103,7 @@ static int end(void **state)
 static ts_status compare(void)
 {
 	const ts_relaxations exact = {.ulp = 0};
-	return ts_compare(&c, ref, cand, &exact);
+	return ts_compare_traces(&c, ref, cand, &exact);
 }
 
 static void poke(ts_buffer_id id, u64 element, u32 offset, const void *data, void *old, size_t n)
@@ -179,7 +179,7 @@ static void test_list(void **state)
 	for (u32 i = 0; i < 4; i++) {
 		poke(TS_B_points_record, place[wrongs[i]], offsetof(ts_point, length), &wrong, &old[i], 4);
 	}
-	assert_int_equal(ts_compare(listed, ref, cand, &exact), TS_DIFFERENT);
+	assert_int_equal(ts_compare_traces(listed, ref, cand, &exact), TS_DIFFERENT);
 	const ts_verdict *v = &listed->verdict[TS_B_points_record];
 	assert_true(listed->n_unlike == 1 && v->list.n == 4);
 	assert_int_equal(v->n_field[1], 4);
@@ -202,7 +202,7 @@ static void test_key(void **state)
 	ts_comparison *listed = ts_comparison_make(5);
 	assert_non_null(listed);
 	poke(TS_B_points_key, place[200], 0, &wrong, &old, 8);
-	assert_int_equal(ts_compare(listed, ref, cand, &exact), TS_DIFFERENT);
+	assert_int_equal(ts_compare_traces(listed, ref, cand, &exact), TS_DIFFERENT);
 	const ts_verdict *v = &listed->verdict[TS_B_points_record];
 	assert_true(listed->first == TS_B_points_key && v->n_missing == 1 && v->n_extra == 1 && v->n_different == 2 &&
 	            !v->has_first);
@@ -254,7 +254,7 @@ static void test_memory(void **state)
 	if (child == 0) {
 		const ts_relaxations exact = {.ulp = 0};
 		long before = most_kib();
-		ts_status status = ts_compare(&c, a, b, &exact);
+		ts_status status = ts_compare_traces(&c, a, b, &exact);
 		long grown = most_kib() - before;
 		if (status != TS_OK) fprintf(stderr, "# %s\n", ts_error_message());
 		if (grown > (64 << 10) + 16l * N / 1024) fprintf(stderr, "# %ld KiB\n", grown);
@@ -273,7 +273,7 @@ static void test_fewer_records(void **state)
 	const ts_relaxations exact = {.ulp = 0};
 	ts_trace *a = points("more", 1000, false), *b = points("fewer", 1000, true);
 	b->item[TS_B_points_record].npy.n = b->item[TS_B_points_record].npy.shape[0] = 999;
-	assert_int_equal(ts_compare(&c, a, b, &exact), TS_ERROR);
+	assert_int_equal(ts_compare_traces(&c, a, b, &exact), TS_ERROR);
 	says("as many records as keys");
 	ts_trace_close(a);
 	ts_trace_close(b);

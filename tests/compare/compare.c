@@ -10,7 +10,7 @@ static ts_comparison c;
 
 static void open_both(void)
 {
-	if (ts_trace_open(&ref, dir[0]) != TS_OK || ts_trace_open(&cand, dir[1]) != TS_OK)
+	if (ts_trace_open_folder(&ref, dir[0]) != TS_OK || ts_trace_open_folder(&cand, dir[1]) != TS_OK)
 		fail_msg("%s", ts_error_message());
 }
 
@@ -49,7 +49,7 @@ static void poke(const ts_trace *trace, ts_buffer_id id, u64 element, u32 offset
 	assert_int_equal(fclose(file), 0);
 }
 
-static ts_status compare(ts_relaxations relaxations) { return ts_compare(&c, ref, cand, &relaxations); }
+static ts_status compare(ts_relaxations relaxations) { return ts_compare_traces(&c, ref, cand, &relaxations); }
 
 static void test_same(void **state)
 {
@@ -257,7 +257,7 @@ static void test_wrong_count(void **state)
 		char where[TS_WHERE_TEXT];
 		for (u64 k = 0; k < n; k++) wrong[k] = right[k] + (k > at ? 3 : 0);
 		put_sums(id, wrong);
-		assert_int_equal(ts_compare(listed, ref, cand, &exact), TS_DIFFERENT);
+		assert_int_equal(ts_compare_traces(listed, ref, cand, &exact), TS_DIFFERENT);
 		const ts_verdict *v = &listed->verdict[id];
 		const ts_difference *d = &v->list.items[0].difference;
 		assert_true(v->n_different == 1 && v->list.n == 1 && listed->n_unlike == 1);
@@ -356,7 +356,7 @@ static void test_lists(void **state)
 		ts_comparison *listed = ts_comparison_make(most);
 		assert_non_null(listed);
 		for (u32 again = 0; again < 2; again++) {
-			assert_int_equal(ts_compare(listed, ref, cand, &exact), TS_DIFFERENT);
+			assert_int_equal(ts_compare_traces(listed, ref, cand, &exact), TS_DIFFERENT);
 			const ts_differences *list = &listed->verdict[TS_B_image_srgb].list;
 			assert_int_equal(list->n, most < 7 ? most : 7);
 			assert_int_equal(listed->verdict[TS_B_image_radiance].list.n, 0);
@@ -385,7 +385,7 @@ static void resized(ts_buffer_id id, const char *shape, i64 rows)
 	ts_npy_descr(descr, id);
 	npy_write(path, descr, shape, data + at, (size_t)((i64)(ref->item[id].npy.n * row) + rows * (i64)row));
 	ts_trace_close(cand);
-	if (ts_trace_open(&cand, dir[1]) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_trace_open_folder(&cand, dir[1]) != TS_OK) fail_msg("%s", ts_error_message());
 	free(path);
 	free(data);
 }
@@ -397,7 +397,7 @@ static void restored(ts_buffer_id id)
 	file_write(cand->item[id].path, data, bytes);
 	free(data);
 	ts_trace_close(cand);
-	assert_int_equal(ts_trace_open(&cand, dir[1]), TS_OK);
+	assert_int_equal(ts_trace_open_folder(&cand, dir[1]), TS_OK);
 }
 
 static void test_counts(void **state)
@@ -429,15 +429,15 @@ static void test_nothing(void **state)
 	ts_trace *none, *other;
 	ts_relaxations exact = {.ulp = 0};
 	assert_int_equal(ts_trace_open_layout(&none, dir[1], "", false, ref), TS_OK);
-	assert_int_equal(ts_compare(&c, ref, none, &exact), TS_ERROR);
+	assert_int_equal(ts_compare_traces(&c, ref, none, &exact), TS_ERROR);
 	says("nothing to judge");
 	assert_true(c.n_missing >= 39 && c.verdict[TS_B_image_srgb].judgement == TS_MISSING);
 	none->pipeline = ts_pipeline_find("reflections", "mvr");
-	assert_int_equal(ts_compare(&c, ref, none, &exact), TS_ERROR);
+	assert_int_equal(ts_compare_traces(&c, ref, none, &exact), TS_ERROR);
 	says("a trace of mvr; the reference's is of epr");
 	ts_trace_close(none);
 	assert_int_equal(ts_trace_open_layout(&other, dir[1], "points.key=11-points.key.npy", true, ref), TS_OK);
-	assert_int_equal(ts_compare(&c, other, ref, &exact), TS_ERROR);
+	assert_int_equal(ts_compare_traces(&c, other, ref, &exact), TS_ERROR);
 	says("in order of arrival, so it is no reference");
 	ts_trace_close(other);
 }

@@ -223,7 +223,7 @@ static void test_canonical(void **state)
 static void test_gather(void **state)
 {
 	(void)state;
-	enum { N = 900000, BYTES = 80 };
+	enum { N = 900000, BYTES = sizeof(ts_vertex) };
 	u64 *ref = malloc(N * sizeof *ref), *cand = malloc(N * sizeof *cand), held;
 	u8 *records = calloc(N, BYTES);
 	assert_true(ref != NULL && cand != NULL && records != NULL);
@@ -235,7 +235,7 @@ static void test_gather(void **state)
 	assert_int_equal(make(&order, ref, N, cand, N, true), TS_OK);
 	ts_trace_item item = {.path = strdup(scratch_path("records")), .npy = {.n_dims = 1, .shape = {N}, .n = N}};
 	file_write(item.path, records, (size_t)N * BYTES);
-	ts_gather *g = ts_gather_open(&item, BYTES, &order);
+	ts_gather *g = ts_gather_open(&item, TS_B_scene_vertex, &order);
 	assert_non_null(g);
 	u32 windows = 0;
 	for (u64 i = 0; i < N; i += held, windows++) {

@@ -59,7 +59,7 @@ static void judge(const ts_trace *candidate, const ts_relaxations *relaxations)
 	char text[TS_VALUE_TEXT];
 	if (c == NULL) c = ts_comparison_make(MOST);
 	assert(c != NULL);
-	ts_status status = ts_compare(c, reference, candidate, relaxations);
+	ts_status status = ts_compare_traces(c, reference, candidate, relaxations);
 	if (status == TS_ERROR) {
 		fuzz_refused();
 		return;

@@ -26,7 +26,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	fuzz_write(path, data, n);
 	ts_params_default(&params);
 	params.reflectors_count = 2;
-	if (ts_scene_open(&scene, path, &params, NULL) == TS_OK) {
+	if (ts_scene_load(&scene, path, &params, NULL) == TS_OK) {
 		assert(ts_scene_print(scene, nowhere, 0) == TS_OK && ts_scene_print(scene, nowhere, 1) == TS_OK);
 		ts_scene_free(scene);
 	} else {

@@ -31,7 +31,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	}
 	fuzz_write(path, data, n);
 	ts_params_default(&params);
-	if (ts_scene_open(&scene, path, &params, NULL) == TS_OK) {
+	if (ts_scene_load(&scene, path, &params, NULL) == TS_OK) {
 		for (u32 i = 0; i < scene->n_surfels; i++) check(&scene->surfels[i]);
 		ts_scene_free(scene);
 	} else {

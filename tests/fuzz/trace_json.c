@@ -22,9 +22,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	ts_trace *trace;
 	if (json == NULL) begin();
 	fuzz_write(json, data, n);
-	if (ts_trace_open(&trace, fuzz_root) == TS_OK) {
+	if (ts_trace_open_folder(&trace, fuzz_root) == TS_OK) {
 		const ts_relaxations exact = {.ulp = 0};
-		ts_status status = ts_compare(&c, trace, trace, &exact);
+		ts_status status = ts_compare_traces(&c, trace, trace, &exact);
 		assert(status == TS_OK || status == TS_ERROR);
 		assert(strchr(trace->producer, '\n') == NULL);
 		ts_trace_close(trace);

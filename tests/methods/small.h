@@ -26,7 +26,7 @@ static inline ts_params small_params(u32 width, u32 height)
 static inline ts_scene *small_scene(const ts_params *params)
 {
 	ts_scene *scene;
-	if (ts_scene_open(&scene, SMALL_SCENE, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, SMALL_SCENE, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	return scene;
 }
 

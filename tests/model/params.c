@@ -2,7 +2,7 @@
 #include <locale.h>
 #include "test.h"
 #include "../../src/model/core.h"
-#include <touchstone/params.h>
+#include "../../src/model/param.h"
 
 static const ts_param_info *row_of(const char *name, size_t *row)
 {

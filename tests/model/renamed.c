@@ -1,6 +1,6 @@
 /* Old names, of a planted table: what they are now, what is said of them, and how often. */
 #include "test.h"
-#include <touchstone/params.h>
+#include "../../src/model/param.h"
 #include "../../src/model/renamed.h"
 #include "said.h"
 

@@ -6,8 +6,9 @@
 
 static char said_text[4096];
 
-static inline void said_line(const char *line)
+static inline void said_line(void *user, const char *line)
 {
+	(void)user;
 	size_t used = strlen(said_text);
 	snprintf(said_text + used, sizeof said_text - used, "%s\n", line);
 }

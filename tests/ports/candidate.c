@@ -392,7 +392,7 @@ static int copy(const char *from, const char *to)
 {
 	ts_trace *trace;
 	ts_candidate c;
-	if (ts_trace_open(&trace, from) != TS_OK) {
+	if (ts_trace_open_folder(&trace, from) != TS_OK) {
 		fprintf(stderr, "%s\n", ts_error_message());
 		return 2;
 	}

@@ -46,7 +46,7 @@ static void test_old_name(void **state)
 	int twice = ts_candidate_end(&c);
 	assert_string_equal(printed_end(), "picture is now called image.srgb; the old name works until 0.2\n");
 	assert_true(failed == 0 && twice == 0);
-	assert_int_equal(ts_trace_open(&trace, folder), TS_OK);
+	assert_int_equal(ts_trace_open_folder(&trace, folder), TS_OK);
 	assert_true(trace->item[TS_B_image_srgb].npy.n == 24 && !trace->old_names);
 	ts_trace_close(trace);
 }

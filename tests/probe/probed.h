@@ -14,6 +14,7 @@ typedef struct {
 	ts_run run;
 	ts_probe *probe;
 	ts_trace_writer *writer;
+	ts_trace *trace;
 } traced;
 
 static u32 n_random;
@@ -53,7 +54,8 @@ static inline void make(traced *t, const char *effect, const char *method, const
 	t->run.hook_user = t;
 	require(ts_pipeline_run(pipeline, &t->run));
 	require(ts_trace_write_end(t->writer, &t->run));
-	require(ts_probe_open(&t->probe, t->dir));
+	require(ts_trace_open_folder(&t->trace, t->dir));
+	require(ts_probe_open(&t->probe, t->trace));
 }
 
 static inline void drop(traced *t)
@@ -61,6 +63,7 @@ static inline void drop(traced *t)
 	struct dirent *entry;
 	DIR *dir = opendir(t->dir);
 	ts_probe_close(t->probe);
+	ts_trace_close(t->trace);
 	ts_trace_write_free(t->writer);
 	ts_run_end(&t->run);
 	ts_scene_free(t->scene);

@@ -90,7 +90,7 @@ static void test_segments(void **state)
 	refuses(TRACES_HULLS, ts_stage_find("rsm"), TS_B_offscreen_view, 0, "width", 0, 5);
 	traces[TRACES_HULLS]->params.depth_grid_px = 63;
 	ts_load *load;
-	assert_int_equal(ts_replay(&load, range, traces[TRACES_HULLS], NULL, 1), TS_ERROR);
+	assert_int_equal(ts_replay_run(&load, range, traces[TRACES_HULLS], NULL, 1), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "would be right"));
 	traces[TRACES_HULLS]->params.depth_grid_px = 64;
 }

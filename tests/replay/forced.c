@@ -24,11 +24,11 @@ static void test_own_inputs(void **state)
 	f32 *scales = traces_read(&scale, traces[0], TS_B_split_density);
 	for (u64 i = 0; i < scale.n; i++) scales[i] *= 0.5f;
 	ts_trace *halved = traces_plant(0, &(planted){TS_B_split_density, &scale}, 1, "canonical", "");
-	assert_int_equal(ts_replay(&load, ts_stage_find("align"), traces[0], halved, 2), TS_OK);
+	assert_int_equal(ts_replay_run(&load, ts_stage_find("align"), traces[0], halved, 2), TS_OK);
 	frames = load->run.frame.buffer[TS_B_align_frame];
 	const planted own[] = {{TS_B_split_density, &scale}, {TS_B_align_frame, &frames}};
 	ts_trace *candidate = traces_plant(0, own, 2, "canonical", "");
-	assert_int_equal(ts_compare(&c, traces[0], candidate, &exactly), TS_DIFFERENT);
+	assert_int_equal(ts_compare_traces(&c, traces[0], candidate, &exactly), TS_DIFFERENT);
 	assert_int_equal(c.n_unlike, 2);
 	assert_int_equal(ts_compare_forced(&c, traces[0], candidate, &exactly, 2), TS_DIFFERENT);
 	assert_int_equal(c.n_unlike, 1);

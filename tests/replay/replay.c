@@ -16,7 +16,7 @@ static void test_same(void **state)
 		{
 			for (u32 threads = 1; threads <= 3; threads += 2) {
 				ts_load *load;
-				if (ts_replay(&load, stage, traces[m], NULL, threads) != TS_OK) fail_msg("%s", ts_error_message());
+				if (ts_replay_run(&load, stage, traces[m], NULL, threads) != TS_OK) fail_msg("%s", ts_error_message());
 				for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
 					ts_judged v = {.id = TS_B_none};
 					if (is_left_out(m, *id)) continue;
@@ -78,7 +78,7 @@ static void test_planted(void **state)
 		FOR_STAGES(m, stage)
 		{
 			ts_load *load;
-			assert_int_equal(ts_replay(&load, stage, traces[m], NULL, 2), TS_OK);
+			assert_int_equal(ts_replay_run(&load, stage, traces[m], NULL, 2), TS_OK);
 			for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++)
 				if (!is_left_out(m, *id)) plant_and_find(m, stage, load, *id, seed++);
 			ts_load_end(load);
@@ -97,14 +97,14 @@ static void test_own_inputs(void **state)
 	const ts_stage *align = ts_stage_find("align");
 	ts_load *load;
 	ts_judged v = {.id = TS_B_none};
-	assert_int_equal(ts_replay(&load, align, traces[0], candidate, 2), TS_OK);
+	assert_int_equal(ts_replay_run(&load, align, traces[0], candidate, 2), TS_OK);
 	assert_int_equal(ts_judge(&v, load, TS_B_align_frame, NULL), TS_DIFFERENT);
 	assert_string_equal(ts_fields_of(TS_B_align_frame).field[v.verdict.first.field].name, "s");
 	frames = load->run.frame.buffer[TS_B_align_frame];
 	const planted both[2] = {{TS_B_split_density, &scale}, {TS_B_align_frame, &frames}};
 	ts_trace *port = traces_plant(0, both, 2, "canonical", "");
 	ts_load *again;
-	assert_int_equal(ts_replay(&again, align, traces[0], port, 2), TS_OK);
+	assert_int_equal(ts_replay_run(&again, align, traces[0], port, 2), TS_OK);
 	assert_int_equal(ts_judge(&v, again, TS_B_align_frame, NULL), TS_OK);
 	assert_ptr_equal(v.item, &port->item[TS_B_align_frame]);
 	ts_load_end(again);
@@ -133,14 +133,14 @@ static void test_arrival(void **state)
 	ts_trace *candidate = traces_plant(0, both, 2, "arrival", "");
 	ts_load *load;
 	ts_judged v = {.id = TS_B_none};
-	assert_int_equal(ts_replay(&load, ts_stage_find("points"), traces[0], candidate, 2), TS_OK);
+	assert_int_equal(ts_replay_run(&load, ts_stage_find("points"), traces[0], candidate, 2), TS_OK);
 	assert_int_equal(ts_judge(&v, load, TS_B_points_key, NULL), TS_OK);
 	assert_int_equal(ts_judge(&v, load, TS_B_points_record, NULL), TS_OK);
 	ts_load_end(load);
 	ts_buffer theirs;
 	u64 *texels = traces_read(&theirs, traces[0], TS_B_splat_depth_index);
 	u8 *ties = traces_read(&(ts_buffer){.n = 0}, traces[0], TS_B_splat_tie);
-	assert_int_equal(ts_replay(&load, ts_stage_find("splat"), traces[0], candidate, 2), TS_OK);
+	assert_int_equal(ts_replay_run(&load, ts_stage_find("splat"), traces[0], candidate, 2), TS_OK);
 	const u64 *ours = ts_frame_data(&load->run.frame, TS_B_splat_depth_index);
 	for (u64 i = 0; i < theirs.n; i++) {
 		u64 turned = texels[i] == TS_EMPTY ? TS_EMPTY : (texels[i] >> 32 << 32) | (key.n - 1 - (texels[i] & TS_NONE));
@@ -172,7 +172,7 @@ static void test_crop(void **state)
 			traces_plant(0, &(planted){TS_B_image_srgb, &part}, 1, "canonical", ", \"crop\": [20, 3, 7, 5]");
 		ts_load *load;
 		ts_judged v = {.id = TS_B_none};
-		assert_int_equal(ts_replay(&load, ts_stage_find("image"), traces[0], candidate, 2), TS_OK);
+		assert_int_equal(ts_replay_run(&load, ts_stage_find("image"), traces[0], candidate, 2), TS_OK);
 		assert_int_equal(ts_judge(&v, load, TS_B_image_srgb, NULL), wrong ? TS_DIFFERENT : TS_OK);
 		assert_int_equal(v.verdict.n_ref, sizeof rows);
 		if (wrong) assert_int_equal(v.verdict.first.element, 50);
@@ -193,7 +193,7 @@ static void test_shape(void **state)
 	ts_trace *candidate = traces_plant(0, &(planted){TS_B_image_srgb, &buffer}, 1, "canonical", "");
 	ts_load *load;
 	ts_judged v = {.id = TS_B_none};
-	assert_int_equal(ts_replay(&load, ts_stage_find("image"), traces[0], candidate, 2), TS_OK);
+	assert_int_equal(ts_replay_run(&load, ts_stage_find("image"), traces[0], candidate, 2), TS_OK);
 	assert_int_equal(ts_judge(&v, load, TS_B_image_srgb, NULL), TS_DIFFERENT);
 	assert_true(v.shape_differs && strstr(v.text, "is right") != NULL);
 	ts_load_end(load);
@@ -211,7 +211,7 @@ static void test_fewer(void **state)
 	ts_trace *candidate = traces_plant(0, &(planted){TS_B_cull_keep, &buffer}, 1, "canonical", "");
 	ts_load *load;
 	ts_judged v = {.id = TS_B_none};
-	assert_int_equal(ts_replay(&load, ts_stage_find("cull"), traces[0], candidate, 2), TS_OK);
+	assert_int_equal(ts_replay_run(&load, ts_stage_find("cull"), traces[0], candidate, 2), TS_OK);
 	assert_int_equal(ts_judge(&v, load, TS_B_cull_keep, NULL), TS_DIFFERENT);
 	assert_true(!v.shape_differs && v.verdict.n_different == 1 && v.verdict.n_cand == buffer.n);
 	assert_non_null(strstr(v.text, ": missing"));

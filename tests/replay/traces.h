@@ -128,7 +128,7 @@ static inline void traces_make(u32 m, const ts_scene *scene)
 	assert_int_equal(ts_trace_write_end(traces_writer, &run), TS_OK);
 	ts_trace_write_free(traces_writer);
 	ts_run_end(&run);
-	if (ts_trace_open(&traces[m], scratch_path("%u", (unsigned)m)) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_trace_open_folder(&traces[m], scratch_path("%u", (unsigned)m)) != TS_OK) fail_msg("%s", ts_error_message());
 }
 
 static inline int traces_begin(void **state)
@@ -200,7 +200,7 @@ static inline ts_trace *traces_plant(u32 m, const planted *own, u32 n, const cha
 	fprintf(json, "]}\n");
 	assert_int_equal(fclose(json), 0);
 	ts_trace *trace;
-	if (ts_trace_open(&trace, dir) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_trace_open_folder(&trace, dir) != TS_OK) fail_msg("%s", ts_error_message());
 	return trace;
 }
 

@@ -12,7 +12,7 @@ static ts_scene *open_scene(const char *path, u32 reflectors, const ts_scene_opt
 	ts_scene *scene;
 	ts_params_default(&params);
 	params.reflectors_count = reflectors;
-	if (ts_scene_open(&scene, path, &params, options) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, path, &params, options) != TS_OK) fail_msg("%s", ts_error_message());
 	return scene;
 }
 

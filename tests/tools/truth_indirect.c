@@ -38,7 +38,7 @@ static means means_of(const char *spec, u32 rsm_px)
 	params.rsm_px = rsm_px;
 	params.truth_bounce_rays = 256;
 	params.vpl_gather_near = 1;
-	if (ts_scene_open(&scene, spec, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, spec, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_begin(&run, scene, &params, 2);
 	assert_int_equal(ts_truth_indirect_begin(&run, "indirect"), TS_OK);
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("direct")), TS_OK);

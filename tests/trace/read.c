@@ -28,7 +28,7 @@ static int begin(void **state)
 static void refused(const char *what)
 {
 	ts_trace *trace = (ts_trace *)1;
-	if (ts_trace_open(&trace, bad) == TS_OK) fail_msg("taken, though %s", what);
+	if (ts_trace_open_folder(&trace, bad) == TS_OK) fail_msg("taken, though %s", what);
 	assert_null(trace);
 	says(what);
 }
@@ -37,7 +37,7 @@ static void test_good(void **state)
 {
 	(void)state;
 	ts_trace *t;
-	assert_int_equal(ts_trace_open(&t, good), TS_OK);
+	assert_int_equal(ts_trace_open_folder(&t, good), TS_OK);
 	assert_string_equal(t->producer, "port 7");
 	assert_true(!t->arrival && t->has_params && t->params.width == 64 && strcmp(t->pipeline->name, "epr") == 0);
 	assert_true(t->item[TS_B_points_key].npy.n == 3 && t->item[TS_B_image_srgb].npy.shape[2] == 3);
@@ -206,7 +206,7 @@ static void test_layout(void **state)
 		{"=k.npy", NULL, "no buffer \"\""},
 	};
 	ts_trace *like, *t;
-	assert_int_equal(ts_trace_open(&like, good), TS_OK);
+	assert_int_equal(ts_trace_open_folder(&like, good), TS_OK);
 	small_copy(bad, good);
 	file_write(scratch_path("bad/raw.bin"), "0123456789abcdef", 16);
 	assert_int_equal(symlink("raw.bin", scratch_path("bad/link.bin")), 0);

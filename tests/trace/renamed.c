@@ -45,7 +45,7 @@ static void test_without(void **state)
 {
 	(void)state;
 	ts_trace *t;
-	assert_int_equal(ts_trace_open(&t, dir), TS_ERROR);
+	assert_int_equal(ts_trace_open_folder(&t, dir), TS_ERROR);
 	says("no buffer \"keys.of_points\"");
 }
 
@@ -56,7 +56,7 @@ static void test_trace(void **state)
 	ts_trace *t;
 	ts_renamed_use(planted);
 	said_begin();
-	ts_status status = ts_trace_open(&t, dir);
+	ts_status status = ts_trace_open_folder(&t, dir);
 	const char *said = said_end();
 	assert_int_equal(status, TS_OK);
 	assert_string_equal(said, "keys.of_points is now called points.key; the old name works until 0.2\n");
@@ -71,7 +71,7 @@ static void test_layout_and_file(void **state)
 	ts_buffer_id id;
 	ts_renamed_use(planted);
 	said_begin();
-	assert_int_equal(ts_trace_open(&like, dir), TS_OK);
+	assert_int_equal(ts_trace_open_folder(&like, dir), TS_OK);
 	assert_int_equal(ts_trace_open_layout(&t, dir, "keys.of_points=k.npy,picture=s.npy", false, like), TS_OK);
 	assert_true(t->item[TS_B_points_key].npy.n == 3 && t->item[TS_B_image_srgb].path != NULL);
 	ts_trace_close(t);

@@ -38,7 +38,7 @@ static inline ts_params small_params(void)
 static inline ts_scene *small_scene(const ts_params *params)
 {
 	ts_scene *scene;
-	if (ts_scene_open(&scene, SMALL_SCENE, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, SMALL_SCENE, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	return scene;
 }
 

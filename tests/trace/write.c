@@ -76,7 +76,7 @@ static void traced(const char *name, const char *method, const ts_params *p, ts_
 	bool cropped = options.crop[2] != 0;
 	assert_true(check_digests(dir, cropped ? NULL : &sums) >= least);
 	ts_trace *trace;
-	if (ts_trace_open(&trace, dir) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_trace_open_folder(&trace, dir) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_trace_close(trace);
 }
 
@@ -104,7 +104,7 @@ static void test_batches(void **state)
 	scene = small_scene(&p);
 	traced("unseen", "mvr", &p, (ts_trace_options){.place = NULL}, 20);
 	ts_trace *trace;
-	assert_int_equal(ts_trace_open(&trace, scratch_path("unseen")), TS_OK);
+	assert_int_equal(ts_trace_open_folder(&trace, scratch_path("unseen")), TS_OK);
 	size_t bytes;
 	char *faces = file_read(trace->item[TS_B_cube_size_face].path, &bytes);
 	const ts_face *cubes = (const ts_face *)(faces + trace->item[TS_B_cube_size_face].npy.data_at);
@@ -137,8 +137,8 @@ static void test_crop(void **state)
 	(void)state;
 	traced("crop", "epr", &params, (ts_trace_options){.crop = {5, 7, 20, 11}}, 40);
 	ts_trace *whole, *part;
-	assert_int_equal(ts_trace_open(&whole, scratch_path("epr")), TS_OK);
-	assert_int_equal(ts_trace_open(&part, scratch_path("crop")), TS_OK);
+	assert_int_equal(ts_trace_open_folder(&whole, scratch_path("epr")), TS_OK);
+	assert_int_equal(ts_trace_open_folder(&part, scratch_path("crop")), TS_OK);
 	static const ts_buffer_id ids[] = {TS_B_eye_depth_triangle, TS_B_image_radiance, TS_B_image_srgb};
 	for (u32 i = 0; i < 3; i++) {
 		const ts_trace_item *a = &whole->item[ids[i]], *b = &part->item[ids[i]];

@@ -11,8 +11,9 @@
 static char said[256];
 static int lines;
 
-static void line(const char *text)
+static void line(void *user, const char *text)
 {
+	(void)user;
 	lines++;
 	strncpy(said, text, sizeof said - 1);
 }

@@ -33,11 +33,7 @@ static const ts_builtin *const scenes[N_SCENES] = {
 	[CHECKERBOARD] = &ts_builtin_checkerboard,
 };
 
-const ts_builtin_info *ts_builtin_table(size_t *n)
-{
-	*n = N_SCENES;
-	return table;
-}
+const ts_builtin_info *ts_builtin_at(size_t i) { return i < N_SCENES ? &table[i] : NULL; }
 
 void ts_builtin_names(char *text, size_t text_bytes)
 {

@@ -53,7 +53,7 @@ static ts_status make_scene(ts_scene **scene, ts_build *build, const char *path,
 	return ts_build_finish(build, params, camera, scene);
 }
 
-ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *options)
+ts_status ts_scene_load(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *options)
 {
 	const char *reflector = options ? options->reflector : NULL;
 	bool builtin = ts_builtin_is(spec);

@@ -195,7 +195,7 @@ static void test_segments(void **state)
 		params.height = 180;
 		params.depth_grid_px = 256;
 		params.rsm_px = 1;
-		if (ts_scene_open(&scene, specs[i], &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+		if (ts_scene_load(&scene, specs[i], &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 		check_segments(scene, &params, &n_more);
 		ts_scene_free(scene);
 	}
@@ -240,7 +240,7 @@ static void test_unparted(void **state)
 	params.height = 180;
 	params.depth_grid_px = 256;
 	params.segment_method = TS_SEGMENTATION_NONE;
-	if (ts_scene_open(&scene, "gallery", &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, "gallery", &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_begin(&run, scene, &params, 2);
 	run.traced = run.margins = true;
 	if (ts_pipeline_run(ts_pipeline_find("indirect", "hulls"), &run) != TS_OK) fail_msg("%s", ts_error_message());

@@ -53,7 +53,7 @@ static ts_params params_of(const setting *s)
 static ts_scene *scene_of(const setting *s, const ts_params *params)
 {
 	ts_scene *scene;
-	if (ts_scene_open(&scene, s->scene, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, s->scene, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	return scene;
 }
 

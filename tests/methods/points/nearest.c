@@ -156,7 +156,7 @@ static void run_method(const char *method, const ts_params *params, ts_stage_hoo
 {
 	ts_scene *scene;
 	ts_run run;
-	if (ts_scene_open(&scene, "dining", params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, "dining", params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_begin(&run, scene, params, 2);
 	run.hook = hook;
 	run.hook_user = user;

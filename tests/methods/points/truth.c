@@ -34,7 +34,7 @@ static ts_scene *open_scene(const char *spec, const ts_params *params)
 	if (spec == NULL)
 		scene = soup_open(params, 6000);
 	else
-		ts_scene_open(&scene, spec, params, NULL);
+		ts_scene_load(&scene, spec, params, NULL);
 	if (scene == NULL) fail_msg("%s", ts_error_message());
 	return scene;
 }

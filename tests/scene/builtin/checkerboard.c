@@ -6,9 +6,9 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include <touchstone/render.h>
 #include "../../../src/model/core.h"
 #include "../../../src/kernels/base/vec.h"
+#include "../../../src/methods/pipeline.h"
 #include "../../../src/scene/sources.h"
 
 static ts_params params;
@@ -85,10 +85,11 @@ static void a_camera_looks_along_it(void **state)
 static void methods_of_triangles_refuse_it(void **state)
 {
 	(void)state;
-	ts_render *render;
+	ts_run run;
 	ts_scene *scene = open_scene("checkerboard:surfels=10000", NULL);
-	assert_int_equal(ts_render_run(&render, scene, &params, "reflections", "epr", 1), TS_ERROR);
-	assert_null(render);
+	ts_run_begin(&run, scene, &params, 1);
+	assert_int_equal(ts_pipeline_run(ts_pipeline_find("reflections", "epr"), &run), TS_ERROR);
+	ts_run_end(&run);
 	assert_string_equal(ts_error_message(),
 	                    "checkerboard:surfels=10000: has surfels only; reflections by epr draws triangles");
 	ts_scene_free(scene);

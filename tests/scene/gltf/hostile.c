@@ -32,7 +32,7 @@ static bool load(const char *path, u32 *triangles)
 	ts_scene *scene;
 	ts_params_default(&params);
 	alarm(10);
-	bool good = ts_scene_open(&scene, path, &params, NULL) == TS_OK;
+	bool good = ts_scene_load(&scene, path, &params, NULL) == TS_OK;
 	alarm(0);
 	*triangles = good ? (u32)scene->n_triangles_file : 0;
 	ts_scene_free(scene);

@@ -23,7 +23,7 @@ static int set_up(void **state)
 static void refuse(const char *spec, const ts_scene_options *options, const char *words)
 {
 	ts_scene *scene = (ts_scene *)&params;
-	assert_int_equal(ts_scene_open(&scene, spec, &params, options), TS_ERROR);
+	assert_int_equal(ts_scene_load(&scene, spec, &params, options), TS_ERROR);
 	assert_null(scene);
 	const char *message = ts_error_message();
 	assert_null(strchr(message, '\n'));
@@ -85,7 +85,7 @@ static void test_builtin(void **state)
 	(void)state;
 	ts_scene *scene;
 	params.reflectors_count = 3;
-	assert_int_equal(ts_scene_open(&scene, "atrium:triangles=10k", &params, NULL), TS_OK);
+	assert_int_equal(ts_scene_load(&scene, "atrium:triangles=10k", &params, NULL), TS_OK);
 	assert_int_equal(scene->info.n_reflectors, 3);
 	assert_in_range(scene->n_triangles_file, 5000, 20000);
 	ts_scene_free(scene);

@@ -10,8 +10,8 @@ static ts_status hold(ts_probe *p, ts_buffer_id id)
 	ts_trace_item *item = &p->trace->item[id];
 	size_t bytes = (size_t)made->n * ts_buffer_table[id].element_bytes;
 	p->whole[id] = ts_alloc((size_t)made->n, ts_buffer_table[id].element_bytes, ts_buffer_table[id].name);
-	item->path = p->whole[id] != NULL ? strdup(ts_buffer_table[id].name) : NULL;
-	if (item->path == NULL) return ts_fail("%s: out of memory", ts_buffer_table[id].name);
+	if (p->whole[id] == NULL) return TS_ERROR;
+	item->path = (char *)(uintptr_t)ts_buffer_table[id].name;
 	memcpy(p->whole[id], made->data, bytes);
 	item->memory = p->whole[id];
 	item->npy = (ts_npy){.n = made->n, .n_dims = made->n_dims};

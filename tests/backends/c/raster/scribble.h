@@ -37,7 +37,7 @@ static inline void with_run(void (*check)(const ts_run *, u32 n_triangles), u32 
 	params.width = WIDTH;
 	params.height = HEIGHT;
 	params.eye_samples = TS_EYE_SAMPLES_4;
-	assert_int_equal(ts_scene_open(&scene, "dining:triangles=10000:texels=32", &params, NULL), TS_OK);
+	assert_int_equal(ts_scene_load(&scene, "dining:triangles=10000:texels=32", &params, NULL), TS_OK);
 	ts_run_begin(&run, scene, &params, 1);
 	static const char *const stages[] = {"eye.view", "pose", "eye"};
 	for (u32 i = 0; i < 3; i++) assert_int_equal(ts_run_stage(&run, ts_stage_find(stages[i])), TS_OK);

@@ -64,7 +64,7 @@ static void check(const char *spec, u32 rate)
 	static const char *const effects[] = {"soft-shadows", "omni-shadows", "reflections"};
 	ts_scene *scene;
 	ts_params params = small_params(rate);
-	if (ts_scene_open(&scene, spec, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, spec, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	for (u32 e = 0; e < 3; e++) {
 		ts_texel_counts c = count(effects[e], scene, &params);
 		assert_true(c.covered > 10000 && c.apart >= c.leaks);

@@ -277,7 +277,7 @@ static void check_effect(const char *effect, const char *spec)
 	ts_run run;
 	ts_truth *truth;
 	ts_params params = small_params();
-	if (ts_scene_open(&scene, spec, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, spec, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_begin(&run, scene, &params, 2);
 	assert_int_equal(ts_truth_shadow_begin(&run, effect), TS_OK);
 	assert_int_equal(ts_truth_new(&truth, &run), TS_OK);

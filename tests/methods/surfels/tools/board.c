@@ -48,7 +48,7 @@ static void test_far_band(void **state)
 	params.surfel_depth_epsilon = 1000; /* a plane hides nothing of itself */
 	params.surfels_radius = 1;
 	params.truth_grid_rays = 12;
-	if (ts_scene_open(&scene, "checkerboard:surfels=409600", &params, NULL) != TS_OK)
+	if (ts_scene_load(&scene, "checkerboard:surfels=409600", &params, NULL) != TS_OK)
 		fail_msg("%s", ts_error_message());
 	f32 *truth = truth_of(scene, &params, 2);
 	double least = error_of(scene, &params, "deferred", truth), ewa = error_of(scene, &params, "ewa", truth);
@@ -81,7 +81,7 @@ static void test_noise(void **state)
 	ts_params params = small_params(WIDTH, HEIGHT);
 	params.reflectors_count = 0;
 	params.truth_grid_rays = SIDE;
-	if (ts_scene_open(&scene, "checkerboard:surfels=10000", &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, "checkerboard:surfels=10000", &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	f32 *truth = truth_of(scene, &params, 2), *again = truth_of(scene, &params, 1);
 	assert_memory_equal(truth, again, sizeof *truth * 3 * WIDTH * HEIGHT);
 	double light = radiance_of(scene, 0.75), dark = radiance_of(scene, 0.0625), half = (light - dark) / 2;

@@ -288,7 +288,7 @@ static void test_shadow(void **state)
 static f32 *surface_of(const char *spec, const ts_params *params, ts_scene **scene)
 {
 	f32 *radiance;
-	if (ts_scene_open(scene, spec, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(scene, spec, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	assert_true(ts_truth_has_surface(*scene, params));
 	if (ts_truth_surface(&radiance, *scene, params, 2, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	return radiance;

@@ -125,7 +125,7 @@ static void test_dragon(void **state)
 		skip();
 	}
 	fclose(file);
-	if (ts_scene_open(&scene, path, &params, &circle) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, path, &params, &circle) != TS_OK) fail_msg("%s", ts_error_message());
 	counts c = count(scene, &params);
 	assert_true(c.seen > 100000 && c.gaps < c.seen / 500 && c.farthest > 0.99);
 	ts_scene_free(scene);

@@ -156,7 +156,7 @@ static void test_scans(void **state)
 		FILE *file = fopen(path, "rb");
 		if (file == NULL) skip();
 		fclose(file);
-		if (ts_scene_open(&scene, path, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+		if (ts_scene_load(&scene, path, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 		surfels_run(&run, scene, &params, "deferred", 2);
 		assert_int_equal(ts_layers_measure(&l, &run), TS_OK);
 		print_message("# %s: %u of %u pixels\n", names[i], l.apart, l.pixels);

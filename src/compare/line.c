@@ -1,15 +1,21 @@
 /* One difference, as a line. */
-#include "compare.h"
+#include "line.h"
 #include <inttypes.h>
+#include <stdio.h>
 #include "../trace/emit.h"
 
-enum { INPUTS_TEXT = 600 };
-
-/* Whether what the stage read was the same. The scene need not be given: a port reads ours. */
-static void inputs_of(char text[INPUTS_TEXT], const ts_comparison *c, const ts_trace *reference, const ts_stage *stage)
+static const ts_stage *stage_of(const ts_trace *reference, ts_buffer_id id)
 {
+	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
+	return step != NULL ? ts_stage_find(step->stage) : NULL;
+}
+
+/* The scene need not be given: a port reads ours. */
+void ts_compare_inputs(char text[TS_INPUTS_TEXT], const ts_comparison *c, const ts_trace *reference, ts_buffer_id of)
+{
+	const ts_stage *stage = stage_of(reference, of);
 	const char *unlike = NULL, *tied = NULL;
-	char absent[INPUTS_TEXT - 64] = "";
+	char absent[TS_INPUTS_TEXT - 64] = "";
 	size_t used = 0;
 	u32 n_given = 0;
 	for (u32 i = 0; stage != NULL && ts_stage_inputs(stage)[i] != TS_N_BUFFERS; i++) {
@@ -26,18 +32,34 @@ static void inputs_of(char text[INPUTS_TEXT], const ts_comparison *c, const ts_t
 		used += (size_t)snprintf(absent + used, sizeof absent - used, "%s%s", used > 0 ? ", " : "", name);
 	}
 	if (c->forced) {
-		snprintf(text, INPUTS_TEXT, "given the candidate's inputs");
+		snprintf(text, TS_INPUTS_TEXT, "given the candidate's inputs");
 	} else if (unlike != NULL) {
-		snprintf(text, INPUTS_TEXT, "inputs differ: %s", unlike);
+		snprintf(text, TS_INPUTS_TEXT, "inputs differ: %s", unlike);
 	} else if (tied != NULL) {
-		snprintf(text, INPUTS_TEXT, "inputs may differ where %s is tied: --forced judges by the candidate's own", tied);
+		snprintf(text, TS_INPUTS_TEXT, "inputs may differ where %s is tied: --forced judges by the candidate's own", tied);
 	} else if (used == 0) {
-		snprintf(text, INPUTS_TEXT, "inputs identical");
+		snprintf(text, TS_INPUTS_TEXT, "inputs identical");
 	} else if (n_given == 0) {
-		snprintf(text, INPUTS_TEXT, "none of its inputs was given");
+		snprintf(text, TS_INPUTS_TEXT, "none of its inputs was given");
 	} else {
-		snprintf(text, INPUTS_TEXT, "inputs identical as far as given; not given: %s", absent);
+		snprintf(text, TS_INPUTS_TEXT, "inputs identical as far as given; not given: %s", absent);
 	}
+}
+
+const char *ts_compare_word(ts_judgement judgement)
+{
+	static const char *const words[] = {
+		[TS_NOT_JUDGED] = "not judged", [TS_MISSING] = "missing", [TS_IGNORED] = "ignored",
+		[TS_UNABLE] = "not judged",     [TS_SAME] = "same",       [TS_UNLIKE] = "different",
+	};
+	return words[judgement];
+}
+
+const char *ts_compare_how(ts_how_unlike how)
+{
+	static const char *const words[] = {[TS_UNEQUAL] = "different", [TS_LACKED] = "missing",
+	                                    [TS_BESIDE] = "not of the reference", [TS_TWICE] = "twice"};
+	return words[how];
 }
 
 i64 ts_compare_ulps(ts_buffer_id id, const ts_difference *d)
@@ -60,8 +82,7 @@ void ts_compare_difference(char text[TS_DIFFERENCE_TEXT], ts_buffer_id id, const
 		snprintf(text, TS_DIFFERENCE_TEXT, "%s, %s%s%sref %s candidate %s%s", named->where,
 		         name[0] != 0 ? "field " : "", name, name[0] != 0 ? ": " : "", ref, cand, apart);
 	} else {
-		const char *const how[] = {[TS_LACKED] = "missing", [TS_BESIDE] = "not of the reference", [TS_TWICE] = "twice"};
-		snprintf(text, TS_DIFFERENCE_TEXT, "%s: %s", named->where, how[d->how]);
+		snprintf(text, TS_DIFFERENCE_TEXT, "%s: %s", named->where, ts_compare_how(d->how));
 	}
 }
 
@@ -88,15 +109,6 @@ void ts_compare_first(char text[TS_FIRST_TEXT], ts_buffer_id id, const ts_verdic
 	}
 }
 
-void ts_compare_more(ts_report *report, ts_buffer_id id, const ts_verdict *v, const char *indent)
-{
-	char text[TS_DIFFERENCE_TEXT];
-	for (u32 i = 1; i < v->list.n; i++) {
-		ts_compare_difference(text, id, &v->list.items[i]);
-		ts_report_line(report, "%s%s", indent, text);
-	}
-}
-
 bool ts_compare_note(char text[TS_LINE_TEXT], ts_buffer_id id, const ts_verdict *v)
 {
 	const ts_fields fields = ts_fields_of(id);
@@ -118,10 +130,9 @@ bool ts_compare_note(char text[TS_LINE_TEXT], ts_buffer_id id, const ts_verdict 
 
 void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *c, const ts_trace *reference, ts_buffer_id id)
 {
-	char first[TS_FIRST_TEXT], inputs[INPUTS_TEXT];
-	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
-	const ts_stage *stage = step != NULL ? ts_stage_find(step->stage) : NULL;
-	inputs_of(inputs, c, reference, stage);
+	char first[TS_FIRST_TEXT], inputs[TS_INPUTS_TEXT];
+	const ts_stage *stage = stage_of(reference, id);
+	ts_compare_inputs(inputs, c, reference, id);
 	ts_compare_first(first, id, &c->verdict[id]);
 	snprintf(text, TS_LINE_TEXT, "stage %02u %s, buffer %s, %s; %s", (unsigned)ts_emit_number(reference->pipeline, id),
 	         stage != NULL ? stage->name : "scene", ts_buffer_table[id].name, first, inputs);

@@ -1,0 +1,86 @@
+/* Judging a port: buffer by buffer against a reference, or one stage given the port's own inputs.
+ *
+ *   ts_verdicts *verdicts;
+ *   if (ts_replay(context, &verdicts, "splat", reference, candidate) == TS_DIFFERENT)
+ *           puts(ts_verdicts_first(verdicts)->line);
+ *   ts_verdicts_free(verdicts); */
+#ifndef TOUCHSTONE_COMPARE_H
+#define TOUCHSTONE_COMPARE_H
+#include <stddef.h>
+#include <stdint.h>
+#include <touchstone/context.h>
+#include <touchstone/status.h>
+#include <touchstone/trace.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What was judged, and how. */
+typedef struct ts_verdicts ts_verdicts;
+
+/* How to compare; all but `bytes` may be 0: then everything must have the same bits. */
+typedef struct {
+	size_t bytes;       /* sizeof(ts_compare_options) */
+	int forced;         /* not 0: each stage is judged by what it should make of the candidate's own inputs */
+	int decided;        /* not 0: only what the reference decides is judged; it must have its margins */
+	uint64_t ulp;       /* floats may be so many floats apart, */
+	double abs, rel;    /* or so far, or so far in parts of the reference's; never a number from an infinity */
+	uint64_t allow;     /* so many elements of a buffer may differ */
+	const char *ignore; /* "BUFFER,BUFFER.field,...": not judged */
+	const uint8_t *mask; /* mask_height rows of mask_width: pixel buffers are judged only where it is not 0 */
+	uint32_t mask_width, mask_height;
+} ts_compare_options;
+
+/* Compares a candidate with a reference of the same method, in the order of the stages. options NULL: everything must
+ * have the same bits. TS_OK: all that was judged is the same. TS_DIFFERENT. TS_ERROR: could not, also where nothing
+ * could be judged; then *verdicts is NULL, else release it by ts_verdicts_free. The traces are not needed after. */
+TS_API ts_status ts_compare(ts_context *context, ts_verdicts **verdicts, const ts_trace *reference,
+                            const ts_trace *candidate, const ts_compare_options *options);
+
+/* Runs one stage on the candidate's inputs, the reference's where the candidate has none, and compares what the stage
+ * makes with the candidate's outputs, or the reference's where it has none. The inputs are checked first: whatever a
+ * stage could not run on is refused. candidate NULL: the reference alone. As ts_compare otherwise. */
+TS_API ts_status ts_replay(ts_context *context, ts_verdicts **verdicts, const char *stage, const ts_trace *reference,
+                           const ts_trace *candidate);
+
+/* How one buffer was judged. */
+typedef struct {
+	const char *stage;  /* that makes it, or "scene" */
+	const char *buffer;
+	const char *verdict;           /* "same", "different", "missing", "ignored", "not judged" */
+	const char *why;               /* of what could not be judged, or has another shape; else "" */
+	uint64_t n_reference, n_candidate; /* elements */
+	uint64_t n_different;          /* of them, those without a partner included */
+	uint64_t n_missing, n_extra;   /* records of a set that the candidate lacks, or has beside */
+	uint64_t n_relaxed;            /* elements that only a relaxation let pass */
+	uint64_t n_undecided;          /* elements that differ where the reference does not decide */
+} ts_verdict_info;
+
+/* Buffer i of those that the reference has, in the order of the stages, from 0; NULL behind the last. */
+TS_API const ts_verdict_info *ts_verdicts_at(const ts_verdicts *verdicts, size_t i);
+
+/* The first divergence: of the first stage that is different, the first element. */
+typedef struct {
+	const char *stage, *buffer;
+	const char *how;     /* "different"; of records of a set also "missing", "not of the reference", "twice" */
+	uint64_t element;    /* in the reference's order; of what is not of the reference the candidate's place */
+	const char *where;   /* "pixel (12, 40)", "key (piece 812, x 5, y 3)" */
+	const char *field;   /* of a record; else "" */
+	uint32_t component;  /* of the field */
+	uint64_t reference_bits, candidate_bits;
+	const char *reference, *candidate; /* values and bits, as text */
+	int64_t ulps;        /* floats from the reference to the candidate; 0: no floats; INT64_MAX: one is a NaN */
+	const char *inputs;  /* "inputs identical", or which differ, or were not given */
+	const char *line;    /* all of it in one line, as `touchstone compare` ends */
+} ts_divergence;
+
+/* NULL: nothing differs. */
+TS_API const ts_divergence *ts_verdicts_first(const ts_verdicts *verdicts);
+
+/* Releases verdicts; NULL is allowed. */
+TS_API void ts_verdicts_free(ts_verdicts *verdicts);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

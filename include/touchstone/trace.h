@@ -1,0 +1,82 @@
+/* Traces: the buffers of every stage of a run. One is made by a run, read from a folder (reference/TRACES.md), or put
+ * together from a port's own arrays.
+ *
+ *   ts_context *context; ts_params *params; ts_scene *scene; ts_trace *trace;
+ *   const ts_buffer_view *image;
+ *   if (ts_context_open(&context, NULL) == TS_OK && ts_params_make(&params) == TS_OK &&
+ *       ts_scene_open(context, &scene, "atrium", params, NULL) == TS_OK &&
+ *       ts_trace_run(context, &trace, scene, params, "reflections", "epr", NULL) == TS_OK &&
+ *       (image = ts_trace_buffer(trace, "image.srgb")) != NULL) {
+ *           ... image->data: image->shape[0] rows of image->shape[1] pixels, 3 bytes each ...
+ *   } */
+#ifndef TOUCHSTONE_TRACE_H
+#define TOUCHSTONE_TRACE_H
+#include <stddef.h>
+#include <stdint.h>
+#include <touchstone/context.h>
+#include <touchstone/params.h>
+#include <touchstone/scene.h>
+#include <touchstone/status.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct ts_trace ts_trace;
+
+/* What is kept of a run; all but `bytes` may be 0. */
+typedef struct {
+	size_t bytes;        /* sizeof(ts_run_options) */
+	const char *buffers; /* "image.srgb,image.radiance": these alone, by a run that leaves out the stages which only a
+	                      * whole trace needs; NULL: all */
+	int margins;         /* not 0: also how near each decision was to another */
+	int arrival;         /* not 0: points in the order of their arrival, which is another each time */
+} ts_run_options;
+
+/* Runs `method` of `effect`, a row of ts_method_at, and keeps its buffers in memory. The scene's own are not copied:
+ * the scene must outlive the trace. The scene's mirrors are those of the parameters it was opened with; frame, size and
+ * everything else are taken from params. options NULL: all defaults. Release by ts_trace_close; NULL on failure. */
+TS_API ts_status ts_trace_run(ts_context *context, ts_trace **trace, const ts_scene *scene, const ts_params *params,
+                              const char *effect, const char *method, const ts_run_options *options);
+
+/* Opens the trace in a folder by its trace.json. Files are untrusted: all is checked, and nothing outside the folder is
+ * opened. The files must stay as they are until ts_trace_close. */
+TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folder);
+
+/* Makes a candidate without buffers, of the method and the parameters of `reference`. arrival not 0: its points stand in
+ * any order. */
+TS_API ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const ts_trace *reference, int arrival);
+
+/* Gives a candidate a buffer, or puts another in its place: an array of the shape that records.def says, in C order.
+ * The array is not copied: it must stay, and stay as it is, until ts_trace_close or until another takes its place.
+ * bytes: of all of it. */
+TS_API ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_dims, const uint64_t *shape,
+                              const void *data, size_t bytes);
+
+/* A buffer of a trace. */
+typedef struct {
+	const char *name;    /* "stage.buffer" */
+	const char *element; /* a scalar (f32, u8, u32, u64) or a record of records.def */
+	size_t element_bytes;
+	const void *data; /* C order; belongs to the trace, the scene, or who put it */
+	uint32_t n_dims;
+	uint64_t shape[4];
+} ts_buffer_view;
+
+/* The buffer of that name, which is read if it is in a file; valid until ts_trace_close or ts_trace_put. NULL with the
+ * message set: no such buffer, the trace lacks it, or its file cannot be read. */
+TS_API const ts_buffer_view *ts_trace_buffer(ts_trace *trace, const char *name);
+
+/* The SHA-256 of the file that a trace in a folder has of a buffer, as 64 hexadecimal digits and a 0. */
+TS_API ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65]);
+
+/* What was counted in the run: "points", "shading operations", ... 0 if the trace is of no run, or that was not
+ * counted. */
+TS_API int64_t ts_trace_counter(const ts_trace *trace, const char *name);
+
+/* Releases a trace, and what it read; NULL is allowed. */
+TS_API void ts_trace_close(ts_trace *trace);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,48 @@
+/* Arithmetic vectors: inputs and outputs of every primitive that a port must compute with the same bits (CONTRACT rule
+ * 32). A row holds the columns of one item as 32-bit words without padding, 64-bit values low word first. */
+#ifndef TOUCHSTONE_VECTORS_H
+#define TOUCHSTONE_VECTORS_H
+#include <stddef.h>
+#include <stdint.h>
+#include <touchstone/context.h>
+#include <touchstone/status.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A primitive. */
+typedef struct {
+	const char *name;
+	const char *rule; /* of CONTRACT, or the kernel that defines it */
+	const char *doc;
+	uint32_t items;               /* rows */
+	uint32_t in_words, out_words; /* of a row */
+	const char *in_dtype, *out_dtype; /* as numpy writes them */
+} ts_vector_info;
+
+/* Primitive i, from 0, in the order in which a porter meets them: each relies on those before it. NULL behind the
+ * last. */
+TS_API const ts_vector_info *ts_vector_at(size_t i);
+
+/* Fills `in` with the items * in_words words of a primitive's inputs and `out` with the items * out_words words that are
+ * right; each may be NULL. Always the same words. */
+TS_API ts_status ts_vector_words(ts_context *context, uint32_t *in, uint32_t *out, const char *primitive);
+
+/* What a port's outputs are worth. */
+typedef struct {
+	size_t bytes;     /* sizeof(ts_vector_judged); set by the caller */
+	uint32_t n_wrong; /* items */
+	uint32_t first;   /* the first wrong one */
+	uint32_t first_word;   /* of its row of outputs */
+	const char *fault;     /* what ports get wrong that gives most of the wrong items; NULL: nothing known does */
+	const char *remedy;
+} ts_vector_judged;
+
+/* Judges items * out_words words that a port computed from a primitive's inputs. TS_OK: all right. TS_DIFFERENT. */
+TS_API ts_status ts_vector_check(ts_context *context, ts_vector_judged *judged, const char *primitive,
+                                 const uint32_t *found);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,25 @@
+/* What the functions of the public API share. Each enters its context, so that this thread's lines and progress are
+ * heard by the context's host, and leaves it. */
+#ifndef TS_API_API_H
+#define TS_API_API_H
+#include <touchstone/context.h>
+#include "../methods/stage.h"
+
+struct ts_context {
+	ts_how how;
+	ts_listener listener;
+};
+
+/* Hands the engines the rows of all families, once. */
+void ts_api_ready(void);
+
+/* Fails where this process no longer computes as the numeric contract says. */
+ts_status ts_api_enter(const ts_context *context);
+void ts_api_leave(void);
+
+/* Copies what a caller's struct of options has of ours, which is all 0 before; `type` names it. NULL: nothing. TS_ERROR:
+ * its size is none, or it sets what this library does not know. */
+ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, const char *type);
+
+
+#endif

@@ -1,0 +1,127 @@
+/* Contexts. */
+#include "api.h"
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../families/families.h"
+#include "../tools/tools.h"
+#include "../vectors/vectors.h"
+
+const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, &ts_opencl_kind, &ts_vulkan_kind, &ts_cuda_kind, NULL};
+
+static void begin(void)
+{
+	ts_families_begin();
+	ts_tools_begin();
+}
+
+void ts_api_ready(void)
+{
+	static pthread_once_t once = PTHREAD_ONCE_INIT;
+	pthread_once(&once, begin);
+}
+
+ts_status ts_api_enter(const ts_context *context)
+{
+	ts_listen(&context->listener);
+	ts_status status = ts_selftest_require();
+	if (status != TS_OK) ts_api_leave();
+	return status;
+}
+
+void ts_api_leave(void) { ts_listen(&(ts_listener){.line = NULL}); }
+
+static bool is_zero(const char *bytes, size_t n)
+{
+	for (size_t i = 0; i < n; i++) {
+		if (bytes[i] != 0) return false;
+	}
+	return true;
+}
+
+ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, const char *type)
+{
+	size_t bytes;
+	if (options == NULL) return TS_OK;
+	memcpy(&bytes, options, sizeof bytes);
+	if (bytes <= sizeof bytes) {
+		return ts_fail("%s: its member `bytes` is %zu; the size of the struct would be right", type, bytes);
+	}
+	size_t known = bytes < our_bytes ? bytes : our_bytes;
+	if (!is_zero((const char *)options + known, bytes - known)) {
+		return ts_fail("%s: sets what this library, touchstone %s, does not know", type, TS_VERSION);
+	}
+	memcpy(ours, options, known);
+	return TS_OK;
+}
+
+static ts_status find(const ts_backend_kind **kind, const char *name)
+{
+	char names[128] = "";
+	for (u32 i = 0; ts_backend_kinds[i] != NULL; i++) {
+		size_t used = strlen(names);
+		*kind = ts_backend_kinds[i];
+		snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? ", " : "", (*kind)->name);
+		if (name == NULL || strcmp((*kind)->name, name) == 0) return TS_OK;
+	}
+	return ts_fail("there is no backend \"%.40s\"; there is: %s", name, names);
+}
+
+static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 device)
+{
+	const ts_backend_options wanted = {.device = device, .build = ""};
+	if (kind->open == NULL) return TS_OK;
+	ts_status status = kind->open(&how->backend, &wanted);
+	return status == TS_OK ? ts_vectors_verify(how->backend, false) : status;
+}
+
+static ts_status open_context(ts_context *context, const ts_context_options *options)
+{
+	const ts_backend_kind *kind;
+	context->listener = (ts_listener){options->say, options->progress, options->cancelled, options->user};
+	if (find(&kind, options->backend) != TS_OK) return TS_ERROR;
+	if (options->threads > TS_MOST_THREADS) {
+		return ts_fail("%lu threads; 0 to %d are right", (unsigned long)options->threads, TS_MOST_THREADS);
+	}
+	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
+	context->how.threads = options->threads > 0 ? ts_threads_ready(options->threads) : ts_threads_all();
+	context->how.reference = options->reference != 0;
+	ts_status status = open_backend(&context->how, kind, options->device);
+	ts_api_leave();
+	return status;
+}
+
+ts_status ts_context_open(ts_context **context, const ts_context_options *options)
+{
+	ts_context_options ours = {0};
+	if (TS_LACKS(context)) return TS_ERROR;
+	*context = NULL;
+	if (ts_api_options(&ours, sizeof ours, options, "ts_context_options") != TS_OK) return TS_ERROR;
+	ts_api_ready();
+	ts_context *made = ts_alloc_zero(1, sizeof *made, "a context");
+	if (made == NULL) return TS_ERROR;
+	ts_status status = open_context(made, &ours);
+	if (status == TS_OK) {
+		*context = made;
+	} else {
+		ts_context_close(made);
+	}
+	return status;
+}
+
+void ts_context_close(ts_context *context)
+{
+	if (context == NULL) return;
+	if (context->how.backend != NULL) context->how.backend->close(context->how.backend);
+	free(context);
+}
+
+const char *ts_backend_at(size_t i)
+{
+	for (size_t k = 0; ts_backend_kinds[k] != NULL; k++) {
+		if (k == i) return ts_backend_kinds[k]->name;
+	}
+	return NULL;
+}
+
+const char *ts_version(void) { return TS_VERSION; }

@@ -1,0 +1,68 @@
+/* Tables to walk. */
+#include "api.h"
+#include <touchstone/tables.h>
+#include <pthread.h>
+#include <string.h>
+#include "../methods/pipeline.h"
+
+static ts_method_info *methods;
+static ts_stage_info *stages;
+static size_t n_methods, n_stages;
+
+static void make(void)
+{
+	ts_api_ready();
+	while (ts_pipelines()[n_methods] != NULL) n_methods++;
+	while (ts_stages()[n_stages] != NULL) n_stages++;
+	methods = ts_alloc(n_methods, sizeof *methods, "the table of methods");
+	stages = ts_alloc(n_stages, sizeof *stages, "the table of stages");
+	for (size_t i = 0; i < n_methods && methods != NULL; i++) {
+		const ts_pipeline *p = ts_pipelines()[i];
+		methods[i] = (ts_method_info){p->effect->name, p->name, p->paper, p->doc};
+	}
+	for (size_t i = 0; i < n_stages && stages != NULL; i++) {
+		const ts_stage *s = ts_stages()[i];
+		stages[i] = (ts_stage_info){s->name, s->kind, s->margin_of, s->paper, s->doc};
+	}
+}
+
+static void require(void)
+{
+	static pthread_once_t once = PTHREAD_ONCE_INIT;
+	pthread_once(&once, make);
+}
+
+const ts_method_info *ts_method_at(size_t i)
+{
+	require();
+	return methods != NULL && i < n_methods ? &methods[i] : NULL;
+}
+
+const ts_stage_info *ts_stage_at(size_t i)
+{
+	require();
+	return stages != NULL && i < n_stages ? &stages[i] : NULL;
+}
+
+const ts_stage_info *ts_method_stage(const char *effect, const char *method, size_t i)
+{
+	require();
+	const ts_pipeline *pipeline = effect != NULL && method != NULL ? ts_pipeline_find(effect, method) : NULL;
+	const ts_step *step = pipeline != NULL ? ts_pipeline_steps(pipeline) : NULL;
+	for (; step != NULL && step->stage != NULL; step++, i--) {
+		if (i > 0) continue;
+		for (size_t k = 0; k < n_stages && stages != NULL; k++) {
+			if (strcmp(stages[k].name, step->stage) == 0) return &stages[k];
+		}
+	}
+	return NULL;
+}
+
+const ts_buffer_info *ts_buffer_at(size_t i) { return i < TS_N_BUFFERS ? &ts_buffer_table[i] : NULL; }
+
+const ts_field_info *ts_field_at(size_t i)
+{
+	size_t n;
+	const ts_field_info *fields = ts_field_table(&n);
+	return i < n ? &fields[i] : NULL;
+}

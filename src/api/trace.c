@@ -1,0 +1,166 @@
+/* Traces. */
+#include "api.h"
+#include <touchstone/trace.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../model/digest.h"
+#include "../trace/emit.h"
+#include "../trace/item.h"
+#include "../trace/keep.h"
+
+/* "image.srgb,image.radiance". */
+static ts_status read_buffers(ts_keep *keep, const ts_pipeline *pipeline, const char *names)
+{
+	char name[64];
+	for (const char *at = names; *at != 0; at += *at == ',') {
+		size_t n = strcspn(at, ",");
+		ts_buffer_id id;
+		snprintf(name, sizeof name, "%.*s", (int)(n < sizeof name ? n : sizeof name - 1), at);
+		if (!ts_trace_find(&id, name)) {
+			return ts_fail("ts_run_options.buffers: there is no buffer \"%s\"; ts_buffer_at names all", name);
+		}
+		if (!ts_emit_is_scene(id) && ts_pipeline_maker(pipeline, id) == NULL) {
+			return ts_fail("ts_run_options.buffers: %s by %s makes no %s", pipeline->effect->name, pipeline->name, name);
+		}
+		keep->keep[id] = true;
+		at += n;
+	}
+	return TS_OK;
+}
+
+static ts_status run_method(const ts_context *context, ts_trace **trace, const ts_scene *scene, const ts_params *params,
+                            const ts_pipeline *pipeline, const ts_run_options *options)
+{
+	ts_keep keep = {.whole = options->buffers == NULL, .margins = options->margins != 0};
+	ts_how how = context->how;
+	how.arrival = options->arrival != 0;
+	if (options->buffers != NULL && read_buffers(&keep, pipeline, options->buffers) != TS_OK) return TS_ERROR;
+	if (options->buffers != NULL && keep.margins) {
+		return ts_fail("ts_run_options: margins are part of a whole trace; buffers NULL would be right");
+	}
+	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
+	ts_status status = ts_trace_keep(trace, pipeline, scene, params, &how, &keep);
+	ts_api_leave();
+	return status;
+}
+
+ts_status ts_trace_run(ts_context *context, ts_trace **trace, const ts_scene *scene, const ts_params *params,
+                       const char *effect, const char *method, const ts_run_options *options)
+{
+	ts_run_options ours = {0};
+	if (TS_LACKS(trace)) return TS_ERROR;
+	*trace = NULL;
+	if (TS_LACKS(context) || TS_LACKS(scene) || TS_LACKS(params) || TS_LACKS(effect) || TS_LACKS(method)) {
+		return TS_ERROR;
+	}
+	if (ts_api_options(&ours, sizeof ours, options, "ts_run_options") != TS_OK) return TS_ERROR;
+	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
+	if (pipeline == NULL) {
+		return ts_fail("%s by %s: no such method; `touchstone list methods` names them", effect, method);
+	}
+	return run_method(context, trace, scene, params, pipeline, &ours);
+}
+
+ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folder)
+{
+	if (TS_LACKS(trace)) return TS_ERROR;
+	*trace = NULL;
+	if (TS_LACKS(context) || TS_LACKS(folder) || ts_api_enter(context) != TS_OK) return TS_ERROR;
+	ts_status status = ts_trace_open_folder(trace, folder);
+	ts_api_leave();
+	return status;
+}
+
+ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const ts_trace *reference, int arrival)
+{
+	if (TS_LACKS(trace)) return TS_ERROR;
+	*trace = NULL;
+	if (TS_LACKS(context) || TS_LACKS(reference)) return TS_ERROR;
+	ts_trace *made = ts_trace_new("the candidate");
+	if (made == NULL) return TS_ERROR;
+	made->pipeline = reference->pipeline;
+	made->has_params = reference->has_params;
+	made->params = reference->params;
+	made->arrival = arrival != 0;
+	*trace = made;
+	return TS_OK;
+}
+
+/* Finds a buffer by a name that a caller gave. */
+static ts_status find(ts_buffer_id *id, const char *name)
+{
+	return ts_trace_find(id, name) ? TS_OK : ts_fail("there is no buffer \"%.60s\"; ts_buffer_at names all", name);
+}
+
+ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_dims, const uint64_t *shape, const void *data,
+                       size_t bytes)
+{
+	ts_buffer_id id;
+	ts_npy npy = {.n_dims = n_dims};
+	if (TS_LACKS(trace) || TS_LACKS(buffer) || TS_LACKS(shape) || find(&id, buffer) != TS_OK) return TS_ERROR;
+	if (bytes > 0 && TS_LACKS(data)) return TS_ERROR;
+	if (n_dims < 1 || n_dims > TS_MAX_DIMS) {
+		return ts_fail("%s: %lu dimensions; 1 to %d are right", buffer, (unsigned long)n_dims, TS_MAX_DIMS);
+	}
+	memcpy(npy.shape, shape, n_dims * sizeof *shape);
+	size_t element_bytes = ts_buffer_table[id].element_bytes;
+	if (!ts_shape_count(&npy.n, n_dims, shape) || npy.n > SIZE_MAX / element_bytes || npy.n * element_bytes != bytes) {
+		return ts_fail("%s: %zu bytes are not those of its shape in elements of %zu bytes", buffer, bytes, element_bytes);
+	}
+	return ts_item_put(trace, id, &npy, data);
+}
+
+/* Brings a buffer that is in a file to memory. */
+static ts_status bring(ts_trace_item *item, ts_buffer_id id)
+{
+	if (item->memory != NULL) return TS_OK;
+	void *data = ts_alloc((size_t)item->npy.n, ts_buffer_table[id].element_bytes, ts_buffer_table[id].name);
+	if (data == NULL || ts_trace_copy(data, item, id) != TS_OK) {
+		free(data);
+		return TS_ERROR;
+	}
+	item->memory = item->owned = data;
+	return TS_OK;
+}
+
+const ts_buffer_view *ts_trace_buffer(ts_trace *trace, const char *name)
+{
+	ts_buffer_id id;
+	if (TS_LACKS(trace) || TS_LACKS(name) || find(&id, name) != TS_OK) return NULL;
+	ts_trace_item *item = &trace->item[id];
+	const ts_buffer_info *info = &ts_buffer_table[id];
+	if (item->path == NULL) {
+		ts_fail("%s: there is no %s", trace->dir, info->name);
+		return NULL;
+	}
+	if (bring(item, id) != TS_OK) return NULL;
+	ts_buffer_view *view = &trace->view[id];
+	*view = (ts_buffer_view){info->name, info->element, info->element_bytes, item->memory, item->npy.n_dims, {0}};
+	memcpy(view->shape, item->npy.shape, sizeof view->shape);
+	return view;
+}
+
+ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65])
+{
+	char header[TS_NPY_HEADER], descr[TS_NPY_DESCR];
+	ts_buffer_id id;
+	ts_digest digest;
+	if (TS_LACKS(hex)) return TS_ERROR;
+	const ts_buffer_view *view = ts_trace_buffer(trace, name);
+	if (view == NULL || find(&id, name) != TS_OK) return TS_ERROR;
+	ts_npy_descr(descr, id);
+	ts_digest_begin(&digest);
+	ts_digest_add(&digest, header, ts_npy_header(header, descr, view->n_dims, view->shape));
+	ts_digest_add(&digest, view->data, (size_t)trace->item[id].npy.n * view->element_bytes);
+	ts_digest_end(&digest, hex);
+	return TS_OK;
+}
+
+int64_t ts_trace_counter(const ts_trace *trace, const char *name)
+{
+	for (u32 i = 0; trace != NULL && name != NULL && i < trace->n_counters; i++) {
+		if (strcmp(trace->counters[i].name, name) == 0) return trace->counters[i].value;
+	}
+	return 0;
+}

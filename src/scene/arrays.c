@@ -1,0 +1,104 @@
+/* A scene from its maker's own arrays: build_finish.c checks what they hold, as it does for files. */
+#include "build_parts.h"
+#include "sources.h"
+
+static void check_arrays(ts_build *build, const ts_scene_arrays *a, const ts_scene_options *o)
+{
+	const struct {
+		const char *name;
+		const void *array;
+		u32 n;
+	} given[] = {{"vertices", a->vertices, a->n_vertices},    {"triangles", a->triangles, a->n_triangles},
+	             {"materials", a->materials, a->n_materials}, {"slots", a->slots, a->n_slots},
+	             {"images", a->images, a->n_images},          {"lights", a->lights, a->n_lights},
+	             {"objects", a->objects, a->n_objects},       {"surfels", a->surfels, a->n_surfels},
+	             {"cameras", a->cameras, a->n_cameras}};
+	for (u32 i = 0; i < sizeof given / sizeof *given; i++) {
+		if (given[i].n == 0 || given[i].array != NULL) continue;
+		ts_build_fail(build, "%s: %s is NULL; %u are said to be there", build->scene->name, given[i].name, given[i].n);
+	}
+	if (o->reflector != NULL || o->animation != NULL) {
+		ts_build_fail(build, "%s: %s: arrays have no named nodes; NULL would be right", build->scene->name,
+		              o->reflector != NULL ? "reflector" : "animation");
+	}
+	if (a->n_objects > 0 && a->objects[0].reflector != TS_NONE) {
+		ts_build_fail(build, "%s: object 0 is a mirror; it is the static scene", build->scene->name);
+	}
+}
+
+static void add_vertices(ts_build *build, const ts_scene_arrays *a)
+{
+	for (u32 i = 1; i < a->n_objects; i++) ts_build_object(build, &a->objects[i], a->objects[i].reflector != TS_NONE);
+	u32 n_objects = a->n_objects > 0 ? a->n_objects : 1;
+	for (u32 i = 0; i < a->n_vertices && !build->failed; i++) {
+		u32 object = a->vertices[i].object;
+		if (object >= n_objects) {
+			ts_build_fail(build, "%s: vertex %u: object %u does not exist; there are %u", build->scene->name, i, object,
+			              n_objects);
+		}
+		ts_build_select(build, object);
+		ts_build_vertex(build, &a->vertices[i]);
+	}
+	for (u32 i = 0; i < a->n_triangles && !build->failed; i++) {
+		const u32 *v = a->triangles[i].vertex;
+		ts_build_triangle(build, v[0], v[1], v[2], a->triangles[i].material);
+	}
+}
+
+static void add_surfels(ts_build *build, const ts_scene_arrays *a)
+{
+	for (u32 i = 0; i < a->n_surfels && !build->failed; i++) ts_build_surfel(build, &a->surfels[i]);
+}
+
+static void add_looks(ts_build *build, const ts_scene_arrays *a)
+{
+	for (u32 i = 0; i < a->n_materials && !build->failed; i++) ts_build_material(build, &a->materials[i]);
+	for (u32 i = 0; i < a->n_slots && !build->failed; i++) ts_build_slot(build, &a->slots[i]);
+	for (u32 i = 0; i < a->n_images && !build->failed; i++) {
+		const ts_image_array *image = &a->images[i];
+		if (image->rgba == NULL) {
+			ts_build_fail(build, "%s: image %u: rgba is NULL", build->scene->name, i);
+		} else {
+			ts_build_image(build, image->rgba, image->width, image->height, image->srgb != 0);
+		}
+	}
+	for (u32 i = 0; i < a->n_lights && !build->failed; i++) ts_build_light(build, &a->lights[i]);
+}
+
+static void add_cameras(ts_build *build, const ts_scene_arrays *a)
+{
+	for (u32 i = 0; i < a->n_cameras && !build->failed; i++) {
+		const ts_camera_array *from = &a->cameras[i];
+		ts_camera camera = {.name = (char *)(uintptr_t)from->name, .yfov = from->yfov};
+		memcpy(camera.eye, from->eye, sizeof camera.eye);
+		memcpy(camera.right, from->right, sizeof camera.right);
+		memcpy(camera.up, from->up, sizeof camera.up);
+		memcpy(camera.back, from->back, sizeof camera.back);
+		ts_build_camera(build, &camera);
+	}
+}
+
+static ts_status make_scene(ts_scene **scene, ts_build *build, const ts_scene_arrays *arrays, const ts_params *params,
+                            const ts_scene_options *options)
+{
+	check_arrays(build, arrays, options);
+	if (!build->failed) add_looks(build, arrays);
+	if (!build->failed) add_vertices(build, arrays);
+	if (!build->failed) add_surfels(build, arrays);
+	if (!build->failed) add_cameras(build, arrays);
+	ts_build_select(build, 0);
+	ts_ground_add(build, params);
+	const char *camera = ts_arrange(build, params, options, true);
+	return ts_build_finish(build, params, camera, scene);
+}
+
+ts_status ts_scene_of_arrays(ts_scene **scene, const ts_scene_arrays *arrays, const ts_params *params,
+                             const ts_scene_options *options)
+{
+	ts_status status;
+	*scene = NULL;
+	ts_build *build = ts_build_new(arrays->name != NULL ? arrays->name : "arrays");
+	if (build == NULL) return TS_ERROR;
+	TS_PARAM_READER("scene", "arrays", status = make_scene(scene, build, arrays, params, options));
+	return status;
+}

@@ -1,0 +1,211 @@
+/* Verdicts: a bit that is planted in one buffer of a candidate is found there, and told with its bits; and a stage is
+ * right or wrong given the candidate's own inputs. */
+#include "api.h"
+
+static ts_context *context;
+static ts_params *params;
+static ts_scene *scene;
+static ts_trace *reference;
+
+static int set_up(void **state)
+{
+	(void)state;
+	context = open_context(2);
+	params = small_params();
+	scene = small_scene(context, params);
+	reference = small_trace(context, scene, params, "epr");
+	return 0;
+}
+
+static int tear_down(void **state)
+{
+	(void)state;
+	ts_trace_close(reference);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+	return 0;
+}
+
+static void put(ts_trace *trace, const ts_buffer_view *view, const void *data)
+{
+	done(ts_trace_put(trace, view->name, view->n_dims, view->shape, data, bytes_of(view)));
+}
+
+/* A candidate with every buffer of the reference, as it is. */
+static ts_trace *same_candidate(void)
+{
+	ts_trace *trace;
+	const ts_buffer_info *buffer;
+	done(ts_trace_candidate(context, &trace, reference, 0));
+	for (size_t i = 0; (buffer = ts_buffer_at(i)) != NULL; i++) {
+		const ts_buffer_view *view = ts_trace_buffer(reference, buffer->name);
+		if (view != NULL) put(trace, view, view->data);
+	}
+	return trace;
+}
+
+static void test_same(void **state)
+{
+	(void)state;
+	ts_verdicts *verdicts;
+	const ts_verdict_info *verdict;
+	ts_trace *trace = same_candidate();
+	for (int forced = 0; forced < 2; forced++) {
+		ts_compare_options options = {.bytes = sizeof options, .forced = forced};
+		size_t n = 0;
+		done(ts_compare(context, &verdicts, reference, trace, &options));
+		assert_null(ts_verdicts_first(verdicts));
+		for (; (verdict = ts_verdicts_at(verdicts, n)) != NULL; n++) {
+			bool scenes = strcmp(verdict->stage, "scene") == 0;
+			assert_string_equal(verdict->verdict, forced && scenes ? "not judged" : "same");
+			assert_int_equal(verdict->n_different, 0);
+		}
+		assert_true(n > 20);
+		ts_verdicts_free(verdicts);
+	}
+	ts_trace_close(trace);
+}
+
+/* Changes the lowest bit of the last element's last word in a copy of each buffer of stages in turn. */
+static void test_planted(void **state)
+{
+	(void)state;
+	const ts_buffer_info *buffer;
+	ts_trace *trace = same_candidate();
+	size_t n_found = 0;
+	for (size_t i = 0; (buffer = ts_buffer_at(i)) != NULL; i++) {
+		const ts_buffer_view *view = ts_trace_buffer(reference, buffer->name);
+		/* Keys must ascend, and prefix sums are told by their counts: both are others' tests. */
+		if (view == NULL || strstr(view->name, ".key") != NULL || strstr(view->name, ".offset") != NULL) continue;
+		size_t last = count_of(view) - 1;
+		if (count_of(view) == 0 || bytes_of(view) < 4) continue;
+		uint8_t *copy = malloc(bytes_of(view));
+		assert_non_null(copy);
+		memcpy(copy, view->data, bytes_of(view));
+		copy[last * view->element_bytes] ^= 1;
+		put(trace, view, copy);
+		ts_verdicts *verdicts;
+		assert_int_equal(ts_compare(context, &verdicts, reference, trace, NULL), TS_DIFFERENT);
+		const ts_divergence *first = ts_verdicts_first(verdicts);
+		assert_non_null(first);
+		assert_string_equal(first->buffer, view->name);
+		assert_string_equal(first->how, "different");
+		assert_int_equal(first->element, last);
+		assert_int_equal(first->reference_bits ^ first->candidate_bits, 1);
+		assert_string_equal(first->inputs, "inputs identical");
+		assert_non_null(strstr(first->line, first->where));
+		assert_non_null(strstr(first->line, first->reference));
+		assert_non_null(strstr(first->line, first->candidate));
+		ts_verdicts_free(verdicts);
+		put(trace, view, view->data);
+		free(copy);
+		n_found++;
+	}
+	assert_true(n_found > 15);
+	ts_trace_close(trace);
+}
+
+static void test_replay(void **state)
+{
+	(void)state;
+	ts_trace *trace;
+	ts_verdicts *verdicts;
+	const ts_buffer_view *view = ts_trace_buffer(reference, "pose.vertex"), *keys;
+	done(ts_replay(context, &verdicts, "eye", reference, NULL));
+	assert_string_equal(ts_verdicts_at(verdicts, 0)->buffer, "eye.depth_triangle");
+	assert_string_equal(ts_verdicts_at(verdicts, 0)->verdict, "same");
+	ts_verdicts_free(verdicts);
+
+	/* The candidate's own vertices: the reference's picture of them is no longer right. */
+	ts_vertex *moved = malloc(bytes_of(view));
+	assert_non_null(moved);
+	memcpy(moved, view->data, bytes_of(view));
+	for (size_t i = 0; i < count_of(view); i++) moved[i].position[1] += 0.25f;
+	done(ts_trace_candidate(context, &trace, reference, 0));
+	put(trace, view, moved);
+	assert_int_equal(ts_replay(context, &verdicts, "eye", reference, trace), TS_DIFFERENT);
+	const ts_divergence *first = ts_verdicts_first(verdicts);
+	assert_string_equal(first->stage, "eye");
+	assert_string_equal(first->inputs, "given the candidate's inputs");
+	assert_true(first->reference_bits != first->candidate_bits);
+	ts_verdicts_free(verdicts);
+
+	/* A wrong stage behind it is told apart, whatever came before. */
+	keys = ts_trace_buffer(reference, "eye.depth_triangle");
+	put(trace, keys, keys->data);
+	assert_int_equal(ts_replay(context, &verdicts, "eye", reference, trace), TS_DIFFERENT);
+	ts_verdicts_free(verdicts);
+	moved[0].position[0] = 1e30f / 1e-30f;
+	refused(ts_replay(context, &verdicts, "eye", reference, trace), "stage eye: ");
+	assert_null(verdicts);
+	refused(ts_replay(context, &verdicts, "eyes", reference, trace), "eyes");
+	ts_trace_close(trace);
+	free(moved);
+}
+
+static void test_relaxed(void **state)
+{
+	(void)state;
+	ts_trace *trace = same_candidate();
+	ts_verdicts *verdicts;
+	const ts_buffer_view *view = ts_trace_buffer(reference, "image.radiance");
+	float *copy = malloc(bytes_of(view));
+	assert_non_null(copy);
+	memcpy(copy, view->data, bytes_of(view));
+	((uint32_t *)copy)[30] += 2;
+	put(trace, view, copy);
+	ts_compare_options options = {.bytes = sizeof options};
+	assert_int_equal(ts_compare(context, &verdicts, reference, trace, &options), TS_DIFFERENT);
+	assert_int_equal(ts_verdicts_first(verdicts)->ulps, 2);
+	assert_int_equal(ts_verdicts_first(verdicts)->element, 30);
+	ts_verdicts_free(verdicts);
+	options.ulp = 1;
+	assert_int_equal(ts_compare(context, &verdicts, reference, trace, &options), TS_DIFFERENT);
+	ts_verdicts_free(verdicts);
+	options.ulp = 2;
+	done(ts_compare(context, &verdicts, reference, trace, &options));
+	ts_verdicts_free(verdicts);
+	options = (ts_compare_options){.bytes = sizeof options, .ignore = "image.radiance"};
+	done(ts_compare(context, &verdicts, reference, trace, &options));
+	ts_verdicts_free(verdicts);
+	options.ignore = "image.radiances";
+	refused(ts_compare(context, &verdicts, reference, trace, &options), "image.radiances");
+	uint8_t mask[36 * 64] = {0};
+	options = (ts_compare_options){.bytes = sizeof options, .mask = mask, .mask_width = 64, .mask_height = 36};
+	done(ts_compare(context, &verdicts, reference, trace, &options));
+	ts_verdicts_free(verdicts);
+	mask[10] = 1;
+	assert_int_equal(ts_compare(context, &verdicts, reference, trace, &options), TS_DIFFERENT);
+	ts_verdicts_free(verdicts);
+	options = (ts_compare_options){.bytes = sizeof options, .decided = 1};
+	refused(ts_compare(context, &verdicts, reference, trace, &options), "margin");
+	ts_trace_close(trace);
+	free(copy);
+}
+
+static void test_nothing(void **state)
+{
+	(void)state;
+	ts_trace *trace, *other;
+	ts_verdicts *verdicts;
+	done(ts_trace_candidate(context, &trace, reference, 0));
+	refused(ts_compare(context, &verdicts, reference, trace, NULL), "nothing to judge");
+	other = small_trace(context, scene, params, "mvr");
+	refused(ts_compare(context, &verdicts, reference, other, NULL), "a trace of mvr");
+	assert_null(verdicts);
+	assert_null(ts_verdicts_at(NULL, 0));
+	assert_null(ts_verdicts_first(NULL));
+	ts_verdicts_free(NULL);
+	ts_trace_close(other);
+	ts_trace_close(trace);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_same),    cmocka_unit_test(test_planted), cmocka_unit_test(test_replay),
+		cmocka_unit_test(test_relaxed), cmocka_unit_test(test_nothing),
+	};
+	return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,146 @@
+/* Traces in memory: what every method makes has the digests of the files of a trace, and a part of a run has the bits
+ * of the whole. */
+#include "../../src/trace/sums.h"
+#include "../../src/scene/scene.h"
+#include "api.h"
+
+static const char *scene_of(const char *effect)
+{
+	return strcmp(effect, "surfels") == 0 ? "checkerboard:surfels=10000" : SMALL;
+}
+
+static void test_digests(void **state)
+{
+	(void)state;
+	ts_context *context = open_context(2);
+	ts_params *params = small_params();
+	const ts_method_info *method;
+	size_t n_buffers = 0;
+	for (size_t i = 0; (method = ts_method_at(i)) != NULL; i++) {
+		ts_scene *scene;
+		ts_trace *trace;
+		ts_sums sums;
+		const ts_buffer_info *buffer;
+		done(ts_scene_open(context, &scene, scene_of(method->effect), params, NULL));
+		done(ts_trace_run(context, &trace, scene, params, method->effect, method->name, NULL));
+		done(ts_sums_of(&sums, ts_pipeline_find(method->effect, method->name), scene, params, &(ts_how){.threads = 1}));
+		for (size_t id = 0; (buffer = ts_buffer_at(id)) != NULL; id++) {
+			char hex[65] = "";
+			if (sums.hex[id][0] == 0) {
+				refused(ts_trace_digest(trace, buffer->name, hex), buffer->name);
+				continue;
+			}
+			done(ts_trace_digest(trace, buffer->name, hex));
+			if (strcmp(hex, sums.hex[id]) != 0) fail_msg("%s %s: %s", method->effect, method->name, buffer->name);
+			n_buffers++;
+		}
+		ts_trace_close(trace);
+		ts_scene_free(scene);
+	}
+	assert_true(n_buffers > 400);
+	ts_params_free(params);
+	ts_context_close(context);
+}
+
+static void test_part(void **state)
+{
+	(void)state;
+	ts_context *context = open_context(2);
+	ts_params *params = small_params();
+	done(ts_params_set(params, "reflectors.count", "7")); /* several batches */
+	ts_scene *scene = small_scene(context, params);
+	ts_trace *whole = small_trace(context, scene, params, "mvr"), *part;
+	ts_run_options options = {.bytes = sizeof options, .buffers = "image.srgb,resize.face"};
+	done(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options));
+	const char *const names[] = {"image.srgb", "resize.face"};
+	for (size_t i = 0; i < 2; i++) {
+		const ts_buffer_view *a = ts_trace_buffer(whole, names[i]), *b = ts_trace_buffer(part, names[i]);
+		assert_true(a != NULL && b != NULL);
+		assert_int_equal(bytes_of(a), bytes_of(b));
+		assert_memory_equal(a->data, b->data, bytes_of(a));
+	}
+	assert_null(ts_trace_buffer(part, "eye.depth_triangle"));
+	assert_int_equal(ts_trace_counter(whole, "shading operations"), ts_trace_counter(part, "shading operations"));
+	assert_true(ts_trace_counter(whole, "shading operations") > 0);
+	assert_int_equal(ts_trace_counter(whole, "no such counter"), 0);
+	ts_trace_close(part);
+	options.buffers = "image.srgb,points.record";
+	refused(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options), "makes no points.record");
+	assert_null(part);
+	options.buffers = "image";
+	refused(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options), "no buffer \"image\"");
+	options = (ts_run_options){.bytes = sizeof options, .buffers = "image.srgb", .margins = 1};
+	refused(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options), "margins");
+	ts_trace_close(whole);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+}
+
+static void test_image(void **state)
+{
+	(void)state;
+	ts_context *context = open_context(2);
+	ts_params *params = small_params();
+	ts_scene *scene = small_scene(context, params);
+	ts_trace *trace = small_trace(context, scene, params, "epr");
+	const ts_buffer_view *image = ts_trace_buffer(trace, "image.srgb");
+	assert_non_null(image);
+	assert_int_equal(image->n_dims, 3);
+	assert_int_equal(image->shape[0], 36);
+	assert_int_equal(image->shape[1], 64);
+	assert_int_equal(image->shape[2], 3);
+	assert_string_equal(image->element, "u8");
+	const uint8_t *pixels = image->data;
+	assert_false(memcmp(pixels, pixels + 3, 64 * 36 * 3 - 3) == 0);
+	ts_trace_close(trace);
+	refused(ts_trace_run(context, &trace, scene, params, "reflections", "magic", NULL), "magic");
+	assert_null(trace);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+}
+
+static void test_put(void **state)
+{
+	(void)state;
+	ts_context *context = open_context(1);
+	ts_params *params = small_params();
+	ts_scene *scene = small_scene(context, params);
+	ts_trace *trace = small_trace(context, scene, params, "mvr"), *own;
+	done(ts_trace_candidate(context, &own, trace, 0));
+	uint64_t shape[4] = {36, 64}, keys[36 * 64 + 1] = {7};
+	assert_null(ts_trace_buffer(own, "eye.depth_triangle"));
+	done(ts_trace_put(own, "eye.depth_triangle", 2, shape, keys, 36 * 64 * 8));
+	assert_ptr_equal(ts_trace_buffer(own, "eye.depth_triangle")->data, keys);
+	done(ts_trace_put(own, "eye.depth_triangle", 2, shape, keys + 1, 36 * 64 * 8));
+	assert_ptr_equal(ts_trace_buffer(own, "eye.depth_triangle")->data, keys + 1);
+	refused(ts_trace_put(own, "eye.depth", 2, shape, keys, 36 * 64 * 8), "no buffer \"eye.depth\"");
+	refused(ts_trace_put(own, "eye.depth_triangle", 2, shape, keys, 36 * 64 * 8 - 1), "bytes");
+	refused(ts_trace_put(own, "eye.depth_triangle", 5, shape, keys, 36 * 64 * 8), "dimensions");
+	refused(ts_trace_put(own, "eye.depth_triangle", 1, &shape[0], keys, 36 * 8), "shape");
+	refused(ts_trace_put(own, "eye.depth_triangle", 2, shape, (const char *)keys + 4, 36 * 64 * 8), "aligned");
+	refused(ts_trace_put(own, "image.srgb", 3, (uint64_t[]){36, 64, 4}, keys, 36 * 64 * 4), "shape");
+	shape[0] = UINT64_MAX;
+	refused(ts_trace_put(own, "eye.depth_triangle", 2, shape, keys, 8), "bytes");
+	assert_ptr_equal(ts_trace_buffer(own, "eye.depth_triangle")->data, keys + 1);
+	shape[0] = 0;
+	done(ts_trace_put(own, "points.record", 1, shape, NULL, 0));
+	assert_int_equal(count_of(ts_trace_buffer(own, "points.record")), 0);
+	ts_trace_close(own);
+	ts_trace_close(trace);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_digests),
+		cmocka_unit_test(test_part),
+		cmocka_unit_test(test_image),
+		cmocka_unit_test(test_put),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
