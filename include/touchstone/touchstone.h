@@ -7,6 +7,7 @@
  * - A struct that the caller fills in begins with its own size, `bytes`, so that a program that was built with an older
  *   header goes on: what it does not know is 0, and 0 is the default. A struct that the library hands out belongs to
  *   the library, and grows at its end.
+ *   The metrics of image.h, which are values, stay as they are.
  * - The library prints nothing, ends nothing, and leaves the host's locale alone.
  * - A handle is used by one thread at a time; different handles by as many as there are.
  *

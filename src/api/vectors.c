@@ -86,11 +86,14 @@ ts_status ts_vector_check(ts_context *context, ts_vector_judged *judged, const c
 {
 	words w;
 	if (TS_LACKS(context) || TS_LACKS(judged) || TS_LACKS(primitive) || TS_LACKS(found)) return TS_ERROR;
+	ts_vector_judged told = {.bytes = judged->bytes};
+	if (ts_api_options(&told, sizeof told, judged, "ts_vector_judged") != TS_OK) return TS_ERROR;
 	ts_status status = find(&w, context, primitive);
 	ts_vector_verdict verdict = {.n_wrong = 0};
 	if (status == TS_OK) {
 		verdict = ts_vector_judge(w.vector, w.in, w.out, found);
-		tell(judged, w.vector, &verdict);
+		tell(&told, w.vector, &verdict);
+		memcpy(judged, &told, told.bytes < sizeof told ? told.bytes : sizeof told);
 	}
 	drop(&w);
 	return status == TS_OK && verdict.n_wrong > 0 ? TS_DIFFERENT : status;

@@ -84,6 +84,7 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
                           uint64_t max_texels, const char *what)
 {
 	const char *name = "its first bytes are those of no format";
+	if (TS_LACKS(rgba) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(file) || TS_LACKS(what)) return TS_ERROR;
 	ts_image_format format = ts_image_format_find(file, file_bytes, &name);
 	bool png = format == TS_IMAGE_PNG;
 	uint32_t size[2] = {0, 0};
@@ -119,7 +120,7 @@ ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t w
 {
 	void *file = NULL;
 	size_t bytes = 0;
-	if (require_codec(path) != TS_OK) return TS_ERROR;
+	if (TS_LACKS(path) || TS_LACKS(pixels) || require_codec(path) != TS_OK) return TS_ERROR;
 	ts_status status = said(codec->encode_png(&file, &bytes, path, pixels, width, height, channels));
 	return put(path, status, file, bytes);
 }
@@ -128,7 +129,7 @@ ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t wid
 {
 	void *file = NULL;
 	size_t bytes = 0;
-	if (require_codec(path) != TS_OK) return TS_ERROR;
+	if (TS_LACKS(path) || TS_LACKS(pixels) || require_codec(path) != TS_OK) return TS_ERROR;
 	ts_status status = said(codec->encode_exr(&file, &bytes, path, pixels, width, height, channels));
 	return put(path, status, file, bytes);
 }
@@ -154,6 +155,7 @@ ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint3
 	size_t bytes = 0;
 	uint8_t *clean = NULL;
 	ts_image_format is;
+	if (TS_LACKS(pixels) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(path)) return TS_ERROR;
 	*pixels = NULL;
 	if (ts_image_format_of(&is, path) != TS_OK || require_codec(path) != TS_OK) return TS_ERROR;
 	void *file = ts_input_read(&bytes, path);

@@ -99,6 +99,7 @@ static void set_weights(pair *p)
 ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask, uint32_t width,
                               uint32_t height)
 {
+	if (reference == NULL || image == NULL) width = height = 0;
 	pair p = {.reference = reference, .image = image, .mask = mask, .width = width, .height = height};
 	ts_metrics m = {.ssim = 1};
 	uint64_t squares = 0;
@@ -169,10 +170,17 @@ static double regression(const pairs *p, double *error)
 	return fmax(y + b * (x_all - x), 0);
 }
 
+static bool is_whole(const ts_metrics_part *part)
+{
+	return part->reference != NULL && part->image != NULL && part->all_reference != NULL && part->all_image != NULL &&
+	       part->chosen != NULL;
+}
+
 ts_metrics ts_metrics_estimate(const ts_metrics_part *part, const uint8_t *mask, uint32_t width, uint32_t height)
 {
 	pairs p = {.n = 0};
 	ts_metrics m = {.psnr = INFINITY, .ssim = NAN};
+	if (part == NULL || !is_whole(part)) return m;
 	for (size_t i = 0; i < (size_t)width * height; i++) {
 		if (mask && !mask[i]) continue;
 		add_all(&p, squares_of(part->reference + 3 * i, part->image + 3 * i));
@@ -193,6 +201,7 @@ double ts_metrics_flicker(const uint8_t *reference_before, const uint8_t *refere
                           const uint8_t *image, const uint8_t *mask, uint32_t width, uint32_t height)
 {
 	uint64_t squares = 0, n = 0;
+	if (reference_before == NULL || reference == NULL || image_before == NULL || image == NULL) return 0;
 	for (size_t i = 0; i < (size_t)width * height; i++) {
 		if (mask && !mask[i]) continue;
 		n++;
@@ -269,6 +278,7 @@ static light_sums add_light(ts_light_metrics *m, const float *reference, const f
 ts_light_metrics ts_metrics_light(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
                                   uint32_t height)
 {
+	if (reference == NULL || image == NULL) width = height = 0;
 	ts_light_metrics m = {0};
 	size_t end = (size_t)width * height;
 	light_sums sums = add_light(&m, reference, image, mask, end);
@@ -299,6 +309,7 @@ static bool is_beyond(const float *reference, const float *image, uint32_t x, ui
 
 uint64_t ts_metrics_crumbs(uint8_t *marks, const float *reference, const float *image, uint32_t width, uint32_t height)
 {
+	if (reference == NULL || image == NULL) return 0;
 	uint64_t n = 0;
 	for (uint32_t y = 0; y < height; y++) {
 		for (uint32_t x = 0; x < width; x++) {

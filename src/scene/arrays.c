@@ -39,9 +39,23 @@ static void add_vertices(ts_build *build, const ts_scene_arrays *a)
 		ts_build_select(build, object);
 		ts_build_vertex(build, &a->vertices[i]);
 	}
+}
+
+/* Here, for behind these vertices and materials stand those of the mirrors that are added. */
+static void add_triangles(ts_build *build, const ts_scene_arrays *a)
+{
+	const char *name = build->scene->name;
 	for (u32 i = 0; i < a->n_triangles && !build->failed; i++) {
-		const u32 *v = a->triangles[i].vertex;
-		ts_build_triangle(build, v[0], v[1], v[2], a->triangles[i].material);
+		const u32 *v = a->triangles[i].vertex, material = a->triangles[i].material;
+		for (u32 k = 0; k < 3; k++) {
+			if (v[k] < a->n_vertices) continue;
+			ts_build_fail(build, "%s: triangle %u: vertex %u does not exist; there are %u", name, i, v[k], a->n_vertices);
+		}
+		if (material >= a->n_materials && material != TS_NONE) {
+			ts_build_fail(build, "%s: triangle %u: material %u does not exist; there are %u", name, i, material,
+			              a->n_materials);
+		}
+		ts_build_triangle(build, v[0], v[1], v[2], material);
 	}
 }
 
@@ -84,6 +98,7 @@ static ts_status make_scene(ts_scene **scene, ts_build *build, const ts_scene_ar
 	check_arrays(build, arrays, options);
 	if (!build->failed) add_looks(build, arrays);
 	if (!build->failed) add_vertices(build, arrays);
+	if (!build->failed) add_triangles(build, arrays);
 	if (!build->failed) add_surfels(build, arrays);
 	if (!build->failed) add_cameras(build, arrays);
 	ts_build_select(build, 0);

@@ -1,0 +1,156 @@
+/* Contexts: what they refuse, whom they tell, how a host ends what takes long; and that the library keeps to itself. */
+#include "api.h"
+#include <fcntl.h>
+#include <locale.h>
+#include <pthread.h>
+#include <unistd.h>
+
+static void test_options(void **state)
+{
+	(void)state;
+	ts_context *context = NULL;
+	struct {
+		ts_context_options options;
+		char newer[8];
+	} wide = {.options = {.bytes = sizeof wide}};
+	done(ts_context_open(&context, NULL));
+	ts_context_close(context);
+	done(ts_context_open(&context, &wide.options)); /* of a newer header, and says nothing new */
+	ts_context_close(context);
+	wide.newer[3] = 1;
+	refused(ts_context_open(&context, &wide.options), "does not know");
+	assert_null(context);
+	/* Of an older header: what is behind its size is not read. */
+	ts_context_options options = {.bytes = offsetof(ts_context_options, threads), .threads = 5000};
+	done(ts_context_open(&context, &options));
+	ts_context_close(context);
+	options.bytes = sizeof options;
+	refused(ts_context_open(&context, &options), "5000 threads");
+	options = (ts_context_options){.backend = "c"};
+	refused(ts_context_open(&context, &options), "bytes");
+	options = (ts_context_options){.bytes = sizeof options, .backend = "metal"};
+	refused(ts_context_open(&context, &options), "metal");
+	assert_non_null(strstr(ts_error_message(), "opencl"));
+	ts_context_close(NULL);
+	assert_string_equal(ts_backend_at(0), "c");
+	assert_string_equal(ts_backend_at(1), "opencl");
+	assert_null(ts_backend_at(100));
+	assert_int_equal(strspn(ts_version(), "0123456789."), strlen(ts_version()));
+}
+
+typedef struct {
+	int asked, end_at; /* cancelled is asked; at which time it says yes, 0: never */
+	int n_progress;
+	uint64_t last_done, last_total;
+} host;
+
+static void progress(void *user, const char *label, uint64_t done, uint64_t total)
+{
+	host *h = user;
+	assert_true(label[0] != 0 && done <= total);
+	h->n_progress++;
+	h->last_done = done;
+	h->last_total = total;
+}
+
+static int cancelled(void *user)
+{
+	host *h = user;
+	return ++h->asked == h->end_at;
+}
+
+/* At whatever stage a host ends a run, the run fails, and the next one is whole. */
+static void test_cancel(void **state)
+{
+	(void)state;
+	host h = {.end_at = 0};
+	ts_context *context;
+	ts_context_options options = {
+		.bytes = sizeof options, .threads = 2, .user = &h, .progress = progress, .cancelled = cancelled};
+	done(ts_context_open(&context, &options));
+	ts_params *params = small_params();
+	ts_scene *scene = small_scene(context, params);
+	ts_trace *trace = small_trace(context, scene, params, "mvr");
+	char hex[65], again[65];
+	done(ts_trace_digest(trace, "image.srgb", hex));
+	ts_trace_close(trace);
+	assert_true(h.n_progress > 0);
+	assert_int_equal(h.last_done, h.last_total);
+	int n = h.asked;
+	assert_true(n > 5);
+	for (int end = 1; end <= n; end++) {
+		h = (host){.end_at = end};
+		refused(ts_trace_run(context, &trace, scene, params, "reflections", "mvr", NULL), "cancelled");
+		assert_null(trace);
+		assert_int_equal(h.asked, end);
+	}
+	h = (host){.end_at = 0};
+	trace = small_trace(context, scene, params, "mvr");
+	done(ts_trace_digest(trace, "image.srgb", again));
+	assert_string_equal(hex, again);
+	ts_trace_close(trace);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+}
+
+static void *digest_of(void *hex)
+{
+	ts_context *context = open_context(1);
+	ts_params *params = small_params();
+	ts_scene *scene = small_scene(context, params);
+	ts_trace *trace = small_trace(context, scene, params, "epr");
+	done(ts_trace_digest(trace, "image.srgb", hex));
+	ts_trace_close(trace);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+	return NULL;
+}
+
+static void test_threads(void **state)
+{
+	(void)state;
+	pthread_t threads[4];
+	char hex[4][65];
+	for (int i = 0; i < 4; i++) assert_int_equal(pthread_create(&threads[i], NULL, digest_of, hex[i]), 0);
+	for (int i = 0; i < 4; i++) assert_int_equal(pthread_join(threads[i], NULL), 0);
+	for (int i = 1; i < 4; i++) assert_string_equal(hex[0], hex[i]);
+}
+
+/* Nothing is printed, of failures neither, and the locale stays. */
+static void test_silence(void **state)
+{
+	(void)state;
+	char path[] = "/tmp/touchstone-api-XXXXXX", hex[65];
+	int file = mkstemp(path), out = dup(1), err = dup(2);
+	assert_true(file >= 0 && out >= 0 && err >= 0);
+	const char *locale = setlocale(LC_ALL, "C.UTF-8");
+	fflush(stdout);
+	assert_true(dup2(file, 1) == 1 && dup2(file, 2) == 2);
+	digest_of(hex);
+	ts_trace *trace;
+	ts_context *context = open_context(2000 / 10);
+	ts_status status = ts_trace_open(context, &trace, "/nowhere");
+	ts_context_close(context);
+	fflush(stdout);
+	assert_true(dup2(out, 1) == 1 && dup2(err, 2) == 2);
+	assert_int_equal(lseek(file, 0, SEEK_END), 0);
+	assert_string_equal(setlocale(LC_ALL, NULL), locale);
+	refused(status, "/nowhere");
+	close(file);
+	close(out);
+	close(err);
+	unlink(path);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_options),
+		cmocka_unit_test(test_cancel),
+		cmocka_unit_test(test_threads),
+		cmocka_unit_test(test_silence),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

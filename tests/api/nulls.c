@@ -1,0 +1,227 @@
+/* Every function of the public headers, with NULL in the place of each argument that must point to something: refused in
+ * one line that names the argument, or nothing done. tests/api/nulls.sh holds that none is forgotten. */
+#include "api.h"
+
+#define REFUSED(call, name) refused(call, name " is NULL")
+
+static ts_context *context;
+static ts_params *params;
+static ts_scene *scene;
+static ts_trace *trace;
+
+static int set_up(void **state)
+{
+	(void)state;
+	context = open_context(1);
+	params = small_params();
+	scene = small_scene(context, params);
+	trace = small_trace(context, scene, params, "epr");
+	return 0;
+}
+
+static int tear_down(void **state)
+{
+	(void)state;
+	ts_trace_close(trace);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+	return 0;
+}
+
+static void test_release(void **state)
+{
+	(void)state;
+	ts_context_close(NULL);
+	ts_params_free(NULL);
+	ts_scene_free(NULL);
+	ts_trace_close(NULL);
+	ts_verdicts_free(NULL);
+	ts_tree_free(NULL);
+}
+
+static void test_params(void **state)
+{
+	(void)state;
+	ts_params *copy;
+	char text[64];
+	REFUSED(ts_params_make(NULL), "params");
+	REFUSED(ts_params_copy(NULL, params), "copy");
+	REFUSED(ts_params_copy(&copy, NULL), "params");
+	assert_null(copy);
+	REFUSED(ts_params_set(NULL, "width", "64"), "params");
+	REFUSED(ts_params_set(params, NULL, "64"), "name");
+	REFUSED(ts_params_set(params, "width", NULL), "value");
+	REFUSED(ts_params_get(NULL, "width", text, sizeof text), "params");
+	REFUSED(ts_params_get(params, NULL, text, sizeof text), "name");
+	REFUSED(ts_params_get(params, "width", NULL, sizeof text), "text");
+}
+
+static void test_scenes(void **state)
+{
+	(void)state;
+	ts_scene *made;
+	const ts_scene_arrays arrays = {.bytes = sizeof arrays}, none = {.bytes = 0};
+	REFUSED(ts_context_open(NULL, NULL), "context");
+	REFUSED(ts_scene_open(NULL, &made, SMALL, params, NULL), "context");
+	REFUSED(ts_scene_open(context, NULL, SMALL, params, NULL), "scene");
+	REFUSED(ts_scene_open(context, &made, NULL, params, NULL), "spec");
+	REFUSED(ts_scene_open(context, &made, SMALL, NULL, NULL), "params");
+	REFUSED(ts_scene_make(NULL, &made, &arrays, params, NULL), "context");
+	REFUSED(ts_scene_make(context, NULL, &arrays, params, NULL), "scene");
+	REFUSED(ts_scene_make(context, &made, NULL, params, NULL), "arrays");
+	REFUSED(ts_scene_make(context, &made, &arrays, NULL, NULL), "params");
+	assert_null(made);
+	refused(ts_scene_make(context, &made, &none, params, NULL), "bytes");
+	refused(ts_scene_open(context, &made, SMALL, params, &(ts_scene_options){.bytes = 0}), "bytes");
+	REFUSED(ts_scene_print(NULL, stdout, 0), "scene");
+	REFUSED(ts_scene_print(scene, NULL, 0), "out");
+}
+
+static void test_traces(void **state)
+{
+	(void)state;
+	ts_trace *made;
+	uint64_t shape[1] = {0};
+	char hex[65];
+	REFUSED(ts_trace_run(NULL, &made, scene, params, "reflections", "epr", NULL), "context");
+	REFUSED(ts_trace_run(context, NULL, scene, params, "reflections", "epr", NULL), "trace");
+	REFUSED(ts_trace_run(context, &made, NULL, params, "reflections", "epr", NULL), "scene");
+	REFUSED(ts_trace_run(context, &made, scene, NULL, "reflections", "epr", NULL), "params");
+	REFUSED(ts_trace_run(context, &made, scene, params, NULL, "epr", NULL), "effect");
+	REFUSED(ts_trace_run(context, &made, scene, params, "reflections", NULL, NULL), "method");
+	refused(ts_trace_run(context, &made, scene, params, "reflections", "epr", &(ts_run_options){.bytes = 0}), "bytes");
+	REFUSED(ts_trace_open(NULL, &made, "."), "context");
+	REFUSED(ts_trace_open(context, NULL, "."), "trace");
+	REFUSED(ts_trace_open(context, &made, NULL), "folder");
+	REFUSED(ts_trace_candidate(NULL, &made, trace, 0), "context");
+	REFUSED(ts_trace_candidate(context, NULL, trace, 0), "trace");
+	REFUSED(ts_trace_candidate(context, &made, NULL, 0), "reference");
+	assert_null(made);
+	REFUSED(ts_trace_put(NULL, "points.key", 1, shape, hex, 0), "trace");
+	REFUSED(ts_trace_put(trace, NULL, 1, shape, hex, 0), "buffer");
+	REFUSED(ts_trace_put(trace, "points.key", 1, NULL, hex, 0), "shape");
+	shape[0] = 1;
+	REFUSED(ts_trace_put(trace, "points.key", 1, shape, NULL, 8), "data");
+	assert_null(ts_trace_buffer(NULL, "points.key"));
+	assert_null(ts_trace_buffer(trace, NULL));
+	REFUSED(ts_trace_digest(NULL, "points.key", hex), "trace");
+	REFUSED(ts_trace_digest(trace, NULL, hex), "name");
+	REFUSED(ts_trace_digest(trace, "points.key", NULL), "hex");
+	assert_int_equal(ts_trace_counter(NULL, "points"), 0);
+	assert_int_equal(ts_trace_counter(trace, NULL), 0);
+}
+
+static void test_verdicts(void **state)
+{
+	(void)state;
+	ts_verdicts *verdicts;
+	REFUSED(ts_compare(NULL, &verdicts, trace, trace, NULL), "context");
+	REFUSED(ts_compare(context, NULL, trace, trace, NULL), "verdicts");
+	REFUSED(ts_compare(context, &verdicts, NULL, trace, NULL), "reference");
+	REFUSED(ts_compare(context, &verdicts, trace, NULL, NULL), "candidate");
+	refused(ts_compare(context, &verdicts, trace, trace, &(ts_compare_options){.bytes = 0}), "bytes");
+	REFUSED(ts_replay(NULL, &verdicts, "eye", trace, NULL), "context");
+	REFUSED(ts_replay(context, NULL, "eye", trace, NULL), "verdicts");
+	REFUSED(ts_replay(context, &verdicts, NULL, trace, NULL), "stage");
+	REFUSED(ts_replay(context, &verdicts, "eye", NULL, NULL), "reference");
+	assert_null(verdicts);
+	assert_null(ts_verdicts_at(NULL, 0));
+	assert_null(ts_verdicts_first(NULL));
+}
+
+static void test_answers(void **state)
+{
+	(void)state;
+	ts_tree *answer;
+	REFUSED(ts_probe_pixel(NULL, &answer, trace, 0, 0, NULL), "context");
+	REFUSED(ts_probe_pixel(context, NULL, trace, 0, 0, NULL), "answer");
+	REFUSED(ts_probe_pixel(context, &answer, NULL, 0, 0, NULL), "trace");
+	REFUSED(ts_probe_triangle(NULL, &answer, trace, 0), "context");
+	REFUSED(ts_probe_triangle(context, NULL, trace, 0), "answer");
+	REFUSED(ts_probe_triangle(context, &answer, NULL, 0), "trace");
+	REFUSED(ts_probe_point(NULL, &answer, trace, 0), "context");
+	REFUSED(ts_probe_point(context, NULL, trace, 0), "answer");
+	REFUSED(ts_probe_point(context, &answer, NULL, 0), "trace");
+	assert_null(answer);
+	assert_int_equal(ts_tree_kind_of(NULL), TS_TREE_NULL);
+	assert_int_equal(ts_tree_n(NULL), 0);
+	assert_null(ts_tree_at(NULL, 0));
+	assert_null(ts_tree_name(NULL, 0));
+	assert_null(ts_tree_get(NULL, "x"));
+	assert_int_equal(ts_tree_integer(NULL), 0);
+	assert_true(ts_tree_real(NULL) == 0);
+	assert_null(ts_tree_text(NULL));
+	assert_null(ts_tree_json(NULL));
+}
+
+static void test_vectors(void **state)
+{
+	(void)state;
+	static uint32_t found[1 << 20];
+	ts_vector_judged judged = {.bytes = sizeof judged};
+	REFUSED(ts_vector_words(NULL, NULL, NULL, "fma"), "context");
+	REFUSED(ts_vector_words(context, NULL, NULL, NULL), "primitive");
+	REFUSED(ts_vector_check(NULL, &judged, "fma", found), "context");
+	REFUSED(ts_vector_check(context, NULL, "fma", found), "judged");
+	REFUSED(ts_vector_check(context, &judged, NULL, found), "primitive");
+	REFUSED(ts_vector_check(context, &judged, "fma", NULL), "found");
+	judged.bytes = 0;
+	refused(ts_vector_check(context, &judged, ts_vector_at(0)->name, found), "bytes");
+	assert_null(ts_method_stage(NULL, "epr", 0));
+	assert_null(ts_method_stage("reflections", NULL, 0));
+}
+
+static void test_images(void **state)
+{
+	(void)state;
+	uint8_t *rgba, bytes[4] = {0};
+	float *pixels;
+	uint32_t width, height, channels;
+	REFUSED(ts_image_decode(NULL, &width, &height, bytes, 4, 100, "it"), "rgba");
+	REFUSED(ts_image_decode(&rgba, NULL, &height, bytes, 4, 100, "it"), "width");
+	REFUSED(ts_image_decode(&rgba, &width, NULL, bytes, 4, 100, "it"), "height");
+	REFUSED(ts_image_decode(&rgba, &width, &height, NULL, 4, 100, "it"), "file");
+	REFUSED(ts_image_decode(&rgba, &width, &height, bytes, 4, 100, NULL), "what");
+	REFUSED(ts_image_write_png(NULL, bytes, 1, 1, 4), "path");
+	REFUSED(ts_image_write_png("x.png", NULL, 1, 1, 4), "pixels");
+	REFUSED(ts_image_write_exr(NULL, (const float[1]){0}, 1, 1, 1), "path");
+	REFUSED(ts_image_write_exr("x.exr", NULL, 1, 1, 1), "pixels");
+	REFUSED(ts_image_read(NULL, &width, &height, &channels, "x.png"), "pixels");
+	REFUSED(ts_image_read(&pixels, NULL, &height, &channels, "x.png"), "width");
+	REFUSED(ts_image_read(&pixels, &width, NULL, &channels, "x.png"), "height");
+	REFUSED(ts_image_read(&pixels, &width, &height, NULL, "x.png"), "channels");
+	REFUSED(ts_image_read(&pixels, &width, &height, &channels, NULL), "path");
+}
+
+static void test_metrics(void **state)
+{
+	(void)state;
+	uint8_t grey[3] = {9, 9, 9}, marks[1] = {7};
+	float light[3] = {1, 1, 1};
+	assert_int_equal(ts_metrics_compare(NULL, grey, NULL, 1, 1).pixels, 0);
+	assert_int_equal(ts_metrics_compare(grey, NULL, NULL, 1, 1).pixels, 0);
+	assert_int_equal(ts_metrics_compare(grey, grey, NULL, 1, 1).pixels, 1);
+	assert_int_equal(ts_metrics_estimate(NULL, NULL, 1, 1).pixels, 0);
+	assert_int_equal(ts_metrics_estimate(&(ts_metrics_part){.reference = grey, .image = grey}, NULL, 1, 1).pixels, 0);
+	assert_true(ts_metrics_flicker(NULL, grey, grey, grey, NULL, 1, 1) == 0);
+	assert_true(ts_metrics_flicker(grey, NULL, grey, grey, NULL, 1, 1) == 0);
+	assert_true(ts_metrics_flicker(grey, grey, NULL, grey, NULL, 1, 1) == 0);
+	assert_true(ts_metrics_flicker(grey, grey, grey, NULL, NULL, 1, 1) == 0);
+	assert_int_equal(ts_metrics_light(NULL, light, NULL, 1, 1).pixels, 0);
+	assert_int_equal(ts_metrics_light(light, NULL, NULL, 1, 1).pixels, 0);
+	assert_int_equal(ts_metrics_crumbs(marks, NULL, light, 1, 1), 0);
+	assert_int_equal(ts_metrics_crumbs(marks, light, NULL, 1, 1), 0);
+	assert_int_equal(marks[0], 7);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_release),  cmocka_unit_test(test_params),  cmocka_unit_test(test_scenes),
+		cmocka_unit_test(test_traces),   cmocka_unit_test(test_verdicts), cmocka_unit_test(test_answers),
+		cmocka_unit_test(test_vectors),  cmocka_unit_test(test_images),
+		cmocka_unit_test(test_metrics),
+	};
+	return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,45 @@
+/* Trees: each kind of node, walked and as JSON. */
+#include "api.h"
+#include <jansson.h>
+
+static void test_walk(void **state)
+{
+	(void)state;
+	static const char text[] = "{\"whole\":-7,\"part\":1.5,\"yes\":true,\"no\":false,\"word\":\"a\\\"b\",\"none\":null,"
+							   "\"list\":[1,[2]],\"object\":{\"in\":3}}";
+	static const ts_tree_kind kinds[] = {TS_TREE_INTEGER, TS_TREE_REAL, TS_TREE_BOOL, TS_TREE_BOOL,
+	                                     TS_TREE_TEXT,    TS_TREE_NULL, TS_TREE_LIST, TS_TREE_OBJECT};
+	ts_tree *root = (ts_tree *)json_loads(text, 0, NULL);
+	assert_int_equal(ts_tree_kind_of(root), TS_TREE_OBJECT);
+	assert_int_equal(ts_tree_n(root), 8);
+	for (size_t i = 0; i < 8; i++) {
+		assert_int_equal(ts_tree_kind_of(ts_tree_at(root, i)), kinds[i]);
+		assert_ptr_equal(ts_tree_get(root, ts_tree_name(root, i)), ts_tree_at(root, i));
+	}
+	assert_null(ts_tree_at(root, 8));
+	assert_null(ts_tree_name(root, 8));
+	assert_null(ts_tree_get(root, "other"));
+	assert_int_equal(ts_tree_integer(ts_tree_get(root, "whole")), -7);
+	assert_true(ts_tree_real(ts_tree_get(root, "whole")) == -7);
+	assert_true(ts_tree_real(ts_tree_get(root, "part")) == 1.5);
+	assert_int_equal(ts_tree_integer(ts_tree_get(root, "part")), 0);
+	assert_int_equal(ts_tree_integer(ts_tree_get(root, "yes")), 1);
+	assert_int_equal(ts_tree_integer(ts_tree_get(root, "no")), 0);
+	assert_string_equal(ts_tree_text(ts_tree_get(root, "word")), "a\"b");
+	assert_null(ts_tree_text(ts_tree_get(root, "whole")));
+	const ts_tree *list = ts_tree_get(root, "list");
+	assert_int_equal(ts_tree_n(list), 2);
+	assert_null(ts_tree_name(list, 0));
+	assert_null(ts_tree_get(list, "in"));
+	assert_int_equal(ts_tree_integer(ts_tree_at(ts_tree_at(list, 1), 0)), 2);
+	char *json = ts_tree_json(root);
+	assert_string_equal(json, text);
+	free(json);
+	ts_tree_free(root);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_walk)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
