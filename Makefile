@@ -447,8 +447,7 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	ln -sfn libtouchstone.so.$(ABI) $(LIB)/libtouchstone.so
 	printf '%s\n' "$$TOUCHSTONE_PC" | install -m 644 /dev/stdin $(LIB)/pkgconfig/touchstone.pc
 	install -m 644 $(wildcard include/touchstone/*.h) $(INCLUDE)
-	for list in records params; do scripts/assembled include/touchstone/$$list.def | \
-		install -m 644 /dev/stdin $(INCLUDE)/$$list.def || exit; done
+	scripts/assembled include/touchstone/records.def | install -m 644 /dev/stdin $(INCLUDE)/records.def
 	install -m 755 scripts/spirv-exact $(DATA)/spirv-exact
 	install -m 644 $(PTX) $(DATA)/kernels.ptx
 	rm -rf $(DATA)/glsl
@@ -476,8 +475,8 @@ uninstall:
 
 ##   installcheck       judges what is installed there: command, libraries, pkg-config, manual, completion; and uninstall
 installcheck: | $(filter install,$(MAKECMDGOALS))
-	$(Q)BUILD='$(BUILD)' CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' BIN='$(BIN)' LIB='$(LIB)' \
-		INCLUDE='$(INCLUDE)' ABI='$(ABI)' MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
+	$(Q)BUILD='$(BUILD)' CC='$(CC)' CXX='$(CXX)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' \
+		BIN='$(BIN)' LIB='$(LIB)' INCLUDE='$(INCLUDE)' ABI='$(ABI)' MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
 
 ##   dist               build/touchstone-VERSION.tar.xz of the last commit, the same bytes each time
 DIST = build/touchstone-$(shell git show HEAD:src/model/core.h 2>/dev/null | $(SHOWN_VERSION))

@@ -20,13 +20,13 @@ typedef struct ts_verdicts ts_verdicts;
 
 /* How to compare; all but `bytes` may be 0: then everything must have the same bits. */
 typedef struct {
-	size_t bytes;       /* sizeof(ts_compare_options) */
-	int forced;         /* not 0: each stage is judged by what it should make of the candidate's own inputs */
-	int decided;        /* not 0: only what the reference decides is judged; it must have its margins */
-	uint64_t ulp;       /* floats may be so many floats apart, */
-	double abs, rel;    /* or so far, or so far in parts of the reference's; never a number from an infinity */
-	uint64_t allow;     /* so many elements of a buffer may differ */
-	const char *ignore; /* "BUFFER,BUFFER.field,...": not judged */
+	size_t bytes;        /* sizeof(ts_compare_options) */
+	int forced;          /* not 0: each stage is judged by what it should make of the candidate's own inputs */
+	int decided;         /* not 0: only what the reference decides is judged; it must have its margins */
+	uint64_t ulp;        /* floats may be so many floats apart, */
+	double abs, rel;     /* or so far, or so far in parts of the reference's; never a number from an infinity */
+	uint64_t allow;      /* so many elements of a buffer may differ */
+	const char *ignore;  /* "BUFFER,BUFFER.field,...": not judged */
 	const uint8_t *mask; /* mask_height rows of mask_width: pixel buffers are judged only where it is not 0 */
 	uint32_t mask_width, mask_height;
 } ts_compare_options;
@@ -45,15 +45,15 @@ TS_API ts_status ts_replay(ts_context *context, ts_verdicts **verdicts, const ch
 
 /* How one buffer was judged. */
 typedef struct {
-	const char *stage;  /* that makes it, or "scene" */
+	const char *stage; /* that makes it, or "scene" */
 	const char *buffer;
-	const char *verdict;           /* "same", "different", "missing", "ignored", "not judged" */
-	const char *why;               /* of what could not be judged, or has another shape; else "" */
+	const char *verdict;               /* "same", "different", "missing", "ignored", "not judged" */
+	const char *why;                   /* of what could not be judged, or has another shape; else "" */
 	uint64_t n_reference, n_candidate; /* elements */
-	uint64_t n_different;          /* of them, those without a partner included */
-	uint64_t n_missing, n_extra;   /* records of a set that the candidate lacks, or has beside */
-	uint64_t n_relaxed;            /* elements that only a relaxation let pass */
-	uint64_t n_undecided;          /* elements that differ where the reference does not decide */
+	uint64_t n_different;              /* of them, those without a partner included */
+	uint64_t n_missing, n_extra;       /* records of a set that the candidate lacks, or has beside */
+	uint64_t n_relaxed;                /* elements that only a relaxation let pass */
+	uint64_t n_undecided;              /* elements that differ where the reference does not decide */
 } ts_verdict_info;
 
 /* Buffer i of those that the reference has, in the order of the stages, from 0; NULL behind the last. */
@@ -62,16 +62,16 @@ TS_API const ts_verdict_info *ts_verdicts_at(const ts_verdicts *verdicts, size_t
 /* The first divergence: of the first stage that is different, the first element. */
 typedef struct {
 	const char *stage, *buffer;
-	const char *how;     /* "different"; of records of a set also "missing", "not of the reference", "twice" */
-	uint64_t element;    /* in the reference's order; of what is not of the reference the candidate's place */
-	const char *where;   /* "pixel (12, 40)", "key (piece 812, x 5, y 3)" */
-	const char *field;   /* of a record; else "" */
-	uint32_t component;  /* of the field */
+	const char *how;    /* "different"; of records of a set also "missing", "not of the reference", "twice" */
+	uint64_t element;   /* in the reference's order; of what is not of the reference the candidate's place */
+	const char *where;  /* "pixel (12, 40)", "key (piece 812, x 5, y 3)" */
+	const char *field;  /* of a record; else "" */
+	uint32_t component; /* of the field */
 	uint64_t reference_bits, candidate_bits;
 	const char *reference, *candidate; /* values and bits, as text */
-	int64_t ulps;        /* floats from the reference to the candidate; 0: no floats; INT64_MAX: one is a NaN */
-	const char *inputs;  /* "inputs identical", or which differ, or were not given */
-	const char *line;    /* all of it in one line, as `touchstone compare` ends */
+	int64_t ulps;       /* floats from the reference to the candidate; 0: no floats; INT64_MAX: one is a NaN */
+	const char *inputs; /* "inputs identical", or which differ, or were not given */
+	const char *line;   /* all of it in one line, as `touchstone compare` ends */
 } ts_divergence;
 
 /* NULL: nothing differs. */

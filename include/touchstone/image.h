@@ -37,8 +37,8 @@ typedef struct {
 	double rmse_error; /* standard error of rmse, where it is an estimate; else 0 */
 } ts_metrics;
 
-/* mask: width * height bytes, pixels with 0 are not judged; NULL: all are. Without an image, NULL, nothing is judged. The
- * result does not depend on threads. */
+/* mask: width * height bytes, pixels with 0 are not judged; NULL: all are. Without an image, NULL, nothing is judged.
+ * The result does not depend on threads. */
 TS_API ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask,
                                      uint32_t width, uint32_t height);
 

@@ -73,15 +73,15 @@ typedef struct {
 /* A scene as the caller's arrays; all but `bytes` may be 0. Padding and ts_object's first_vertex and n_vertices are not
  * read. */
 typedef struct {
-	size_t bytes;                /* sizeof(ts_scene_arrays) */
-	const char *name;            /* in messages and in traces; NULL: "arrays" */
-	const ts_vertex *vertices;   /* each names its object */
+	size_t bytes;                 /* sizeof(ts_scene_arrays) */
+	const char *name;             /* in messages and in traces; NULL: "arrays" */
+	const ts_vertex *vertices;    /* each names its object */
 	const ts_triangle *triangles; /* of three vertices of one object */
 	const ts_material *materials;
 	const ts_slot *slots;
 	const ts_image_array *images;
-	const ts_light *lights;      /* none: a sun, as of a file without lights */
-	const ts_object *objects;    /* none: all vertices are of object 0, which stands still. A reflector other than
+	const ts_light *lights;   /* none: a sun, as of a file without lights */
+	const ts_object *objects; /* none: all vertices are of object 0, which stands still. A reflector other than
 	                              * TS_NO_INDEX makes an object a mirror */
 	const ts_surfel *surfels;
 	const ts_camera_array *cameras;

@@ -42,8 +42,8 @@ TS_API ts_status ts_trace_run(ts_context *context, ts_trace **trace, const ts_sc
  * opened. The files must stay as they are until ts_trace_close. */
 TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folder);
 
-/* Makes a candidate without buffers, of the method and the parameters of `reference`. arrival not 0: its points stand in
- * any order. */
+/* Makes a candidate without buffers, of the method and the parameters of `reference`. arrival not 0: its points stand
+ * in any order. */
 TS_API ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const ts_trace *reference, int arrival);
 
 /* Gives a candidate a buffer, or puts another in its place: an array of the shape that records.def says, in C order.

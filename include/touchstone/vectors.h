@@ -15,8 +15,8 @@ typedef struct {
 	const char *name;
 	const char *rule; /* of CONTRACT, or the kernel that defines it */
 	const char *doc;
-	uint32_t items;               /* rows */
-	uint32_t in_words, out_words; /* of a row */
+	uint32_t items;                   /* rows */
+	uint32_t in_words, out_words;     /* of a row */
 	const char *in_dtype, *out_dtype; /* as numpy writes them */
 } ts_vector_info;
 
@@ -24,17 +24,17 @@ typedef struct {
  * last. */
 TS_API const ts_vector_info *ts_vector_at(size_t i);
 
-/* Fills `in` with the items * in_words words of a primitive's inputs and `out` with the items * out_words words that are
- * right; each may be NULL. Always the same words. */
+/* Fills `in` with the items * in_words words of a primitive's inputs, and `out` with the items * out_words words that
+ * are right; each may be NULL. Always the same words. */
 TS_API ts_status ts_vector_words(ts_context *context, uint32_t *in, uint32_t *out, const char *primitive);
 
 /* What a port's outputs are worth. */
 typedef struct {
-	size_t bytes;     /* sizeof(ts_vector_judged); set by the caller */
-	uint32_t n_wrong; /* items */
-	uint32_t first;   /* the first wrong one */
-	uint32_t first_word;   /* of its row of outputs */
-	const char *fault;     /* what ports get wrong that gives most of the wrong items; NULL: nothing known does */
+	size_t bytes;        /* sizeof(ts_vector_judged); set by the caller */
+	uint32_t n_wrong;    /* items */
+	uint32_t first;      /* the first wrong one */
+	uint32_t first_word; /* of its row of outputs */
+	const char *fault;   /* what ports get wrong that gives most of the wrong items; NULL: nothing known does */
 	const char *remedy;
 } ts_vector_judged;
 

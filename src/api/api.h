@@ -17,9 +17,8 @@ void ts_api_ready(void);
 ts_status ts_api_enter(const ts_context *context);
 void ts_api_leave(void);
 
-/* Copies what a caller's struct of options has of ours, which is all 0 before; `type` names it. NULL: nothing. TS_ERROR:
- * its size is none, or it sets what this library does not know. */
+/* Copies what a caller's struct of options, `type`, has of ours, which is all 0 before. NULL: nothing. TS_ERROR: its
+ * size is none, or it sets what this library does not know. */
 ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, const char *type);
-
 
 #endif

@@ -98,8 +98,8 @@ static ts_verdicts *make(void)
 	return NULL;
 }
 
-static ts_status compare(const ts_context *context, ts_verdicts *v, const ts_trace *reference, const ts_trace *candidate,
-                         const ts_compare_options *o)
+static ts_status compare(const ts_context *context, ts_verdicts *v, const ts_trace *reference,
+                         const ts_trace *candidate, const ts_compare_options *o)
 {
 	const ts_relaxations relaxations = {.ulp = o->ulp,
 	                                    .abs = o->abs,
@@ -111,10 +111,9 @@ static ts_status compare(const ts_context *context, ts_verdicts *v, const ts_tra
 	                                    .mask_width = o->mask_width,
 	                                    .mask_height = o->mask_height};
 	ts_buffer_id ids[TS_N_BUFFERS];
-	ts_status status =
-		o->forced != 0
-			? ts_compare_forced(v->comparison, reference, candidate, &relaxations, context->how.threads)
-			: ts_compare_traces(v->comparison, reference, candidate, &relaxations);
+	ts_status status = o->forced != 0
+	                       ? ts_compare_forced(v->comparison, reference, candidate, &relaxations, context->how.threads)
+	                       : ts_compare_traces(v->comparison, reference, candidate, &relaxations);
 	ts_emit_order(ids, reference->pipeline);
 	for (u32 i = 0; i < TS_N_BUFFERS && status != TS_ERROR; i++) {
 		if (reference->item[ids[i]].path != NULL) list(v, reference, ids[i]);
@@ -145,7 +144,8 @@ static ts_status judge_outputs(ts_verdicts *v, const ts_load *load, const ts_sta
 	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
 		if (!load->run.frame.buffer[*id].made) continue;
 		ts_judged judged = {.verdict = c->verdict[*id]};
-		if (ts_judge(&judged, load, *id, NULL) == TS_ERROR) return ts_fail("stage %s: %s", stage->name, ts_error_message());
+		if (ts_judge(&judged, load, *id, NULL) == TS_ERROR)
+			return ts_fail("stage %s: %s", stage->name, ts_error_message());
 		c->verdict[*id] = judged.verdict;
 		if (judged.shape_differs) snprintf(c->verdict[*id].why, TS_WHY_TEXT, "%s", judged.text);
 		c->n_judged += judged.item != NULL;

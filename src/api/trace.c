@@ -21,7 +21,8 @@ static ts_status read_buffers(ts_keep *keep, const ts_pipeline *pipeline, const 
 			return ts_fail("ts_run_options.buffers: there is no buffer \"%s\"; ts_buffer_at names all", name);
 		}
 		if (!ts_emit_is_scene(id) && ts_pipeline_maker(pipeline, id) == NULL) {
-			return ts_fail("ts_run_options.buffers: %s by %s makes no %s", pipeline->effect->name, pipeline->name, name);
+			return ts_fail("ts_run_options.buffers: %s by %s makes no %s", pipeline->effect->name, pipeline->name,
+			               name);
 		}
 		keep->keep[id] = true;
 		at += n;
@@ -106,7 +107,8 @@ ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_dims, con
 	memcpy(npy.shape, shape, n_dims * sizeof *shape);
 	size_t element_bytes = ts_buffer_table[id].element_bytes;
 	if (!ts_shape_count(&npy.n, n_dims, shape) || npy.n > SIZE_MAX / element_bytes || npy.n * element_bytes != bytes) {
-		return ts_fail("%s: %zu bytes are not those of its shape in elements of %zu bytes", buffer, bytes, element_bytes);
+		return ts_fail("%s: %zu bytes are not those of its shape in elements of %zu bytes", buffer, bytes,
+		               element_bytes);
 	}
 	return ts_item_put(trace, id, &npy, data);
 }

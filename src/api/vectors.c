@@ -25,8 +25,8 @@ static void make(void)
 		row *r = &rows[i];
 		ts_vector_in_descr(r->in, v);
 		ts_vector_out_descr(r->out, v);
-		r->info = (ts_vector_info){v->name, v->rule, v->doc, TS_VECTOR_ITEMS, ts_vector_in_words(v), ts_vector_out_words(v),
-		                           r->in,   r->out};
+		r->info = (ts_vector_info){
+			v->name, v->rule, v->doc, TS_VECTOR_ITEMS, ts_vector_in_words(v), ts_vector_out_words(v), r->in, r->out};
 	}
 }
 
@@ -67,7 +67,8 @@ ts_status ts_vector_words(ts_context *context, uint32_t *in, uint32_t *out, cons
 	if (TS_LACKS(context) || TS_LACKS(primitive)) return TS_ERROR;
 	ts_status status = find(&w, context, primitive);
 	if (status == TS_OK && in != NULL) memcpy(in, w.in, TS_VECTOR_ITEMS * ts_vector_in_words(w.vector) * sizeof *in);
-	if (status == TS_OK && out != NULL) memcpy(out, w.out, TS_VECTOR_ITEMS * ts_vector_out_words(w.vector) * sizeof *out);
+	if (status == TS_OK && out != NULL)
+		memcpy(out, w.out, TS_VECTOR_ITEMS * ts_vector_out_words(w.vector) * sizeof *out);
 	drop(&w);
 	return status;
 }

@@ -84,7 +84,7 @@ static ts_status judge_all(ts_comparison *c, const ts_trace *reference, const ts
 }
 
 ts_status ts_compare_traces(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
-                     const ts_relaxations *relaxations)
+                            const ts_relaxations *relaxations)
 {
 	ts_order order;
 	ts_comparison_begin(comparison);

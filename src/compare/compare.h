@@ -58,7 +58,7 @@ void ts_comparison_begin(ts_comparison *comparison);
 /* TS_OK: all that was judged is the same; TS_DIFFERENT; TS_ERROR: could not, also where nothing could be judged or a
  * shape that the frame fixes is another. The comparison is filled in either of the first two cases. */
 ts_status ts_compare_traces(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
-                     const ts_relaxations *relaxations);
+                            const ts_relaxations *relaxations);
 
 /* Judges one buffer that both have. Of *verdict only `marks` and `list` are read. */
 ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,

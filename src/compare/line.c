@@ -36,7 +36,8 @@ void ts_compare_inputs(char text[TS_INPUTS_TEXT], const ts_comparison *c, const 
 	} else if (unlike != NULL) {
 		snprintf(text, TS_INPUTS_TEXT, "inputs differ: %s", unlike);
 	} else if (tied != NULL) {
-		snprintf(text, TS_INPUTS_TEXT, "inputs may differ where %s is tied: --forced judges by the candidate's own", tied);
+		snprintf(text, TS_INPUTS_TEXT, "inputs may differ where %s is tied: --forced judges by the candidate's own",
+		         tied);
 	} else if (used == 0) {
 		snprintf(text, TS_INPUTS_TEXT, "inputs identical");
 	} else if (n_given == 0) {
@@ -57,8 +58,10 @@ const char *ts_compare_word(ts_judgement judgement)
 
 const char *ts_compare_how(ts_how_unlike how)
 {
-	static const char *const words[] = {[TS_UNEQUAL] = "different", [TS_LACKED] = "missing",
-	                                    [TS_BESIDE] = "not of the reference", [TS_TWICE] = "twice"};
+	static const char *const words[] = {[TS_UNEQUAL] = "different",
+	                                    [TS_LACKED] = "missing",
+	                                    [TS_BESIDE] = "not of the reference",
+	                                    [TS_TWICE] = "twice"};
 	return words[how];
 }
 

@@ -36,7 +36,7 @@ typedef struct {
 	size_t n_launches, capacity;
 } ts_explanation;
 
-/* Replays the stage (ts_replay_run) and answers; `candidate` may be NULL. Fails if no launch has the item, or none wrote
+/* Replays the stage and answers; `candidate` may be NULL. Fails if no launch has the item, or none wrote
  * the element. Release by ts_explain_end, also after a failure; both traces must outlive the explanation. */
 ts_status ts_explain(ts_explanation *explanation, const ts_stage *stage, const ts_question *question,
                      const ts_trace *reference, const ts_trace *candidate);

@@ -155,7 +155,8 @@ ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint3
 	size_t bytes = 0;
 	uint8_t *clean = NULL;
 	ts_image_format is;
-	if (TS_LACKS(pixels) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(path)) return TS_ERROR;
+	if (TS_LACKS(pixels) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(path))
+		return TS_ERROR;
 	*pixels = NULL;
 	if (ts_image_format_of(&is, path) != TS_OK || require_codec(path) != TS_OK) return TS_ERROR;
 	void *file = ts_input_read(&bytes, path);

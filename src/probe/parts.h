@@ -12,7 +12,7 @@
 enum { TS_PROBE_SIDE = 16384 }; /* the largest of views and images */
 
 struct ts_probe {
-	ts_trace *trace; /* a copy, which may get buffers that nobody stored */
+	ts_trace *trace;                 /* a copy, which may get buffers that nobody stored */
 	ts_reader *reader[TS_N_BUFFERS]; /* NULL: not opened yet */
 	ts_fields fields[TS_N_BUFFERS];
 	ts_sizes sizes;            /* of records.def: counted, and what the parameters give */

@@ -4,11 +4,11 @@
 #define TS_TRACE_FORCED_H
 #include "../compare/compare.h"
 
-/* As ts_compare_traces, but the reference of each buffer is what its stage makes of the candidate's inputs: stages of which
- * the candidate has outputs are replayed, and its inputs are checked first. The outputs of a stage that cannot be run
- * on its inputs are TS_UNABLE; if nothing differs, that is TS_ERROR with the reason. Points in the order of their
- * arrival cannot be mixed with the reference's: a stage that reads or makes points' indices is TS_UNABLE unless the
- * candidate has them all. */
+/* As ts_compare_traces, but the reference of each buffer is what its stage makes of the candidate's inputs: stages of
+ * which the candidate has outputs are replayed, and its inputs are checked first. The outputs of a stage that cannot
+ * be run on its inputs are TS_UNABLE; if nothing differs, that is TS_ERROR with the reason. Points in the order of
+ * their arrival cannot be mixed with the reference's: a stage that reads or makes points' indices is TS_UNABLE unless
+ * the candidate has them all. */
 ts_status ts_compare_forced(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
                             const ts_relaxations *relaxations, u32 threads);
 

@@ -97,7 +97,7 @@ ts_status ts_replay_load(ts_load **load, const ts_stage *stage, const ts_trace *
 }
 
 ts_status ts_replay_run(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
-                    u32 threads)
+                        u32 threads)
 {
 	if (ts_replay_load(load, stage, reference, candidate, threads) != TS_OK) return TS_ERROR;
 	ts_status status = ts_replay_stage(&(*load)->run, stage);

@@ -29,6 +29,6 @@ ts_status ts_replay_load(ts_load **load, const ts_stage *stage, const ts_trace *
 /* "Given these inputs, what should this stage's outputs be": ts_replay_load, then ts_replay_stage; its outputs are
  * in (*load)->run.frame. */
 ts_status ts_replay_run(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
-                    u32 threads);
+                        u32 threads);
 
 #endif

@@ -49,7 +49,8 @@ static void add_triangles(ts_build *build, const ts_scene_arrays *a)
 		const u32 *v = a->triangles[i].vertex, material = a->triangles[i].material;
 		for (u32 k = 0; k < 3; k++) {
 			if (v[k] < a->n_vertices) continue;
-			ts_build_fail(build, "%s: triangle %u: vertex %u does not exist; there are %u", name, i, v[k], a->n_vertices);
+			ts_build_fail(build, "%s: triangle %u: vertex %u does not exist; there are %u", name, i, v[k],
+			              a->n_vertices);
 		}
 		if (material >= a->n_materials && material != TS_NONE) {
 			ts_build_fail(build, "%s: triangle %u: material %u does not exist; there are %u", name, i, material,

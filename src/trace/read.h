@@ -26,7 +26,7 @@ struct ts_trace {
 	ts_params params;   /* if it has them */
 	char producer[128]; /* its name and version, clean */
 	ts_trace_item item[TS_N_BUFFERS];
-	ts_buffer_view view[TS_N_BUFFERS]; /* as ts_trace_buffer handed them out */
+	ts_buffer_view view[TS_N_BUFFERS];    /* as ts_trace_buffer handed them out */
 	ts_counter counters[TS_MAX_COUNTERS]; /* of the run that made it */
 	u32 n_counters;
 };

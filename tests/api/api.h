@@ -35,12 +35,10 @@ static inline ts_context *open_context(uint32_t threads)
 
 static inline ts_params *small_params(void)
 {
-	static const char *const small[][2] = {{"width", "64"},         {"height", "36"},
-	                                       {"reflectors.count", "3"}, {"reflectors.px", "16"},
-	                                       {"cube.max_px", "16"},   {"lamp.views", "7"},
-	                                       {"lamp.views_a_pass", "2"}, {"lamp.cubes", "3"},
-	                                       {"depth_map.px", "24"},  {"rsm.px", "6"},
-	                                       {"depth_grid.px", "64"}, {"octree.levels", "4"}};
+	static const char *const small[][2] = {
+		{"width", "64"},        {"height", "36"},    {"reflectors.count", "3"},  {"reflectors.px", "16"},
+		{"cube.max_px", "16"},  {"lamp.views", "7"}, {"lamp.views_a_pass", "2"}, {"lamp.cubes", "3"},
+		{"depth_map.px", "24"}, {"rsm.px", "6"},     {"depth_grid.px", "64"},    {"octree.levels", "4"}};
 	ts_params *params;
 	done(ts_params_make(&params));
 	for (size_t i = 0; i < sizeof small / sizeof *small; i++) done(ts_params_set(params, small[i][0], small[i][1]));

@@ -1,5 +1,5 @@
-/* Every function of the public headers, with NULL in the place of each argument that must point to something: refused in
- * one line that names the argument, or nothing done. tests/api/nulls.sh holds that none is forgotten. */
+/* Every function of the public headers, with NULL in the place of each argument that must point to something: refused
+ * in one line that names the argument, or nothing done. tests/api/nulls.sh holds that none is forgotten. */
 #include "api.h"
 
 #define REFUSED(call, name) refused(call, name " is NULL")
@@ -218,10 +218,9 @@ static void test_metrics(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_release),  cmocka_unit_test(test_params),  cmocka_unit_test(test_scenes),
-		cmocka_unit_test(test_traces),   cmocka_unit_test(test_verdicts), cmocka_unit_test(test_answers),
-		cmocka_unit_test(test_vectors),  cmocka_unit_test(test_images),
-		cmocka_unit_test(test_metrics),
+		cmocka_unit_test(test_release), cmocka_unit_test(test_params),   cmocka_unit_test(test_scenes),
+		cmocka_unit_test(test_traces),  cmocka_unit_test(test_verdicts), cmocka_unit_test(test_answers),
+		cmocka_unit_test(test_vectors), cmocka_unit_test(test_images),   cmocka_unit_test(test_metrics),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

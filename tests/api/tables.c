@@ -7,7 +7,8 @@ static void test_methods(void **state)
 	const ts_method_info *method;
 	const ts_stage_info *stage;
 	size_t n = 0, n_stages = 0;
-	for (; ts_stage_at(n_stages) != NULL; n_stages++) {}
+	for (; ts_stage_at(n_stages) != NULL; n_stages++) {
+	}
 	for (; (method = ts_method_at(n)) != NULL; n++) {
 		assert_true(method->effect[0] != 0 && method->name[0] != 0 && method->doc[0] != 0);
 		size_t i = 0;

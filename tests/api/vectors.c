@@ -35,7 +35,8 @@ static void test_fault(void **state)
 	(void)state;
 	ts_context *context = open_context(1);
 	const ts_vector_info *v = NULL;
-	for (size_t i = 0; (v = ts_vector_at(i)) != NULL && strcmp(v->name, "muladd") != 0; i++) {}
+	for (size_t i = 0; (v = ts_vector_at(i)) != NULL && strcmp(v->name, "muladd") != 0; i++) {
+	}
 	assert_non_null(v);
 	assert_true(v->in_words == 3 && v->out_words == 1);
 	uint32_t *in = calloc(v->items, 3 * sizeof *in), *out = calloc(v->items, sizeof *out);
