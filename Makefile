@@ -27,6 +27,7 @@ docdir = $(datarootdir)/doc/touchstone
 mandir = $(datarootdir)/man
 bashcompletiondir = $(datarootdir)/bash-completion/completions
 zshcompletiondir = $(datarootdir)/zsh/site-functions
+pythondir = $(exec_prefix)/lib/python3/dist-packages
 
 SHOWN_VERSION := sed -n 's/^\#define TS_VERSION "\(.*\)"/\1/p'
 VERSION := $(shell $(SHOWN_VERSION) src/model/core.h)
@@ -280,6 +281,14 @@ $(MANUAL)/made: scripts/manual $(BUILD)/touchstone
 	$(call say,GEN,$(@D))
 	$(Q)rm -rf $(@D) && scripts/manual $(BUILD)/touchstone $(@D) && touch $@
 
+# The package for Python: its sources, what it reads of the headers, and the name of the library.
+PYTHON_PACKAGE := $(BUILD)/python/touchstone
+$(PYTHON_PACKAGE)/made: $(wildcard src/python/touchstone/*.py include/touchstone/*) scripts/abi $(BUILD)/flags
+	$(call say,PYTHON,$(@D))
+	$(Q)mkdir -p $(@D) && install -m 644 src/python/touchstone/*.py $(@D)
+	$(Q)CC='$(CC)' scripts/abi --declarations > $(@D)/declarations.h
+	$(Q)echo libtouchstone.so.$(ABI) > $(@D)/soname && touch $@
+
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
 	$(call keep,$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS))
@@ -329,7 +338,7 @@ test-long:
 check:
 	$(Q)TS_INSTALL=0 $(MAKE) --no-print-directory test
 
-tests: $(TESTS) $(BUILD)/touchstone-core $(BUILD)/record/touchstone $(BUILD)/cuda/libcuda.so.1
+tests: $(TESTS) $(PYTHON_PACKAGE)/made $(BUILD)/touchstone-core $(BUILD)/record/touchstone $(BUILD)/cuda/libcuda.so.1
 
 # Most of them run for less time than -O3 takes to compile them.
 $(BUILD)/obj/tests/%: OWN := -O1
@@ -422,7 +431,7 @@ deps:
 
 ##   install uninstall  under DESTDIR, in PREFIX=/usr/local or GNU's directories: prefix bindir libdir docdir mandir ...
 ifneq (,$(filter install uninstall installcheck,$(MAKECMDGOALS)))
-$(foreach folder,bindir libdir includedir datadir docdir mandir bashcompletiondir zshcompletiondir,\
+$(foreach folder,bindir libdir includedir datadir docdir mandir bashcompletiondir zshcompletiondir pythondir,\
 	$(if $(filter 1,$(words $($(folder)))),,$(error $(folder)="$($(folder))": a folder without blanks would be right)))
 $(if $(word 2,$(DESTDIR)),$(error DESTDIR="$(DESTDIR)": a folder without blanks would be right))
 endif
@@ -434,11 +443,12 @@ DOC := $(DESTDIR)$(docdir)
 MAN := $(DESTDIR)$(mandir)/man1
 BASH_COMPLETION := $(DESTDIR)$(bashcompletiondir)
 ZSH_COMPLETION := $(DESTDIR)$(zshcompletiondir)
+PYTHON := $(DESTDIR)$(pythondir)/touchstone
 REFERENCE := $(wildcard $(patsubst %,reference/*.%,md json png))
 COMMANDS := $(shell sed -nE 's/^\t\{"([a-z]+)",.*/\1/p' src/cli/commands.c)
-install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(PTX)
+install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(PTX) $(PYTHON_PACKAGE)/made
 	install -d $(BIN) $(LIB)/pkgconfig $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference $(MAN) \
-		$(BASH_COMPLETION) $(ZSH_COMPLETION)
+		$(BASH_COMPLETION) $(ZSH_COMPLETION) $(PYTHON)
 	install -m 755 $(BUILD)/installed/touchstone $(BIN)/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(LIB)/libtouchstone.a
 	install -m 755 $(BUILD)/libtouchstone.so $(LIB)/libtouchstone.so.$(VERSION)
@@ -459,6 +469,8 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	install -m 644 $(MANUAL)/*.1 $(MAN)
 	install -m 644 scripts/completion $(BASH_COMPLETION)/touchstone
 	install -m 644 scripts/completion $(ZSH_COMPLETION)/_touchstone
+	install -m 644 $(patsubst src/python/touchstone/%,$(PYTHON_PACKAGE)/%,$(wildcard src/python/touchstone/*.py)) $(PYTHON_PACKAGE)/declarations.h \
+		$(PYTHON_PACKAGE)/soname $(PYTHON)
 	install -m 644 README.md CHANGELOG.md LICENSE $(DOC)
 	rm -rf $(DOC)/kernels
 	cp -R $(PSEUDOCODE) $(DOC)/kernels
@@ -469,14 +481,14 @@ uninstall:
 	rm -f $(BIN)/touchstone $(LIB)/pkgconfig/touchstone.pc $(MAN)/touchstone.1 $(COMMANDS:%=$(MAN)/touchstone-%.1)
 	rm -f $(BASH_COMPLETION)/touchstone $(ZSH_COMPLETION)/_touchstone
 	rm -f $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.$(ABI) .so.$(VERSION) -image.so)
-	rm -rf $(INCLUDE) $(DATA) $(DOC)/kernels
+	rm -rf $(INCLUDE) $(DATA) $(DOC)/kernels $(PYTHON)
 	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE $(REFERENCE))
 	for folder in $(DOC)/reference $(DOC); do [ ! -d $$folder ] || rmdir --ignore-fail-on-non-empty $$folder; done
 
 ##   installcheck       judges what is installed there: command, libraries, pkg-config, manual, completion; and uninstall
 installcheck: | $(filter install,$(MAKECMDGOALS))
 	$(Q)BUILD='$(BUILD)' CC='$(CC)' CXX='$(CXX)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' \
-		BIN='$(BIN)' LIB='$(LIB)' INCLUDE='$(INCLUDE)' ABI='$(ABI)' MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
+		BIN='$(BIN)' LIB='$(LIB)' INCLUDE='$(INCLUDE)' PYTHON='$(PYTHON)' ABI='$(ABI)' MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
 
 ##   dist               build/touchstone-VERSION.tar.xz of the last commit, the same bytes each time
 DIST = build/touchstone-$(shell git show HEAD:src/model/core.h 2>/dev/null | $(SHOWN_VERSION))

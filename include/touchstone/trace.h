@@ -62,6 +62,9 @@ typedef struct {
 	uint64_t shape[4];
 } ts_buffer_view;
 
+/* Not 0 if the trace has the buffer of that name. */
+TS_API int ts_trace_has(const ts_trace *trace, const char *name);
+
 /* The buffer of that name, which is read if it is in a file; valid until ts_trace_close or ts_trace_put. NULL with the
  * message set: no such buffer, the trace lacks it, or its file cannot be read. */
 TS_API const ts_buffer_view *ts_trace_buffer(ts_trace *trace, const char *name);

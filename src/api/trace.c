@@ -113,6 +113,12 @@ ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_dims, con
 	return ts_item_put(trace, id, &npy, data);
 }
 
+int ts_trace_has(const ts_trace *trace, const char *name)
+{
+	ts_buffer_id id;
+	return trace != NULL && name != NULL && ts_trace_find(&id, name) && trace->item[id].path != NULL;
+}
+
 /* Brings a buffer that is in a file to memory. */
 static ts_status bring(ts_trace_item *item, ts_buffer_id id)
 {

@@ -103,6 +103,8 @@ static void test_traces(void **state)
 	REFUSED(ts_trace_put(trace, "points.key", 1, NULL, hex, 0), "shape");
 	shape[0] = 1;
 	REFUSED(ts_trace_put(trace, "points.key", 1, shape, NULL, 8), "data");
+	assert_false(ts_trace_has(NULL, "points.key"));
+	assert_false(ts_trace_has(trace, NULL));
 	assert_null(ts_trace_buffer(NULL, "points.key"));
 	assert_null(ts_trace_buffer(trace, NULL));
 	REFUSED(ts_trace_digest(NULL, "points.key", hex), "trace");

@@ -111,10 +111,12 @@ static void test_put(void **state)
 	done(ts_trace_candidate(context, &own, trace, 0));
 	uint64_t shape[4] = {36, 64}, keys[36 * 64 + 1] = {7};
 	assert_null(ts_trace_buffer(own, "eye.depth_triangle"));
+	assert_false(ts_trace_has(own, "eye.depth_triangle"));
 	done(ts_trace_put(own, "eye.depth_triangle", 2, shape, keys, 36 * 64 * 8));
 	assert_ptr_equal(ts_trace_buffer(own, "eye.depth_triangle")->data, keys);
 	done(ts_trace_put(own, "eye.depth_triangle", 2, shape, keys + 1, 36 * 64 * 8));
 	assert_ptr_equal(ts_trace_buffer(own, "eye.depth_triangle")->data, keys + 1);
+	assert_true(ts_trace_has(own, "eye.depth_triangle"));
 	refused(ts_trace_put(own, "eye.depth", 2, shape, keys, 36 * 64 * 8), "no buffer \"eye.depth\"");
 	refused(ts_trace_put(own, "eye.depth_triangle", 2, shape, keys, 36 * 64 * 8 - 1), "bytes");
 	refused(ts_trace_put(own, "eye.depth_triangle", 5, shape, keys, 36 * 64 * 8), "dimensions");

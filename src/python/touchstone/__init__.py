@@ -1,0 +1,289 @@
+"""touchstone in Python: runs, comparisons and replays in memory, buffers as NumPy arrays without copies.
+
+	import touchstone
+	context = touchstone.Context()
+	scene = context.open_scene("atrium", {"width": 480, "height": 270})
+	reference = context.run(scene, "reflections", "epr", {"width": 480, "height": 270})
+	port = reference.candidate()
+	port["eye.depth_triangle"] = my_keys
+	verdicts = context.replay("eye", reference, port)
+	assert verdicts, verdicts.first.line
+
+Parameters are dictionaries from names, as of `touchstone list params`, to values. What fails raises touchstone.Error with
+the line that the command would print. The public headers, include/touchstone/, say what each function does."""
+import collections.abc
+import functools
+import json
+import types
+
+import numpy as np
+
+from ._library import ffi, lib
+
+
+class Error(Exception):
+	"""What could not be done, and why, in one line."""
+
+
+def _check(status):
+	if status == lib.TS_ERROR or status == lib.TS_SKIPPED:
+		raise Error(_text(lib.ts_error_message()))
+	return status == lib.TS_OK
+
+
+def _text(pointer):
+	return ffi.string(pointer).decode() if pointer != ffi.NULL else None
+
+
+def _bytes(text):
+	return ffi.NULL if text is None else ffi.new("char[]", str(text).encode())
+
+
+def _struct(pointer):
+	"""A struct of the library's as a namespace."""
+	fields = {}
+	for name, field in ffi.typeof(pointer).item.fields:
+		value = getattr(pointer, name)
+		fields[name] = _text(value) if field.type is ffi.typeof("const char *") else value
+	return types.SimpleNamespace(**fields)
+
+
+def _rows(at):
+	"""All rows of a table that `at` walks."""
+	rows = []
+	while (row := at(len(rows))) != ffi.NULL:
+		rows.append(_struct(row))
+	return rows
+
+
+def _options(kind, **members):
+	"""(struct, what it points to) of a caller's options."""
+	kept = {name: _bytes(value) if isinstance(value, str) else value for name, value in members.items() if value is not None}
+	return ffi.new(kind + " *", {"bytes": ffi.sizeof(kind), **kept}), kept
+
+
+def _made(kind, release, function, *arguments):
+	"""What a function of the library makes, released when nobody has it any more."""
+	handle = ffi.new(kind + " **")
+	status = function(*[handle if argument is _made else argument for argument in arguments])
+	_check(status)
+	return ffi.gc(handle[0], release), status == lib.TS_OK
+
+
+def version():
+	return _text(lib.ts_version())
+
+
+@functools.lru_cache(None)
+def backends():
+	names = []
+	while (name := lib.ts_backend_at(len(names))) != ffi.NULL:
+		names.append(_text(name))
+	return names
+
+
+@functools.lru_cache(None)
+def methods():
+	return _rows(lib.ts_method_at)
+
+
+def stages(effect, method):
+	"""The stages of a method, in their order."""
+	return _rows(lambda i: lib.ts_method_stage(_bytes(effect), _bytes(method), i))
+
+
+@functools.lru_cache(None)
+def parameters():
+	return _rows(lib.ts_param_at)
+
+
+@functools.lru_cache(None)
+def buffers():
+	"""All buffers by name; `dtype` is that of their elements."""
+	fields = _rows(lib.ts_field_at)
+	rows = {row.name: row for row in _rows(lib.ts_buffer_at)}
+	for row in rows.values():
+		members = [(f.name, _dtype(f.type), (f.count,)) if f.count > 1 else (f.name, _dtype(f.type))
+		           for f in fields if f.record == row.element]
+		row.dtype = np.dtype(members) if members else _dtype(row.element)
+	return rows
+
+
+def _dtype(scalar):
+	return np.dtype(f"{scalar[0]}{int(scalar[1:]) // 8}")
+
+
+def _params(values):
+	params, _ = _made("ts_params", lib.ts_params_free, lib.ts_params_make, _made)
+	for name, value in (values or {}).items():
+		_check(lib.ts_params_set(params, _bytes(name), _bytes(value)))
+	return params
+
+
+class Context:
+	"""What computes. backend: one of backends(). say(line), progress(label, done, total) and cancelled(), which ends what
+	runs where it returns true, are called meanwhile."""
+
+	def __init__(self, backend=None, device=0, threads=0, reference=False, say=None, progress=None, cancelled=None):
+		self._callbacks = {
+			"say": say and ffi.callback("void(void *, const char *)", lambda _, line: say(_text(line))),
+			"progress": progress and ffi.callback("void(void *, const char *, uint64_t, uint64_t)",
+			                                      lambda _, label, done, total: progress(_text(label), done, total)),
+			"cancelled": cancelled and ffi.callback("int(void *)", lambda _: bool(cancelled())),
+		}
+		options, kept = _options("ts_context_options", backend=backend, device=device, threads=threads,
+		                         reference=int(reference), **self._callbacks)
+		self._handle, _ = _made("ts_context", lib.ts_context_close, lib.ts_context_open, _made, options)
+
+	def open_scene(self, spec, params=None, **options):
+		"""A built-in scene or a file; options are members of ts_scene_options, such as camera="circle"."""
+		wanted, kept = _options("ts_scene_options", **options)
+		handle, _ = _made("ts_scene", lib.ts_scene_free, lib.ts_scene_open, self._handle, _made, _bytes(spec),
+		                  _params(params), wanted)
+		return Scene(self, handle)
+
+	def make_scene(self, params=None, **arrays):
+		"""A scene of arrays of records: vertices, triangles, materials, slots, lights, objects, surfels, each of the
+		dtype of buffers()["scene.vertex"] and so on."""
+		members, kept = {}, []
+		for name, array in arrays.items():
+			element = buffers()["scene." + name[:-1].replace("vertice", "vertex")]
+			array = np.ascontiguousarray(array, element.dtype)
+			kept.append(array)
+			members[name] = ffi.cast(element.element + " *", array.ctypes.data)
+			members["n_" + name] = len(array)
+		given, _ = _options("ts_scene_arrays", **members)
+		handle, _ = _made("ts_scene", lib.ts_scene_free, lib.ts_scene_make, self._handle, _made, given, _params(params),
+		                  ffi.NULL)
+		return Scene(self, handle)
+
+	def run(self, scene, effect, method, params=None, buffers=None, margins=False, arrival=False):
+		"""Runs a method and keeps its buffers, or those that `buffers` names."""
+		options, kept = _options("ts_run_options", buffers=buffers and ",".join(buffers), margins=int(margins),
+		                         arrival=int(arrival))
+		handle, _ = _made("ts_trace", lib.ts_trace_close, lib.ts_trace_run, self._handle, _made, scene._handle,
+		                  _params(params), _bytes(effect), _bytes(method), options)
+		return Trace(self, handle, scene)
+
+	def open(self, folder):
+		"""Opens the trace in a folder."""
+		handle, _ = _made("ts_trace", lib.ts_trace_close, lib.ts_trace_open, self._handle, _made, _bytes(folder))
+		return Trace(self, handle)
+
+	def compare(self, reference, candidate, mask=None, **options):
+		"""Verdicts of a candidate; options are members of ts_compare_options, such as ulp=1 or forced=True. mask: an
+		array of rows of pixels, which are judged where it is not 0."""
+		if mask is not None:
+			mask = np.ascontiguousarray(mask, np.uint8)
+			options.update(mask=ffi.cast("uint8_t *", mask.ctypes.data), mask_height=mask.shape[0], mask_width=mask.shape[1])
+		wanted, kept = _options("ts_compare_options", **{n: int(v) if isinstance(v, bool) else v for n, v in options.items()})
+		return Verdicts(*_made("ts_verdicts", lib.ts_verdicts_free, lib.ts_compare, self._handle, _made, reference._handle,
+		                       candidate._handle, wanted))
+
+	def replay(self, stage, reference, candidate=None):
+		"""Verdicts of one stage's outputs, given the candidate's own inputs."""
+		return Verdicts(*_made("ts_verdicts", lib.ts_verdicts_free, lib.ts_replay, self._handle, _made, _bytes(stage),
+		                       reference._handle, candidate._handle if candidate is not None else ffi.NULL))
+
+
+class Scene:
+	def __init__(self, context, handle):
+		self._context, self._handle = context, handle
+
+
+class Trace(collections.abc.Mapping):
+	"""The buffers of a run, of a folder or of a candidate, by name. Arrays are views: of a run and of a folder read only."""
+
+	def __init__(self, context, handle, scene=None, writable=False):
+		self._context, self._handle, self._scene, self._writable = context, handle, scene, writable
+		self._given = {}
+
+	def __getitem__(self, name):
+		if name not in self:
+			raise KeyError(name)
+		view = lib.ts_trace_buffer(self._handle, _bytes(name))
+		if view == ffi.NULL:
+			raise Error(_text(lib.ts_error_message()))
+		dtype, shape = buffers()[name].dtype, tuple(view.shape[i] for i in range(view.n_dims))
+		return np.asarray(_View(self, int(ffi.cast("uintptr_t", view.data)), shape, dtype))
+
+	def __setitem__(self, name, array):
+		"""Gives a candidate a buffer; an array that is contiguous, of the buffer's dtype, is not copied."""
+		if not self._writable:
+			raise Error(f"{name}: a trace cannot be changed; candidate() makes one that can")
+		if name not in buffers():
+			raise Error(f'there is no buffer "{name}"')
+		array = np.asarray(array)
+		if array.dtype != buffers()[name].dtype:
+			raise Error(f"{name}: dtype {array.dtype}; {buffers()[name].dtype} would be right")
+		array = np.ascontiguousarray(array)
+		shape = ffi.new("uint64_t[]", array.shape)
+		_check(lib.ts_trace_put(self._handle, _bytes(name), array.ndim, shape, ffi.cast("void *", array.ctypes.data),
+		                        array.nbytes))
+		self._given[name] = array
+
+	def __contains__(self, name):
+		return lib.ts_trace_has(self._handle, _bytes(name)) != 0
+
+	def __iter__(self):
+		return (name for name in buffers() if name in self)
+
+	def __len__(self):
+		return sum(1 for _ in self)
+
+	def candidate(self, arrival=False):
+		"""An empty candidate of the same method and parameters."""
+		handle, _ = _made("ts_trace", lib.ts_trace_close, lib.ts_trace_candidate, self._context._handle, _made, self._handle,
+		                  int(arrival))
+		return Trace(self._context, handle, writable=True)
+
+	def digest(self, name):
+		"""The SHA-256 of the buffer's file."""
+		digits = ffi.new("char[65]")
+		_check(lib.ts_trace_digest(self._handle, _bytes(name), digits))
+		return _text(digits)
+
+	def counter(self, name):
+		return lib.ts_trace_counter(self._handle, _bytes(name))
+
+	def probe_pixel(self, x, y, view=None):
+		"""Why a pixel of the eye, or a texel of a view, is what it is."""
+		return self._ask(lib.ts_probe_pixel, x, y, _bytes(view))
+
+	def probe_triangle(self, triangle):
+		return self._ask(lib.ts_probe_triangle, triangle)
+
+	def probe_point(self, point):
+		return self._ask(lib.ts_probe_point, point)
+
+	def _ask(self, function, *question):
+		tree, _ = _made("ts_tree", lib.ts_tree_free, function, self._context._handle, _made, self._handle, *question)
+		return json.loads(_text(ffi.gc(lib.ts_tree_json(tree), lib.free)))
+
+
+class _View:
+	"""Memory that stays while an array of it does."""
+
+	def __init__(self, trace, address, shape, dtype):
+		self.trace = trace
+		self.__array_interface__ = {"version": 3, "data": (address, True), "shape": shape, "typestr": dtype.str,
+		                            "descr": dtype.descr}
+
+
+class Verdicts(collections.abc.Sequence):
+	"""How each buffer was judged. True if nothing differs; else `first` is the first divergence."""
+
+	def __init__(self, handle, same):
+		self._handle, self._same = handle, same
+		self._rows = _rows(lambda i: lib.ts_verdicts_at(handle, i))
+		first = lib.ts_verdicts_first(handle)
+		self.first = _struct(first) if first != ffi.NULL else None
+
+	def __bool__(self):
+		return self._same
+
+	def __getitem__(self, i):
+		return self._rows[i]
+
+	def __len__(self):
+		return len(self._rows)

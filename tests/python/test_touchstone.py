@@ -1,0 +1,115 @@
+"""The package for Python, by pytest: what it makes are the bits of the command, and no array outlives its memory."""
+import gc
+import json
+import os
+import pathlib
+
+import numpy as np
+import pytest
+import touchstone
+
+pytest_plugins = ["touchstone.pytest"]
+SMALL = {"width": 64, "height": 36, "reflectors.count": 2, "cube.max_px": 16}
+
+
+@pytest.fixture(scope="module")
+def context():
+	return touchstone.Context(threads=2)
+
+
+@pytest.fixture(scope="module")
+def scene(context):
+	return context.open_scene("atrium:triangles=10000:texels=32", SMALL)
+
+
+@pytest.fixture(scope="module")
+def reference(context, scene):
+	return context.run(scene, "reflections", "epr", SMALL)
+
+
+def test_tables():
+	assert touchstone.backends()[0] == "c"
+	assert ("surfels", "ewa") in [(m.effect, m.name) for m in touchstone.methods()]
+	assert touchstone.stages("reflections", "epr")[-1].name == "image"
+	assert touchstone.buffers()["scene.vertex"].dtype.itemsize == 80
+	assert all(row.dtype.itemsize == row.element_bytes for row in touchstone.buffers().values())
+
+
+def test_arrays_are_views(context, scene):
+	trace = context.run(scene, "reflections", "mvr", SMALL)
+	image, again = trace["image.srgb"], trace["image.srgb"]
+	assert image.shape == (36, 64, 3) and image.ctypes.data == again.ctypes.data
+	total = int(image.sum())
+	del trace
+	gc.collect()
+	assert int(image.sum()) == total
+	with pytest.raises(ValueError):
+		image[0, 0, 0] = 1
+
+
+def test_folder_and_memory_are_the_same(context, reference):
+	traced = os.environ["TRACED"]  # by the command, of the same run
+	stored = context.open(traced)
+	assert list(stored) == list(reference)
+	assert all(np.array_equal(stored[name], reference[name]) for name in stored)
+	assert all(stored.digest(name) == reference.digest(name) for name in stored)
+	files = json.loads((pathlib.Path(traced) / "trace.json").read_text())["buffers"]
+	assert {file["name"]: file["sha256"] for file in files} == {name: reference.digest(name) for name in reference}
+	assert context.compare(reference, stored)
+
+
+def test_candidate(context, reference, touchstone_judge):
+	port = reference.candidate()
+	keys = reference["eye.depth_triangle"].copy()
+	port["eye.depth_triangle"] = keys
+	assert port["eye.depth_triangle"].ctypes.data == keys.ctypes.data
+	touchstone_judge("eye", reference, port)
+	keys[3, 4] ^= np.uint64(1)
+	verdicts = context.compare(reference, port)
+	assert not verdicts and verdicts.first.where == "pixel (4, 3)" and verdicts.first.inputs.startswith("none")
+	with pytest.raises(pytest.fail.Exception, match="given the candidate's inputs"):
+		touchstone_judge("eye", reference, port)
+	with pytest.raises(touchstone.Error, match="dtype"):
+		port["eye.depth_triangle"] = keys.astype(np.int64)
+	with pytest.raises(touchstone.Error, match="cannot be changed"):
+		reference["eye.depth_triangle"] = keys
+	mask = np.ones((36, 64), np.uint8)
+	mask[3, 4] = 0
+	assert context.compare(reference, port, mask=mask)
+
+
+def test_made_scene(context):
+	records = touchstone.buffers()
+	vertices = np.zeros(4, records["scene.vertex"].dtype)
+	vertices["position"] = [(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)]
+	vertices["colour"] = 1
+	triangles = np.zeros(2, records["scene.triangle"].dtype)
+	triangles["vertex"] = [(0, 1, 2), (0, 2, 3)]
+	triangles["material"] = 0xffffffff
+	made = context.make_scene(SMALL, vertices=vertices, triangles=triangles)
+	trace = context.run(made, "reflections", "mvr", SMALL, buffers=["image.srgb"])
+	assert list(trace) == ["image.srgb"] and len(np.unique(trace["image.srgb"].reshape(-1, 3), axis=0)) > 2
+	triangles["vertex"][1, 2] = 4
+	with pytest.raises(touchstone.Error, match="triangle 1: vertex 4 does not exist"):
+		context.make_scene(SMALL, vertices=vertices, triangles=triangles)
+
+
+def test_answers_and_errors(context, scene, reference):
+	assert reference.probe_pixel(3, 4)["pixel"] == [3, 4]
+	assert reference.counter("shading operations") > 0
+	assert "eye.depth" not in reference
+	with pytest.raises(KeyError):
+		reference["eye.depth"]
+	with pytest.raises(touchstone.Error, match="magic"):
+		context.run(scene, "reflections", "magic", SMALL)
+	with pytest.raises(touchstone.Error, match="width"):
+		context.open_scene("atrium", {"width": -1})
+
+
+def test_callbacks():
+	heard = []
+	context = touchstone.Context(progress=lambda *told: heard.append(told), cancelled=lambda: len(heard) > 0)
+	scene = context.open_scene("atrium:triangles=10000:texels=32", SMALL)
+	with pytest.raises(touchstone.Error, match="cancelled"):
+		context.run(scene, "reflections", "mvr", SMALL)
+	assert heard
