@@ -14,7 +14,7 @@ places=(prefix=$at libdir=$at/lib/machine docdir=/opt/docs)
 	[ -z "$(find "$scratch/made/opt" ! -type d ! -perm -444)" ]
 verdict $? 'installs, for all to read'
 find "$scratch/made" ! -type d -printf '/%P\n' |
-	grep -vE "^($at/(bin/touchstone$|lib/machine/|include/touchstone/|share/)|/opt/docs/)" > "$scratch/astray"
+	grep -vE "^($at/(bin/touchstone$|lib/machine/|lib/python3/dist-packages/touchstone/|include/touchstone/|share/)|/opt/docs/)" > "$scratch/astray"
 [ ! -s "$scratch/astray" ]
 verdict $? 'into the folders that were named'
 
