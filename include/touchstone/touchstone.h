@@ -25,5 +25,6 @@
 #include <touchstone/tables.h>
 #include <touchstone/trace.h>
 #include <touchstone/tree.h>
+#include <touchstone/truth.h>
 #include <touchstone/vectors.h>
 #endif

@@ -5,8 +5,7 @@
 #include <strings.h>
 #include "words.h"
 
-/* Of any effect if that is NULL; NULL: there is none. */
-static const ts_truth_kind *find(const char *name, const char *effect)
+const ts_truth_kind *ts_truths_one(const char *name, const char *effect)
 {
 	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
 		const ts_truth_kind *kind = *row;
@@ -55,7 +54,7 @@ ts_status ts_truths_find(u32 *truths, const char *effect, const char *names)
 	}
 	if (names == NULL || strcmp(names, "none") == 0) return TS_OK;
 	while (ts_words_item(&names, item, sizeof item)) {
-		const ts_truth_kind *kind = find(item, effect);
+		const ts_truth_kind *kind = ts_truths_one(item, effect);
 		if (kind == NULL) return refuse(item, effect);
 		*truths |= ts_truth_bit(kind);
 	}
@@ -66,6 +65,6 @@ bool ts_truths_named(const char *text)
 {
 	char item[16];
 	bool any = text[0] != 0;
-	while (any && text != NULL && ts_words_item(&text, item, sizeof item)) any = find(item, NULL) != NULL;
+	while (any && text != NULL && ts_words_item(&text, item, sizeof item)) any = ts_truths_one(item, NULL) != NULL;
 	return any;
 }

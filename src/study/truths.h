@@ -4,6 +4,8 @@
 #include "../truth/table.h"
 #include "../kernels/base/compat.h"
 
+/* The truth of that name, of any effect if that is NULL; NULL: there is none. */
+const ts_truth_kind *ts_truths_one(const char *name, const char *effect);
 /* The truths of `effect` that the comma-separated `names` name, each as the bit of its row in ts_truths; NULL or
  * "all": all of them; "none": none. Fails on the first name that is no truth of the effect. */
 ts_status ts_truths_find(u32 *truths, const char *effect, const char *names);

@@ -184,6 +184,27 @@ static void test_relaxed(void **state)
 	free(copy);
 }
 
+/* Points as they come are those of the reference; and with margins only what they decide is judged. */
+static void test_arrival(void **state)
+{
+	(void)state;
+	ts_trace *arrived, *whole;
+	ts_verdicts *verdicts;
+	ts_run_options options = {.bytes = sizeof options, .arrival = 1};
+	done(ts_trace_run(context, &arrived, scene, params, "reflections", "epr", &options));
+	done(ts_compare(context, &verdicts, reference, arrived, NULL));
+	ts_verdicts_free(verdicts);
+	refused(ts_compare(context, &verdicts, arrived, reference, NULL), "order of arrival");
+	options = (ts_run_options){.bytes = sizeof options, .margins = 1};
+	done(ts_trace_run(context, &whole, scene, params, "reflections", "epr", &options));
+	ts_compare_options decided = {.bytes = sizeof decided, .decided = 1};
+	done(ts_compare(context, &verdicts, whole, reference, &decided));
+	ts_verdicts_free(verdicts);
+	assert_true(ts_trace_has(whole, "eye.margin") && !ts_trace_has(reference, "eye.margin"));
+	ts_trace_close(whole);
+	ts_trace_close(arrived);
+}
+
 static void test_nothing(void **state)
 {
 	(void)state;
@@ -205,7 +226,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_same),    cmocka_unit_test(test_planted), cmocka_unit_test(test_replay),
-		cmocka_unit_test(test_relaxed), cmocka_unit_test(test_nothing),
+		cmocka_unit_test(test_relaxed), cmocka_unit_test(test_arrival), cmocka_unit_test(test_nothing),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -132,6 +132,20 @@ static void test_verdicts(void **state)
 	assert_null(ts_verdicts_first(NULL));
 }
 
+static void test_truth(void **state)
+{
+	(void)state;
+	ts_truth_image *image;
+	REFUSED(ts_truth_render(NULL, &image, scene, params, "reflections", "A"), "context");
+	REFUSED(ts_truth_render(context, NULL, scene, params, "reflections", "A"), "image");
+	REFUSED(ts_truth_render(context, &image, NULL, params, "reflections", "A"), "scene");
+	REFUSED(ts_truth_render(context, &image, scene, NULL, "reflections", "A"), "params");
+	REFUSED(ts_truth_render(context, &image, scene, params, NULL, "A"), "effect");
+	REFUSED(ts_truth_render(context, &image, scene, params, "reflections", NULL), "truth");
+	assert_null(image);
+	ts_truth_image_free(NULL);
+}
+
 static void test_answers(void **state)
 {
 	(void)state;
@@ -222,7 +236,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_release), cmocka_unit_test(test_params),   cmocka_unit_test(test_scenes),
 		cmocka_unit_test(test_traces),  cmocka_unit_test(test_verdicts), cmocka_unit_test(test_answers),
-		cmocka_unit_test(test_vectors), cmocka_unit_test(test_images),   cmocka_unit_test(test_metrics),
+		cmocka_unit_test(test_truth),   cmocka_unit_test(test_vectors),  cmocka_unit_test(test_images),
+		cmocka_unit_test(test_metrics),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

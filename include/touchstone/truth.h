@@ -1,0 +1,44 @@
+/* Ground truth by rays (Embree): what a method's picture should look like. It is judged by metrics, never by bits, and
+ * is no reference of ts_compare. */
+#ifndef TOUCHSTONE_TRUTH_H
+#define TOUCHSTONE_TRUTH_H
+#include <stddef.h>
+#include <stdint.h>
+#include <touchstone/context.h>
+#include <touchstone/params.h>
+#include <touchstone/scene.h>
+#include <touchstone/status.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A truth, as `touchstone list truths` has it. */
+typedef struct {
+	const char *name;
+	const char *effects; /* whose truth it is, separated by blanks */
+	const char *doc;
+} ts_truth_info;
+
+/* Truth i of all, from 0; NULL behind the last. */
+TS_API const ts_truth_info *ts_truth_at(size_t i);
+
+/* A picture by rays. */
+typedef struct {
+	uint32_t width, height;
+	const float *radiance; /* height rows of width pixels, linear RGB, from the top */
+	const uint8_t *srgb;   /* the same as displayed */
+	int estimated;         /* not 0: by fewer rays than there are, the parameter truth.rays */
+} ts_truth_image;
+
+/* Renders a truth of an effect. The result does not depend on threads. Release by ts_truth_image_free; NULL on failure:
+ * no such truth of the effect, a scene that has none, or no memory. */
+TS_API ts_status ts_truth_render(ts_context *context, ts_truth_image **image, const ts_scene *scene,
+                                 const ts_params *params, const char *effect, const char *truth);
+
+/* Releases a picture; NULL is allowed. */
+TS_API void ts_truth_image_free(ts_truth_image *image);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
