@@ -72,6 +72,12 @@ TS_API const ts_buffer_view *ts_trace_buffer(ts_trace *trace, const char *name);
 /* The SHA-256 of the file that a trace in a folder has of a buffer, as 64 hexadecimal digits and a 0. */
 TS_API ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65]);
 
+/* Runs a method and calls `each` with the digest of every buffer, in the order of the stages, without keeping any: for
+ * scenes whose traces are larger than memory. user is handed to the calls, which must not call the library. */
+TS_API ts_status ts_run_digests(ts_context *context, const ts_scene *scene, const ts_params *params, const char *effect,
+                                const char *method, void (*each)(void *user, const char *buffer, const char *hex),
+                                void *user);
+
 /* What was counted in the run: "points", "shading operations", ... 0 if the trace is of no run, or that was not
  * counted. */
 TS_API int64_t ts_trace_counter(const ts_trace *trace, const char *name);

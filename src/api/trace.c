@@ -8,6 +8,14 @@
 #include "../trace/emit.h"
 #include "../trace/item.h"
 #include "../trace/keep.h"
+#include "../trace/sums.h"
+
+static const ts_pipeline *find_method(const char *effect, const char *method)
+{
+	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
+	if (pipeline == NULL) ts_fail("%s by %s: no such method; `touchstone list methods` names them", effect, method);
+	return pipeline;
+}
 
 /* "image.srgb,image.radiance". */
 static ts_status read_buffers(ts_keep *keep, const ts_pipeline *pipeline, const char *names)
@@ -56,11 +64,38 @@ ts_status ts_trace_run(ts_context *context, ts_trace **trace, const ts_scene *sc
 		return TS_ERROR;
 	}
 	if (ts_api_options(&ours, sizeof ours, options, "ts_run_options") != TS_OK) return TS_ERROR;
-	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
-	if (pipeline == NULL) {
-		return ts_fail("%s by %s: no such method; `touchstone list methods` names them", effect, method);
+	const ts_pipeline *pipeline = find_method(effect, method);
+	return pipeline != NULL ? run_method(context, trace, scene, params, pipeline, &ours) : TS_ERROR;
+}
+
+typedef void take_digest(void *user, const char *buffer, const char *hex);
+
+static void give_digests(const ts_sums *sums, const ts_pipeline *pipeline, take_digest *each, void *user)
+{
+	ts_buffer_id ids[TS_N_BUFFERS];
+	ts_emit_order(ids, pipeline);
+	for (u32 i = 0; i < TS_N_BUFFERS; i++) {
+		if (sums->hex[ids[i]][0] != 0) each(user, ts_buffer_table[ids[i]].name, sums->hex[ids[i]]);
 	}
-	return run_method(context, trace, scene, params, pipeline, &ours);
+}
+
+ts_status ts_run_digests(ts_context *context, const ts_scene *scene, const ts_params *params, const char *effect,
+                         const char *method, take_digest *each, void *user)
+{
+	if (TS_LACKS(context) || TS_LACKS(scene) || TS_LACKS(params) || TS_LACKS(effect) || TS_LACKS(method)) {
+		return TS_ERROR;
+	}
+	if (each == NULL) return ts_fail("ts_run_digests: each is NULL; a function would be right");
+	const ts_pipeline *pipeline = find_method(effect, method);
+	ts_sums *sums = pipeline != NULL ? ts_alloc(1, sizeof *sums, "digests") : NULL;
+	ts_status status = sums != NULL ? ts_api_enter(context) : TS_ERROR;
+	if (status == TS_OK) {
+		status = ts_sums_of(sums, pipeline, scene, params, &context->how);
+		ts_api_leave();
+	}
+	if (status == TS_OK) give_digests(sums, pipeline, each, user);
+	free(sums);
+	return status;
 }
 
 ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folder)

@@ -78,6 +78,13 @@ static void test_scenes(void **state)
 	REFUSED(ts_scene_print(scene, NULL, 0), "out");
 }
 
+static void ignore(void *user, const char *buffer, const char *hex)
+{
+	(void)user;
+	(void)buffer;
+	(void)hex;
+}
+
 static void test_traces(void **state)
 {
 	(void)state;
@@ -110,6 +117,12 @@ static void test_traces(void **state)
 	REFUSED(ts_trace_digest(NULL, "points.key", hex), "trace");
 	REFUSED(ts_trace_digest(trace, NULL, hex), "name");
 	REFUSED(ts_trace_digest(trace, "points.key", NULL), "hex");
+	REFUSED(ts_run_digests(NULL, scene, params, "reflections", "epr", ignore, NULL), "context");
+	REFUSED(ts_run_digests(context, NULL, params, "reflections", "epr", ignore, NULL), "scene");
+	REFUSED(ts_run_digests(context, scene, NULL, "reflections", "epr", ignore, NULL), "params");
+	REFUSED(ts_run_digests(context, scene, params, NULL, "epr", ignore, NULL), "effect");
+	REFUSED(ts_run_digests(context, scene, params, "reflections", NULL, ignore, NULL), "method");
+	REFUSED(ts_run_digests(context, scene, params, "reflections", "epr", NULL, NULL), "each");
 	assert_int_equal(ts_trace_counter(NULL, "points"), 0);
 	assert_int_equal(ts_trace_counter(trace, NULL), 0);
 }

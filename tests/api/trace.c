@@ -9,6 +9,20 @@ static const char *scene_of(const char *effect)
 	return strcmp(effect, "surfels") == 0 ? "checkerboard:surfels=10000" : SMALL;
 }
 
+typedef struct {
+	ts_trace *trace;
+	size_t n;
+} expected;
+
+static void compare_digest(void *user, const char *buffer, const char *hex)
+{
+	expected *e = user;
+	char whole[65];
+	done(ts_trace_digest(e->trace, buffer, whole));
+	assert_string_equal(hex, whole);
+	e->n++;
+}
+
 static void test_digests(void **state)
 {
 	(void)state;
@@ -33,6 +47,11 @@ static void test_digests(void **state)
 			done(ts_trace_digest(trace, buffer->name, hex));
 			if (strcmp(hex, sums.hex[id]) != 0) fail_msg("%s %s: %s", method->effect, method->name, buffer->name);
 			n_buffers++;
+		}
+		expected e = {.trace = trace};
+		if (i % 5 == 0) {
+			done(ts_run_digests(context, scene, params, method->effect, method->name, compare_digest, &e));
+			assert_true(e.n > 10);
 		}
 		ts_trace_close(trace);
 		ts_scene_free(scene);
