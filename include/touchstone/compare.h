@@ -1,7 +1,7 @@
 /* Judging a port: buffer by buffer against a reference, or one stage given the port's own inputs.
  *
  *   ts_verdicts *verdicts;
- *   if (ts_replay(context, &verdicts, "splat", reference, candidate) == TS_DIFFERENT)
+ *   if (ts_replay(context, &verdicts, "splat", reference, candidate, NULL) == TS_DIFFERENT)
  *           puts(ts_verdicts_first(verdicts)->line);
  *   ts_verdicts_free(verdicts); */
 #ifndef TOUCHSTONE_COMPARE_H
@@ -37,11 +37,16 @@ typedef struct {
 TS_API ts_status ts_compare(ts_context *context, ts_verdicts **verdicts, const ts_trace *reference,
                             const ts_trace *candidate, const ts_compare_options *options);
 
-/* Runs one stage on the candidate's inputs, the reference's where the candidate has none, and compares what the stage
- * makes with the candidate's outputs, or the reference's where it has none. The inputs are checked first: whatever a
- * stage could not run on is refused. candidate NULL: the reference alone. As ts_compare otherwise. */
+/* Runs one stage on the candidate's inputs, and compares what the stage makes with the candidate's outputs. Inputs that
+ * the candidate lacks are the reference's. An output that it lacks is "missing"; without any of them nothing can be
+ * judged: TS_ERROR. candidate NULL: the reference is judged. The inputs are checked first; whatever the stage could not
+ * run on is refused. options, of which `forced` means nothing here, and the rest are as of ts_compare. */
 TS_API ts_status ts_replay(ts_context *context, ts_verdicts **verdicts, const char *stage, const ts_trace *reference,
-                           const ts_trace *candidate);
+                           const ts_trace *candidate, const ts_compare_options *options);
+
+/* Runs one stage on the same inputs, and hands out what it makes. Release by ts_trace_close; NULL on failure. */
+TS_API ts_status ts_trace_replay(ts_context *context, ts_trace **trace, const char *stage, const ts_trace *reference,
+                                 const ts_trace *candidate);
 
 /* How one buffer was judged. */
 typedef struct {
@@ -53,10 +58,12 @@ typedef struct {
 	uint64_t n_different;              /* of them, those without a partner included */
 	uint64_t n_missing, n_extra;       /* records of a set that the candidate lacks, or has beside */
 	uint64_t n_relaxed;                /* elements that only a relaxation let pass */
+	uint64_t n_masked;                 /* elements that the mask left out */
 	uint64_t n_undecided;              /* elements that differ where the reference does not decide */
 } ts_verdict_info;
 
-/* Buffer i of those that the reference has, in the order of the stages, from 0; NULL behind the last. */
+/* Buffer i of those that the reference has, of a replay of the outputs that the stage made, in the order of the stages,
+ * from 0; NULL behind the last. */
 TS_API const ts_verdict_info *ts_verdicts_at(const ts_verdicts *verdicts, size_t i);
 
 /* The first divergence: of the first stage that is different, the first element. */

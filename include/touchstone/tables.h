@@ -29,6 +29,11 @@ TS_API const ts_stage_info *ts_stage_at(size_t i);
  * there is no such method. */
 TS_API const ts_stage_info *ts_method_stage(const char *effect, const char *method, size_t i);
 
+/* Buffer i that a stage reads, and that it makes; NULL behind the last, or if there is no such stage. What a run leaves
+ * out by its parameters is listed, too. */
+TS_API const char *ts_stage_input(const char *stage, size_t i);
+TS_API const char *ts_stage_output(const char *stage, size_t i);
+
 /* A buffer: an array of one to four dimensions, in C order. */
 typedef struct {
 	const char *name;     /* "stage.buffer", or "scene.buffer" */

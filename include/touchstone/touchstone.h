@@ -9,7 +9,9 @@
  *   the library, and grows at its end.
  *   The metrics of image.h, which are values, stay as they are.
  * - The library prints nothing, ends nothing, and leaves the host's locale alone.
- * - A handle is used by one thread at a time; different handles by as many as there are.
+ * - A handle is used by one thread at a time, different handles by as many as there are. What a function takes by a
+ *   pointer to const, a scene above all, several threads may share.
+ * - After a fork only the process that had a context goes on with it: OpenMP has no threads in the other.
  *
  * Start at context.h, scene.h and trace.h; then compare.h. */
 #ifndef TOUCHSTONE_TOUCHSTONE_H

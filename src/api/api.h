@@ -17,8 +17,8 @@ void ts_api_ready(void);
 ts_status ts_api_enter(const ts_context *context);
 void ts_api_leave(void);
 
-/* Copies what a caller's struct of options, `type`, has of ours, which is all 0 before. NULL: nothing. TS_ERROR: its
- * size is none, or it sets what this library does not know. */
+/* Copies a caller's struct of options, `type`. NULL: nothing. TS_ERROR: its size is none, or it sets what this library
+ * does not know. Where a struct grows, callers of the older one stop short of our_bytes: then its first size is least. */
 ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, const char *type);
 
 #endif

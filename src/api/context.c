@@ -1,5 +1,6 @@
 /* Contexts. */
 #include "api.h"
+#include <fenv.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,15 +22,26 @@ void ts_api_ready(void)
 	pthread_once(&once, begin);
 }
 
+/* The host's, which may trap what is no fault here. */
+static _Thread_local fenv_t environment;
+
 ts_status ts_api_enter(const ts_context *context)
 {
+	feholdexcept(&environment);
 	ts_listen(&context->listener);
-	ts_status status = ts_selftest_require();
+	ts_status status = ts_selftest_require_on(ts_threads_ready(context->how.threads));
 	if (status != TS_OK) ts_api_leave();
 	return status;
 }
 
-void ts_api_leave(void) { ts_listen(&(ts_listener){.line = NULL}); }
+void ts_api_leave(void)
+{
+	ts_listen(&(ts_listener){.line = NULL});
+	fesetenv(&environment);
+}
+
+/* Of no struct of options, ever. */
+enum { MOST_BYTES = 4096 };
 
 static bool is_zero(const char *bytes, size_t n)
 {
@@ -44,14 +56,14 @@ ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, cons
 	size_t bytes;
 	if (options == NULL) return TS_OK;
 	memcpy(&bytes, options, sizeof bytes);
-	if (bytes <= sizeof bytes) {
-		return ts_fail("%s: its member `bytes` is %zu; the size of the struct would be right", type, bytes);
+	if (bytes < our_bytes || bytes > MOST_BYTES) {
+		return ts_fail("%s: its member `bytes` is %zu; the size of the struct, %zu, would be right", type, bytes,
+		               our_bytes);
 	}
-	size_t known = bytes < our_bytes ? bytes : our_bytes;
-	if (!is_zero((const char *)options + known, bytes - known)) {
+	if (!is_zero((const char *)options + our_bytes, bytes - our_bytes)) {
 		return ts_fail("%s: sets what this library, touchstone %s, does not know", type, TS_VERSION);
 	}
-	memcpy(ours, options, known);
+	memcpy(ours, options, our_bytes);
 	return TS_OK;
 }
 
@@ -67,12 +79,17 @@ static ts_status find(const ts_backend_kind **kind, const char *name)
 	return ts_fail("there is no backend \"%.40s\"; there is: %s", name, names);
 }
 
+/* Drivers are opened one after the other. */
 static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 device)
 {
+	static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 	const ts_backend_options wanted = {.device = device, .build = ""};
 	if (kind->open == NULL) return TS_OK;
+	pthread_mutex_lock(&mutex);
 	ts_status status = kind->open(&how->backend, &wanted);
-	return status == TS_OK ? ts_vectors_verify(how->backend, false) : status;
+	if (status == TS_OK) status = ts_vectors_verify(how->backend, false);
+	pthread_mutex_unlock(&mutex);
+	return status;
 }
 
 static ts_status open_context(ts_context *context, const ts_context_options *options)
@@ -83,8 +100,9 @@ static ts_status open_context(ts_context *context, const ts_context_options *opt
 	if (options->threads > TS_MOST_THREADS) {
 		return ts_fail("%lu threads; 0 to %d are right", (unsigned long)options->threads, TS_MOST_THREADS);
 	}
-	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
+	ts_listen(&context->listener);
 	context->how.threads = options->threads > 0 ? ts_threads_ready(options->threads) : ts_threads_all();
+	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
 	context->how.reference = options->reference != 0;
 	ts_status status = open_backend(&context->how, kind, options->device);
 	ts_api_leave();

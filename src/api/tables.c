@@ -58,6 +58,28 @@ const ts_stage_info *ts_method_stage(const char *effect, const char *method, siz
 	return NULL;
 }
 
+static const char *nth(const ts_buffer_id *ids, size_t i)
+{
+	while (*ids != TS_N_BUFFERS && i > 0) ids++, i--;
+	return *ids != TS_N_BUFFERS ? ts_buffer_table[*ids].name : NULL;
+}
+
+static const ts_stage *find(const char *name)
+{
+	ts_api_ready();
+	return name != NULL ? ts_stage_find(name) : NULL;
+}
+
+const char *ts_stage_input(const char *stage, size_t i)
+{
+	return find(stage) != NULL ? nth(ts_stage_inputs(find(stage)), i) : NULL;
+}
+
+const char *ts_stage_output(const char *stage, size_t i)
+{
+	return find(stage) != NULL ? nth(ts_stage_outputs(find(stage)), i) : NULL;
+}
+
 const ts_buffer_info *ts_buffer_at(size_t i) { return i < TS_N_BUFFERS ? &ts_buffer_table[i] : NULL; }
 
 const ts_field_info *ts_field_at(size_t i)

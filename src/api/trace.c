@@ -21,6 +21,7 @@ static const ts_pipeline *find_method(const char *effect, const char *method)
 static ts_status read_buffers(ts_keep *keep, const ts_pipeline *pipeline, const char *names)
 {
 	char name[64];
+	if (*names == 0) return ts_fail("ts_run_options.buffers: names none; NULL would keep all");
 	for (const char *at = names; *at != 0; at += *at == ',') {
 		size_t n = strcspn(at, ",");
 		ts_buffer_id id;
@@ -51,6 +52,13 @@ static ts_status run_method(const ts_context *context, ts_trace **trace, const t
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
 	ts_status status = ts_trace_keep(trace, pipeline, scene, params, &how, &keep);
 	ts_api_leave();
+	for (u32 id = 0; status == TS_OK && id < TS_N_BUFFERS; id++) {
+		if (!keep.keep[id] || (*trace)->item[id].path != NULL) continue;
+		status = ts_fail("ts_run_options.buffers: this run makes no %s; a whole trace may", ts_buffer_table[id].name);
+	}
+	if (status == TS_OK) return TS_OK;
+	ts_trace_close(*trace);
+	*trace = NULL;
 	return status;
 }
 
@@ -119,6 +127,7 @@ ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const ts_tra
 	made->has_params = reference->has_params;
 	made->params = reference->params;
 	made->arrival = arrival != 0;
+	made->open = true;
 	*trace = made;
 	return TS_OK;
 }
@@ -136,6 +145,7 @@ ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_dims, con
 	ts_npy npy = {.n_dims = n_dims};
 	if (TS_LACKS(trace) || TS_LACKS(buffer) || TS_LACKS(shape) || find(&id, buffer) != TS_OK) return TS_ERROR;
 	if (bytes > 0 && TS_LACKS(data)) return TS_ERROR;
+	if (!trace->open) return ts_fail("ts_trace_put: %s is no candidate; ts_trace_candidate makes one", trace->dir);
 	if (n_dims < 1 || n_dims > TS_MAX_DIMS) {
 		return ts_fail("%s: %lu dimensions; 1 to %d are right", buffer, (unsigned long)n_dims, TS_MAX_DIMS);
 	}

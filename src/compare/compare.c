@@ -1,5 +1,6 @@
 /* Comparison of two traces. */
 #include "compare.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include "../trace/emit.h"
 
@@ -34,6 +35,7 @@ static void count(ts_comparison *c, ts_buffer_id id)
 	c->n_judged += judgement == TS_SAME || judgement == TS_UNLIKE;
 	c->n_unlike += judgement == TS_UNLIKE;
 	c->n_missing += judgement == TS_MISSING;
+	c->n_unable += judgement == TS_UNABLE;
 	if (judgement == TS_UNLIKE && c->first == TS_N_BUFFERS) c->first = id;
 }
 
@@ -62,6 +64,10 @@ static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *re
 		v->judgement = TS_IGNORED;
 	} else if (candidate->item[id].path == NULL) {
 		v->judgement = TS_MISSING;
+	} else if (candidate->arrival && !order->given && ts_order_is_of_points(id)) {
+		v->judgement = TS_UNABLE;
+		snprintf(v->why, sizeof v->why, "points in the order of their arrival are told apart by %s, which is not there",
+		         ts_buffer_table[ts_order_key()].name);
 	} else {
 		double began = ts_seconds();
 		status = judge_given(v, id, reference, candidate, order, relaxations);

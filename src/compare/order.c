@@ -35,6 +35,16 @@ ts_dim ts_order_of(void)
 	return key != TS_N_BUFFERS ? ts_buffer_counts(key) : TS_DIM_none;
 }
 
+bool ts_order_is_of_points(ts_buffer_id id)
+{
+	const ts_fields fields = ts_fields_of(id);
+	if (ts_order_is_set(id) && ts_order_key_of(id) == ts_order_key()) return true;
+	for (u32 f = 0; f < fields.n; f++) {
+		if (ts_field_names(&fields.field[f], ts_order_of())) return true;
+	}
+	return false;
+}
+
 static ts_status read_keys(u64 *keys, const ts_order *order, const ts_trace *trace)
 {
 	u64 held = 0, n = order->n_ref;

@@ -11,6 +11,8 @@ ts_buffer_id ts_order_key_of(ts_buffer_id id);
  * TS_DIM_none: no family has any. */
 ts_buffer_id ts_order_key(void);
 ts_dim ts_order_of(void);
+/* True of buffers of points and of indices into them. */
+bool ts_order_is_of_points(ts_buffer_id id);
 
 typedef struct {
 	bool given; /* false: both stand in the same order, and the arrays are NULL */

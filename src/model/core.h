@@ -59,6 +59,8 @@ uint64_t ts_memory_limit(void);
 unsigned ts_selftest(void);
 /* The same as a status with a message that names the primitives. */
 ts_status ts_selftest_require(void);
+/* The same of so many threads, which must be ready. */
+ts_status ts_selftest_require_on(uint32_t threads);
 
 /* Who hears what is said beside results and failures, and may end what takes long. NULL: nobody. */
 typedef struct {

@@ -24,16 +24,16 @@ TS_SELFTEST_OF(__BASE_FILE__, ts_selftest_all)
 
 __attribute__((visibility("hidden"))) extern const ts_selftest_of __start_ts_selftests[], __stop_ts_selftests[];
 
-/* What is bad on any thread: here, and in the file where it is bad first. */
+/* What is bad on any of some threads: here, and in the file where it is bad first. */
 typedef struct {
 	unsigned here, there;
 	const ts_selftest_of *first;
 } answer;
 
-static answer ask(void)
+static answer ask(uint32_t threads)
 {
 	answer r = {0};
-#pragma omp parallel num_threads((int)ts_threads_all())
+#pragma omp parallel num_threads((int)threads)
 	for (const ts_selftest_of *of = __start_ts_selftests; of < __stop_ts_selftests; of++) {
 		unsigned bad = of->bad();
 		if (bad == 0) continue;
@@ -49,7 +49,7 @@ static answer ask(void)
 
 unsigned ts_selftest(void)
 {
-	answer r = ask();
+	answer r = ask(ts_threads_all());
 	return r.here | r.there;
 }
 
@@ -63,9 +63,11 @@ static void name(char *text, size_t text_bytes, unsigned bad)
 	}
 }
 
-ts_status ts_selftest_require(void)
+ts_status ts_selftest_require(void) { return ts_selftest_require_on(ts_threads_all()); }
+
+ts_status ts_selftest_require_on(uint32_t threads)
 {
-	answer r = ask();
+	answer r = ask(threads);
 	if (r.first == NULL) return TS_OK;
 	char text[512] = "";
 	name(text, sizeof text, r.here != 0 ? r.here : r.there);

@@ -1,7 +1,6 @@
 /* Threads are tried before they are needed: OpenMP's runtime ends the process where it cannot have one. */
 #include <omp.h>
 #include <pthread.h>
-#include <stdatomic.h>
 #include "core.h"
 
 typedef struct {
@@ -41,9 +40,9 @@ static uint32_t others(uint32_t most)
 
 uint32_t ts_threads_ready(uint32_t wanted)
 {
-	static atomic_uint ready = 1;
+	static _Thread_local uint32_t ready = 1; /* OpenMP keeps those of each thread apart */
 	uint32_t n = wanted < 1 ? 1 : wanted < TS_MOST_THREADS ? wanted : TS_MOST_THREADS;
-	if (n <= atomic_load(&ready)) return n;
+	if (n <= ready) return n;
 	uint32_t had = others(n - 1);
 	/* Where they end, the work needs what half of them take. */
 	uint32_t there = had == n - 1 ? n : 1 + had / 2;
@@ -53,7 +52,7 @@ uint32_t ts_threads_ready(uint32_t wanted)
 #pragma omp parallel num_threads((int)there)
 #pragma omp single
 	there = (uint32_t)omp_get_num_threads();
-	atomic_store(&ready, there);
+	ready = there;
 	return there;
 }
 

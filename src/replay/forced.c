@@ -3,26 +3,13 @@
 #include <stdio.h>
 #include "judge.h"
 
-/* Buffers of points and of indices into them. */
-static bool is_of_points(ts_buffer_id id)
-{
-	const ts_fields fields = ts_fields_of(id);
-	if (ts_order_is_set(id) && ts_order_key_of(id) == ts_order_key()) return true;
-	for (u32 f = 0; f < fields.n; f++) {
-		if (ts_field_names(&fields.field[f], ts_order_of())) return true;
-	}
-	return false;
-}
-
-/* A buffer of the reference's points that the stage would mix with the candidate's, which stand in another order;
- * TS_N_BUFFERS: none. */
-static ts_buffer_id mixed(const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate)
+ts_buffer_id ts_forced_mixed(const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate)
 {
 	bool own = false;
 	ts_buffer_id other = TS_N_BUFFERS;
 	for (u32 id = 0; candidate->arrival && id < TS_N_BUFFERS; id++) {
 		bool touched = ts_stage_reads(stage, (ts_buffer_id)id) || ts_stage_writes(stage, (ts_buffer_id)id);
-		if (!touched || !is_of_points((ts_buffer_id)id)) continue;
+		if (!touched || !ts_order_is_of_points((ts_buffer_id)id)) continue;
 		own |= candidate->item[id].path != NULL;
 		if (candidate->item[id].path == NULL && reference->item[id].path != NULL) other = (ts_buffer_id)id;
 	}
@@ -120,7 +107,7 @@ static ts_status judge_step(ts_comparison *c, const ts_step *step, const ts_trac
 	char why[TS_WHY_TEXT];
 	const ts_stage *stage = ts_stage_find(step->stage);
 	if (!ts_replay_takes(step, reference) || !has_output(stage, candidate, relaxations)) return TS_OK;
-	ts_buffer_id other = mixed(stage, reference, candidate);
+	ts_buffer_id other = ts_forced_mixed(stage, reference, candidate);
 	if (other == TS_N_BUFFERS) return judge_stage(c, stage, reference, candidate, relaxations, threads);
 	snprintf(why, sizeof why, "the candidate has no %s, and the reference's names points in another order",
 	         ts_buffer_table[other].name);

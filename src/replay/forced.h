@@ -4,6 +4,10 @@
 #define TS_TRACE_FORCED_H
 #include "../compare/compare.h"
 
+/* A buffer of the reference's points that the stage would mix with the candidate's, which stand in another order;
+ * TS_N_BUFFERS: none. */
+ts_buffer_id ts_forced_mixed(const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate);
+
 /* As ts_compare_traces, but the reference of each buffer is what its stage makes of the candidate's inputs: stages of
  * which the candidate has outputs are replayed, and its inputs are checked first. The outputs of a stage that cannot
  * be run on its inputs are TS_UNABLE; if nothing differs, that is TS_ERROR with the reason. Points in the order of

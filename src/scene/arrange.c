@@ -10,6 +10,9 @@
 
 #define EYE_NAME "--eye"
 
+/* That stand still; as many as may be added on paths. */
+enum { MOST_MIRRORS = 1000 };
+
 static bool is_finite(const f32 *x, u32 n)
 {
 	for (u32 i = 0; i < n; i++) {
@@ -38,7 +41,10 @@ static void check_options(ts_build *build, const ts_scene_options *o)
 		ts_build_fail(build, "%s: eye: camera %s is asked for, too; choose one of them", build->scene->name, o->camera);
 	if (o->eye != NULL && o->target != NULL && memcmp(o->eye, o->target, 3 * sizeof(f32)) == 0)
 		ts_build_fail(build, "%s: eye: it is its target; it must look at another point", build->scene->name);
-	for (u32 i = 0; i < o->n_mirrors; i++) {
+	if (o->n_mirrors > MOST_MIRRORS || (o->n_mirrors > 0 && o->mirrors == NULL))
+		ts_build_fail(build, "%s: %u mirrors; at most %d, and an array of them, would be right", build->scene->name,
+		              o->n_mirrors, MOST_MIRRORS);
+	for (u32 i = 0; i < o->n_mirrors && !build->failed; i++) {
 		if (!is_finite(o->mirrors[i], 4))
 			ts_build_fail(build, "%s: mirror %u: a number is not finite or beyond 16777216", build->scene->name, i);
 		if (!(o->mirrors[i][3] > 0.0f))

@@ -1,5 +1,7 @@
 /* A scene from its maker's own arrays: build_finish.c checks what they hold, as it does for files. */
 #include "build_parts.h"
+#include <float.h>
+#include "../model/table.h"
 #include "sources.h"
 
 static void check_arrays(ts_build *build, const ts_scene_arrays *a, const ts_scene_options *o)
@@ -24,6 +26,52 @@ static void check_arrays(ts_build *build, const ts_scene_arrays *a, const ts_sce
 	if (a->n_objects > 0 && a->objects[0].reflector != TS_NONE) {
 		ts_build_fail(build, "%s: object 0 is a mirror; it is the static scene", build->scene->name);
 	}
+}
+
+/* The floats of a record, by their places in words. */
+typedef struct {
+	u32 at[32], n;
+} floats;
+
+static floats floats_of(const char *record)
+{
+	size_t n_fields;
+	floats f = {.n = 0};
+	u32 at = 0;
+	const ts_field_info *fields = ts_field_table(&n_fields);
+	for (size_t i = 0; i < n_fields; i++) {
+		if (strcmp(fields[i].record, record) != 0) continue;
+		for (u32 k = 0; k < fields[i].count; k++, at++) {
+			if (fields[i].type[0] == 'f') f.at[f.n++] = at;
+		}
+	}
+	return f;
+}
+
+/* As files are refused, whose numbers are finite. */
+static void check_finite(ts_build *build, const char *record, const char *noun, const void *array, u32 n, size_t bytes)
+{
+	const floats f = floats_of(record);
+	for (u32 i = 0; i < n && !build->failed; i++) {
+		for (u32 k = 0; k < f.n; k++) {
+			f32 value;
+			memcpy(&value, (const u8 *)array + i * bytes + 4 * (size_t)f.at[k], sizeof value);
+			if (ts_abs(value) <= FLT_MAX) continue;
+			ts_build_fail(build, "%s: %s %u: a number is not finite", build->scene->name, noun, i);
+		}
+	}
+}
+#define FINITE(build, record, noun, a, array) \
+	check_finite(build, #record, noun, (a)->array, (a)->n_##array, sizeof *(a)->array)
+
+static void check_numbers(ts_build *build, const ts_scene_arrays *a)
+{
+	FINITE(build, ts_vertex, "vertex", a, vertices);
+	FINITE(build, ts_material, "material", a, materials);
+	FINITE(build, ts_slot, "texture reference", a, slots);
+	FINITE(build, ts_light, "light", a, lights);
+	FINITE(build, ts_object, "object", a, objects);
+	FINITE(build, ts_surfel, "surfel", a, surfels);
 }
 
 static void add_vertices(ts_build *build, const ts_scene_arrays *a)
@@ -80,10 +128,29 @@ static void add_looks(ts_build *build, const ts_scene_arrays *a)
 	for (u32 i = 0; i < a->n_lights && !build->failed; i++) ts_build_light(build, &a->lights[i]);
 }
 
+static bool is_camera(const ts_camera_array *c)
+{
+	const ts_v3 axis[3] = {ts_load3(c->right), ts_load3(c->up), ts_load3(c->back)};
+	bool good = c->yfov >= 0.0f && c->yfov < 0.5f;
+	for (u32 k = 0; k < 3; k++) {
+		good = good && ts_abs(c->eye[k]) <= TS_COORDINATE_LIMIT;
+		good = good && ts_abs(ts_dot(axis[k], axis[k]) - 1.0f) < 1e-3f;
+		good = good && ts_abs(ts_dot(axis[k], axis[(k + 1) % 3])) < 1e-3f;
+	}
+	return good;
+}
+
 static void add_cameras(ts_build *build, const ts_scene_arrays *a)
 {
 	for (u32 i = 0; i < a->n_cameras && !build->failed; i++) {
 		const ts_camera_array *from = &a->cameras[i];
+		if (!is_camera(from)) {
+			ts_build_fail(
+				build,
+				"%s: camera %u: an eye within 16777216, unit axes at right angles, and a yfov from 0 to below "
+				"0.5 would be right",
+				build->scene->name, i);
+		}
 		ts_camera camera = {.name = (char *)(uintptr_t)from->name, .yfov = from->yfov};
 		memcpy(camera.eye, from->eye, sizeof camera.eye);
 		memcpy(camera.right, from->right, sizeof camera.right);
@@ -97,6 +164,7 @@ static ts_status make_scene(ts_scene **scene, ts_build *build, const ts_scene_ar
                             const ts_scene_options *options)
 {
 	check_arrays(build, arrays, options);
+	if (!build->failed) check_numbers(build, arrays);
 	if (!build->failed) add_looks(build, arrays);
 	if (!build->failed) add_vertices(build, arrays);
 	if (!build->failed) add_triangles(build, arrays);

@@ -124,6 +124,20 @@ ts_status ts_item_put(ts_trace *trace, ts_buffer_id id, const ts_npy *shape, con
 	return TS_OK;
 }
 
+ts_status ts_item_keep(ts_trace *trace, ts_buffer_id id, const ts_npy *shape, const void *data)
+{
+	size_t bytes = ts_buffer_table[id].element_bytes;
+	void *memory = ts_alloc((size_t)shape->n, bytes, ts_buffer_table[id].name);
+	if (memory == NULL) return TS_ERROR;
+	if (ts_item_put(trace, id, shape, memory) != TS_OK) {
+		free(memory);
+		return TS_ERROR;
+	}
+	trace->item[id].owned = memory;
+	if (data != NULL) memcpy(memory, data, (size_t)shape->n * bytes);
+	return TS_OK;
+}
+
 /* The first dimension follows from what was computed, not from the scene and the parameters. */
 static bool is_computed(ts_buffer_id id)
 {

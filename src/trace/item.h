@@ -25,6 +25,9 @@ ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, co
 /* Gives it an array in memory, which must stay, in place of what it has. */
 ts_status ts_item_put(ts_trace *trace, ts_buffer_id id, const ts_npy *shape, const void *data);
 
+/* The same of a copy, which is the trace's. data NULL: of memory that is not set yet. */
+ts_status ts_item_keep(ts_trace *trace, ts_buffer_id id, const ts_npy *shape, const void *data);
+
 /* Refuses a candidate's buffer of another crop than the reference's, or of other sizes that the frame fixes. */
 ts_status ts_item_match(ts_buffer_id id, const ts_trace_item *reference, const ts_trace_item *candidate);
 

@@ -14,18 +14,11 @@ static bool is_kept(const keeper *k, ts_buffer_id id) { return k->keep->whole ||
 
 static ts_status begin(keeper *k, const ts_chunk *chunk)
 {
-	ts_trace_item *item = &k->trace->item[chunk->id];
-	const ts_buffer_info *info = &ts_buffer_table[chunk->id];
 	ts_npy npy = {.n_dims = chunk->n_dims};
 	memcpy(npy.shape, chunk->shape, sizeof npy.shape);
-	if (!ts_shape_count(&npy.n, npy.n_dims, npy.shape)) return ts_fail("%s: too large for memory", info->name);
-	void *memory = ts_alloc((size_t)npy.n, info->element_bytes, info->name);
-	if (memory == NULL) return TS_ERROR;
-	if (ts_item_put(k->trace, chunk->id, &npy, memory) != TS_OK) {
-		free(memory);
-		return TS_ERROR;
-	}
-	item->owned = memory;
+	if (!ts_shape_count(&npy.n, npy.n_dims, npy.shape))
+		return ts_fail("%s: too large for memory", ts_buffer_table[chunk->id].name);
+	if (ts_item_keep(k->trace, chunk->id, &npy, NULL) != TS_OK) return TS_ERROR;
 	k->filled[chunk->id] = 0;
 	return TS_OK;
 }

@@ -22,6 +22,7 @@ struct ts_trace {
 	const ts_pipeline *pipeline;
 	bool arrival;   /* points stand in any order */
 	bool old_names; /* some of its names are of renamed.def */
+	bool open;      /* a candidate that ts_trace_put fills */
 	bool has_params;
 	ts_params params;   /* if it has them */
 	char producer[128]; /* its name and version, clean */

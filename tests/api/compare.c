@@ -112,7 +112,7 @@ static void test_replay(void **state)
 	ts_trace *trace;
 	ts_verdicts *verdicts;
 	const ts_buffer_view *view = ts_trace_buffer(reference, "pose.vertex"), *keys;
-	done(ts_replay(context, &verdicts, "eye", reference, NULL));
+	done(ts_replay(context, &verdicts, "eye", reference, NULL, NULL));
 	assert_string_equal(ts_verdicts_at(verdicts, 0)->buffer, "eye.depth_triangle");
 	assert_string_equal(ts_verdicts_at(verdicts, 0)->verdict, "same");
 	ts_verdicts_free(verdicts);
@@ -124,22 +124,28 @@ static void test_replay(void **state)
 	for (size_t i = 0; i < count_of(view); i++) moved[i].position[1] += 0.25f;
 	done(ts_trace_candidate(context, &trace, reference, 0));
 	put(trace, view, moved);
-	assert_int_equal(ts_replay(context, &verdicts, "eye", reference, trace), TS_DIFFERENT);
+	refused(ts_replay(context, &verdicts, "eye", reference, trace, NULL), "none of its outputs");
+	keys = ts_trace_buffer(reference, "eye.depth_triangle");
+	put(trace, keys, keys->data);
+	assert_int_equal(ts_replay(context, &verdicts, "eye", reference, trace, NULL), TS_DIFFERENT);
 	const ts_divergence *first = ts_verdicts_first(verdicts);
 	assert_string_equal(first->stage, "eye");
 	assert_string_equal(first->inputs, "given the candidate's inputs");
 	assert_true(first->reference_bits != first->candidate_bits);
 	ts_verdicts_free(verdicts);
-
-	/* A wrong stage behind it is told apart, whatever came before. */
-	keys = ts_trace_buffer(reference, "eye.depth_triangle");
-	put(trace, keys, keys->data);
-	assert_int_equal(ts_replay(context, &verdicts, "eye", reference, trace), TS_DIFFERENT);
-	ts_verdicts_free(verdicts);
 	moved[0].position[0] = 1e30f / 1e-30f;
-	refused(ts_replay(context, &verdicts, "eye", reference, trace), "stage eye: ");
+	refused(ts_replay(context, &verdicts, "eye", reference, trace, NULL), "stage eye: ");
 	assert_null(verdicts);
-	refused(ts_replay(context, &verdicts, "eyes", reference, trace), "eyes");
+	refused(ts_replay(context, &verdicts, "eyes", reference, trace, NULL), "eyes");
+	memcpy(moved, view->data, bytes_of(view));
+	refused(ts_replay(context, &verdicts, "splat", reference, trace, NULL), "none of its outputs");
+
+	/* What the stage should have made. */
+	ts_trace *right;
+	done(ts_trace_replay(context, &right, "eye", reference, trace));
+	assert_memory_equal(ts_trace_buffer(right, "eye.depth_triangle")->data, keys->data, bytes_of(keys));
+	assert_false(ts_trace_has(right, "pose.vertex"));
+	ts_trace_close(right);
 	ts_trace_close(trace);
 	free(moved);
 }
@@ -178,6 +184,16 @@ static void test_relaxed(void **state)
 	mask[10] = 1;
 	assert_int_equal(ts_compare(context, &verdicts, reference, trace, &options), TS_DIFFERENT);
 	ts_verdicts_free(verdicts);
+	mask[10] = 0;
+	done(ts_compare(context, &verdicts, reference, trace, &options));
+	uint64_t n_masked = 0;
+	for (size_t i = 0; ts_verdicts_at(verdicts, i) != NULL; i++) n_masked += ts_verdicts_at(verdicts, i)->n_masked;
+	assert_true(n_masked > 0);
+	ts_verdicts_free(verdicts);
+	options.mask = NULL;
+	refused(ts_compare(context, &verdicts, reference, trace, &options), "mask");
+	options = (ts_compare_options){.bytes = sizeof options, .abs = -1};
+	refused(ts_compare(context, &verdicts, reference, trace, &options), "abs: -1");
 	options = (ts_compare_options){.bytes = sizeof options, .decided = 1};
 	refused(ts_compare(context, &verdicts, reference, trace, &options), "margin");
 	ts_trace_close(trace);
@@ -195,6 +211,19 @@ static void test_arrival(void **state)
 	done(ts_compare(context, &verdicts, reference, arrived, NULL));
 	ts_verdicts_free(verdicts);
 	refused(ts_compare(context, &verdicts, arrived, reference, NULL), "order of arrival");
+
+	/* Without their keys nothing can be said of points in another order, and nothing is. */
+	ts_trace *part;
+	const ts_buffer_view *cubes = ts_trace_buffer(arrived, "splat.depth_index");
+	const ts_buffer_view *image = ts_trace_buffer(arrived, "image.srgb");
+	done(ts_trace_candidate(context, &part, reference, 1));
+	put(part, cubes, cubes->data);
+	refused(ts_compare(context, &verdicts, reference, part, NULL), "nothing to judge");
+	refused(ts_replay(context, &verdicts, "splat", reference, part, NULL), "another order");
+	put(part, image, image->data);
+	done(ts_compare(context, &verdicts, reference, part, NULL));
+	ts_verdicts_free(verdicts);
+	ts_trace_close(part);
 	options = (ts_run_options){.bytes = sizeof options, .margins = 1};
 	done(ts_trace_run(context, &whole, scene, params, "reflections", "epr", &options));
 	ts_compare_options decided = {.bytes = sizeof decided, .decided = 1};

@@ -20,11 +20,11 @@ static void test_options(void **state)
 	wide.newer[3] = 1;
 	refused(ts_context_open(&context, &wide.options), "does not know");
 	assert_null(context);
-	/* Of an older header: what is behind its size is not read. */
-	ts_context_options options = {.bytes = offsetof(ts_context_options, threads), .threads = 5000};
-	done(ts_context_open(&context, &options));
-	ts_context_close(context);
-	options.bytes = sizeof options;
+	ts_context_options options = {.bytes = 12};
+	refused(ts_context_open(&context, &options), "bytes"); /* half a pointer */
+	options.bytes = SIZE_MAX;
+	refused(ts_context_open(&context, &options), "bytes");
+	options = (ts_context_options){.bytes = sizeof options, .threads = 5000};
 	refused(ts_context_open(&context, &options), "5000 threads");
 	options = (ts_context_options){.backend = "c"};
 	refused(ts_context_open(&context, &options), "bytes");
@@ -94,20 +94,39 @@ static void test_cancel(void **state)
 	ts_context_close(context);
 }
 
+static const ts_params *shared_params;
+static const ts_scene *shared_scene;
+
 static void *digest_of(void *hex)
 {
 	ts_context *context = open_context(1);
-	ts_params *params = small_params();
-	ts_scene *scene = small_scene(context, params);
-	ts_trace *trace = small_trace(context, scene, params, "epr");
+	ts_trace *trace = small_trace(context, shared_scene, shared_params, "epr");
 	done(ts_trace_digest(trace, "image.srgb", hex));
 	ts_trace_close(trace);
-	ts_scene_free(scene);
-	ts_params_free(params);
 	ts_context_close(context);
 	return NULL;
 }
 
+static int share(void **state)
+{
+	(void)state;
+	ts_context *context = open_context(1);
+	ts_params *params = small_params();
+	shared_scene = small_scene(context, params);
+	shared_params = params;
+	ts_context_close(context);
+	return 0;
+}
+
+static int unshare(void **state)
+{
+	(void)state;
+	ts_scene_free((ts_scene *)(uintptr_t)shared_scene);
+	ts_params_free((ts_params *)(uintptr_t)shared_params);
+	return 0;
+}
+
+/* Of one scene. */
 static void test_threads(void **state)
 {
 	(void)state;
@@ -152,5 +171,5 @@ int main(void)
 		cmocka_unit_test(test_threads),
 		cmocka_unit_test(test_silence),
 	};
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	return cmocka_run_group_tests(tests, share, unshare);
 }

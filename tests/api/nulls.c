@@ -131,16 +131,22 @@ static void test_verdicts(void **state)
 {
 	(void)state;
 	ts_verdicts *verdicts;
+	ts_trace *made;
 	REFUSED(ts_compare(NULL, &verdicts, trace, trace, NULL), "context");
 	REFUSED(ts_compare(context, NULL, trace, trace, NULL), "verdicts");
 	REFUSED(ts_compare(context, &verdicts, NULL, trace, NULL), "reference");
 	REFUSED(ts_compare(context, &verdicts, trace, NULL, NULL), "candidate");
 	refused(ts_compare(context, &verdicts, trace, trace, &(ts_compare_options){.bytes = 0}), "bytes");
-	REFUSED(ts_replay(NULL, &verdicts, "eye", trace, NULL), "context");
-	REFUSED(ts_replay(context, NULL, "eye", trace, NULL), "verdicts");
-	REFUSED(ts_replay(context, &verdicts, NULL, trace, NULL), "stage");
-	REFUSED(ts_replay(context, &verdicts, "eye", NULL, NULL), "reference");
+	REFUSED(ts_replay(NULL, &verdicts, "eye", trace, NULL, NULL), "context");
+	REFUSED(ts_replay(context, NULL, "eye", trace, NULL, NULL), "verdicts");
+	REFUSED(ts_replay(context, &verdicts, NULL, trace, NULL, NULL), "stage");
+	REFUSED(ts_replay(context, &verdicts, "eye", NULL, NULL, NULL), "reference");
 	assert_null(verdicts);
+	REFUSED(ts_trace_replay(NULL, &made, "eye", trace, NULL), "context");
+	REFUSED(ts_trace_replay(context, NULL, "eye", trace, NULL), "trace");
+	REFUSED(ts_trace_replay(context, &made, NULL, trace, NULL), "stage");
+	REFUSED(ts_trace_replay(context, &made, "eye", NULL, NULL), "reference");
+	assert_null(made);
 	assert_null(ts_verdicts_at(NULL, 0));
 	assert_null(ts_verdicts_first(NULL));
 }
@@ -197,6 +203,8 @@ static void test_vectors(void **state)
 	REFUSED(ts_vector_check(context, &judged, "fma", NULL), "found");
 	judged.bytes = 0;
 	refused(ts_vector_check(context, &judged, ts_vector_at(0)->name, found), "bytes");
+	assert_null(ts_stage_input(NULL, 0));
+	assert_null(ts_stage_output(NULL, 0));
 	assert_null(ts_method_stage(NULL, "epr", 0));
 	assert_null(ts_method_stage("reflections", NULL, 0));
 }

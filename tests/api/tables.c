@@ -16,6 +16,7 @@ static void test_methods(void **state)
 			bool known = false;
 			for (size_t k = 0; k < n_stages; k++) known |= ts_stage_at(k) == stage;
 			assert_true(known && stage->doc[0] != 0);
+			assert_true(ts_stage_input(stage->name, 0) != NULL && ts_stage_output(stage->name, 0) != NULL);
 			assert_true(strcmp(stage->kind, "map") == 0 || strcmp(stage->kind, "emit") == 0 ||
 			            strcmp(stage->kind, "scatter") == 0);
 			if (stage->margin_of != NULL) {
@@ -29,6 +30,9 @@ static void test_methods(void **state)
 	assert_null(ts_stage_at(n_stages));
 	assert_string_equal(ts_method_at(0)->effect, "reflections");
 	assert_null(ts_method_stage("reflections", "magic", 0));
+	assert_string_equal(ts_stage_output("eye", 0), "eye.depth_triangle");
+	assert_null(ts_stage_output("eye", 1));
+	assert_null(ts_stage_input("magic", 0));
 }
 
 static size_t bytes_of_type(const char *type) { return strcmp(type, "u64") == 0 ? 8 : 4; }

@@ -86,6 +86,10 @@ static void test_part(void **state)
 	options.buffers = "image.srgb,points.record";
 	refused(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options), "makes no points.record");
 	assert_null(part);
+	options.buffers = "splat.tie";
+	refused(ts_trace_run(context, &part, scene, params, "reflections", "epr", &options), "makes no splat.tie");
+	options.buffers = "";
+	refused(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options), "names none");
 	options.buffers = "image";
 	refused(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options), "no buffer \"image\"");
 	options = (ts_run_options){.bytes = sizeof options, .buffers = "image.srgb", .margins = 1};
@@ -149,6 +153,7 @@ static void test_put(void **state)
 	done(ts_trace_put(own, "points.record", 1, shape, NULL, 0));
 	assert_int_equal(count_of(ts_trace_buffer(own, "points.record")), 0);
 	ts_trace_close(own);
+	refused(ts_trace_put(trace, "eye.depth_triangle", 2, (uint64_t[]){36, 64}, keys, 36 * 64 * 8), "no candidate");
 	ts_trace_close(trace);
 	ts_scene_free(scene);
 	ts_params_free(params);

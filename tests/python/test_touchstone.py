@@ -69,6 +69,12 @@ def test_candidate(context, reference, touchstone_judge):
 	assert not verdicts and verdicts.first.where == "pixel (4, 3)" and verdicts.first.inputs.startswith("none")
 	with pytest.raises(pytest.fail.Exception, match="given the candidate's inputs"):
 		touchstone_judge("eye", reference, port)
+	right = context.replayed("eye", reference, port)
+	assert list(right) == ["eye.depth_triangle"] and np.array_equal(right["eye.depth_triangle"], reference["eye.depth_triangle"])
+	before = port["eye.depth_triangle"]
+	port["eye.depth_triangle"] = keys + np.uint64(0)
+	assert np.array_equal(before, keys)
+	port["eye.depth_triangle"] = keys
 	with pytest.raises(touchstone.Error, match="dtype"):
 		port["eye.depth_triangle"] = keys.astype(np.int64)
 	with pytest.raises(touchstone.Error, match="cannot be changed"):
@@ -89,6 +95,13 @@ def test_made_scene(context):
 	made = context.make_scene(SMALL, vertices=vertices, triangles=triangles)
 	trace = context.run(made, "reflections", "mvr", SMALL, buffers=["image.srgb"])
 	assert list(trace) == ["image.srgb"] and len(np.unique(trace["image.srgb"].reshape(-1, 3), axis=0)) > 2
+	texture = np.full((2, 2, 4), 255, np.uint8)
+	context.make_scene(SMALL, images=[(texture, True)], options={"eye": (0, 1, 3), "target": (0, 0, 0)}, vertices=vertices,
+	                   triangles=triangles)
+	with pytest.raises(touchstone.Error, match="would be right"):
+		context.make_scene(SMALL, vertices=np.zeros((4, 3), np.float32), triangles=triangles)
+	with pytest.raises(TypeError, match="camra is no option"):
+		context.make_scene(SMALL, vertices=vertices, triangles=triangles, options={"camra": "front"})
 	triangles["vertex"][1, 2] = 4
 	with pytest.raises(touchstone.Error, match="triangle 1: vertex 4 does not exist"):
 		context.make_scene(SMALL, vertices=vertices, triangles=triangles)

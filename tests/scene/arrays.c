@@ -171,6 +171,9 @@ static void test_refusals(void **state)
 	moved[2].object = 1;
 	refuses(&bad, NULL, "vertex 2: object 1 does not exist; there are 1");
 	moved[2].object = 0;
+	moved[1].normal[2] = NAN;
+	refuses(&bad, NULL, "vertex 1: a number is not finite");
+	moved[1].normal[2] = 0;
 	moved[1].position[2] = 2e8f;
 	refuses(&bad, NULL, "vertex 1: coordinate 2e+08");
 	bad = good;
@@ -192,6 +195,16 @@ static void test_refusals(void **state)
 	bad.objects = &mirror;
 	bad.n_objects = 1;
 	refuses(&bad, NULL, "object 0 is a mirror");
+	ts_camera_array camera = {"front", {0, 1, 3}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.1f};
+	bad = good;
+	bad.cameras = &camera;
+	bad.n_cameras = 1;
+	camera.yfov = 0.5f;
+	refuses(&bad, NULL, "camera 0: an eye within");
+	camera.yfov = 0.1f;
+	camera.up[0] = 0.5f;
+	refuses(&bad, NULL, "camera 0: an eye within");
+	refuses(&good, &(ts_scene_options){.n_mirrors = 5}, "5 mirrors; at most 1000, and an array of them");
 	refuses(&good, &(ts_scene_options){.reflector = "ball"}, "no named nodes");
 	refuses(&good, &(ts_scene_options){.camera = "front"}, "camera front");
 }

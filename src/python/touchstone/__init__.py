@@ -36,7 +36,11 @@ def _text(pointer):
 
 
 def _bytes(text):
-	return ffi.NULL if text is None else ffi.new("char[]", str(text).encode())
+	if text is None:
+		return ffi.NULL
+	if "\0" in str(text):
+		raise Error(f"{text!r}: a text without the character 0 would be right")
+	return ffi.new("char[]", str(text).encode())
 
 
 def _struct(pointer):
@@ -58,6 +62,10 @@ def _rows(at):
 
 def _options(kind, **members):
 	"""(struct, what it points to) of a caller's options."""
+	known = [name for name, _ in ffi.typeof(kind).fields]
+	for name in members:
+		if name not in known:
+			raise TypeError(f"{name} is no option; there are {', '.join(known[1:])}")
 	kept = {name: _bytes(value) if isinstance(value, str) else value for name, value in members.items() if value is not None}
 	return ffi.new(kind + " *", {"bytes": ffi.sizeof(kind), **kept}), kept
 
@@ -113,6 +121,32 @@ def _dtype(scalar):
 	return np.dtype(f"{scalar[0]}{int(scalar[1:]) // 8}")
 
 
+_of_arrays = {"vertices": "scene.vertex", "triangles": "scene.triangle", "materials": "scene.material", "slots": "scene.slot",
+              "lights": "scene.light", "objects": "scene.object", "surfels": "scene.surfel"}
+
+
+def _array(array, dtype, n_dims, what):
+	"""In C order. What is another thing is refused rather than converted."""
+	array = np.asarray(array)
+	if array.dtype != dtype or array.ndim != n_dims:
+		raise Error(f"{what}: {array.ndim} dimensions of {array.dtype}; {n_dims} of {dtype} would be right")
+	return np.ascontiguousarray(array)
+
+
+def _places(options):
+	"""ts_scene_options; places are sequences of numbers."""
+	options = dict(options)
+	for name in ("eye", "target", "lamp"):
+		if options.get(name) is not None:
+			if len(options[name]) != 3:
+				raise Error(f"{name}: three numbers would be right")
+			options[name] = ffi.new("float[3]", [float(x) for x in options[name]])
+	if options.get("mirrors") is not None:
+		options["n_mirrors"] = len(options["mirrors"])
+		options["mirrors"] = ffi.new("float[][4]", [[float(x) for x in ball] for ball in options["mirrors"]])
+	return _options("ts_scene_options", **options)
+
+
 def _params(values):
 	params, _ = _made("ts_params", lib.ts_params_free, lib.ts_params_make, _made)
 	for name, value in (values or {}).items():
@@ -136,30 +170,37 @@ class Context:
 		self._handle, _ = _made("ts_context", lib.ts_context_close, lib.ts_context_open, _made, options)
 
 	def open_scene(self, spec, params=None, **options):
-		"""A built-in scene or a file; options are members of ts_scene_options, such as camera="circle"."""
-		wanted, kept = _options("ts_scene_options", **options)
+		"""A built-in scene or a file; options are members of ts_scene_options, such as camera="circle" or eye=(0, 1, 2)."""
+		wanted, kept = _places(options)
 		handle, _ = _made("ts_scene", lib.ts_scene_free, lib.ts_scene_open, self._handle, _made, _bytes(spec),
 		                  _params(params), wanted)
 		return Scene(self, handle)
 
-	def make_scene(self, params=None, **arrays):
+	def make_scene(self, params=None, name=None, images=(), options=None, **arrays):
 		"""A scene of arrays of records: vertices, triangles, materials, slots, lights, objects, surfels, each of the
-		dtype of buffers()["scene.vertex"] and so on."""
-		members, kept = {}, []
-		for name, array in arrays.items():
-			element = buffers()["scene." + name[:-1].replace("vertice", "vertex")]
-			array = np.ascontiguousarray(array, element.dtype)
+		dtype of buffers()["scene.vertex"] and so on. images: pairs of an array of rows of RGBA bytes, and whether its
+		colours are coded as sRGB. options: as of open_scene."""
+		members, kept = {"name": name}, []
+		for what, array in arrays.items():
+			element = buffers()[_of_arrays.get(what, "scene." + what)]
+			array = _array(array, element.dtype, 1, what)
 			kept.append(array)
-			members[name] = ffi.cast(element.element + " *", array.ctypes.data)
-			members["n_" + name] = len(array)
-		given, _ = _options("ts_scene_arrays", **members)
-		handle, _ = _made("ts_scene", lib.ts_scene_free, lib.ts_scene_make, self._handle, _made, given, _params(params),
-		                  ffi.NULL)
+			members[what] = ffi.cast(element.element + " *", array.ctypes.data)
+			members["n_" + what] = len(array)
+		pictures = [(_array(rgba, np.dtype("u1"), 3, "an image"), srgb) for rgba, srgb in images]
+		if any(rgba.shape[2] != 4 for rgba, _ in pictures):
+			raise Error("an image: 4 bytes a pixel would be right")
+		members["images"] = ffi.new("ts_image_array[]", [(ffi.cast("uint8_t *", rgba.ctypes.data), rgba.shape[1], rgba.shape[0],
+		                                                  int(srgb)) for rgba, srgb in pictures])
+		members["n_images"] = len(pictures)
+		given, texts = _options("ts_scene_arrays", **members)
+		wanted, places = _places(options or {})
+		handle, _ = _made("ts_scene", lib.ts_scene_free, lib.ts_scene_make, self._handle, _made, given, _params(params), wanted)
 		return Scene(self, handle)
 
 	def run(self, scene, effect, method, params=None, buffers=None, margins=False, arrival=False):
 		"""Runs a method and keeps its buffers, or those that `buffers` names."""
-		options, kept = _options("ts_run_options", buffers=buffers and ",".join(buffers), margins=int(margins),
+		options, kept = _options("ts_run_options", buffers=buffers if buffers is None or isinstance(buffers, str) else ",".join(buffers), margins=int(margins),
 		                         arrival=int(arrival))
 		handle, _ = _made("ts_trace", lib.ts_trace_close, lib.ts_trace_run, self._handle, _made, scene._handle,
 		                  _params(params), _bytes(effect), _bytes(method), options)
@@ -174,7 +215,7 @@ class Context:
 		"""Verdicts of a candidate; options are members of ts_compare_options, such as ulp=1 or forced=True. mask: an
 		array of rows of pixels, which are judged where it is not 0."""
 		if mask is not None:
-			mask = np.ascontiguousarray(mask, np.uint8)
+			mask = _array(np.asarray(mask) != 0, np.dtype(bool), 2, "mask").view(np.uint8)
 			options.update(mask=ffi.cast("uint8_t *", mask.ctypes.data), mask_height=mask.shape[0], mask_width=mask.shape[1])
 		wanted, kept = _options("ts_compare_options", **{n: int(v) if isinstance(v, bool) else v for n, v in options.items()})
 		return Verdicts(*_made("ts_verdicts", lib.ts_verdicts_free, lib.ts_compare, self._handle, _made, reference._handle,
@@ -183,7 +224,13 @@ class Context:
 	def replay(self, stage, reference, candidate=None):
 		"""Verdicts of one stage's outputs, given the candidate's own inputs."""
 		return Verdicts(*_made("ts_verdicts", lib.ts_verdicts_free, lib.ts_replay, self._handle, _made, _bytes(stage),
-		                       reference._handle, candidate._handle if candidate is not None else ffi.NULL))
+		                       reference._handle, candidate._handle if candidate is not None else ffi.NULL, ffi.NULL))
+
+	def replayed(self, stage, reference, candidate=None):
+		"""What the stage makes of the candidate's own inputs, as a trace."""
+		handle, _ = _made("ts_trace", lib.ts_trace_close, lib.ts_trace_replay, self._handle, _made, _bytes(stage),
+		                  reference._handle, candidate._handle if candidate is not None else ffi.NULL)
+		return Trace(self, handle)
 
 
 class Scene:
@@ -205,7 +252,7 @@ class Trace(collections.abc.Mapping):
 		if view == ffi.NULL:
 			raise Error(_text(lib.ts_error_message()))
 		dtype, shape = buffers()[name].dtype, tuple(view.shape[i] for i in range(view.n_dims))
-		return np.asarray(_View(self, int(ffi.cast("uintptr_t", view.data)), shape, dtype))
+		return np.asarray(_View((self, self._given.get(name)), int(ffi.cast("uintptr_t", view.data)), shape, dtype))
 
 	def __setitem__(self, name, array):
 		"""Gives a candidate a buffer; an array that is contiguous, of the buffer's dtype, is not copied."""
@@ -264,8 +311,8 @@ class Trace(collections.abc.Mapping):
 class _View:
 	"""Memory that stays while an array of it does."""
 
-	def __init__(self, trace, address, shape, dtype):
-		self.trace = trace
+	def __init__(self, kept, address, shape, dtype):
+		self.kept = kept
 		self.__array_interface__ = {"version": 3, "data": (address, True), "shape": shape, "typestr": dtype.str,
 		                            "descr": dtype.descr}
 

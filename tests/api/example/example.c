@@ -45,7 +45,7 @@ int main(int n_words, char **word)
 	check(ts_trace_candidate(context, &port, reference, 0));
 	check(ts_trace_put(port, keys->name, keys->n_dims, keys->shape, theirs, 54 * 96 * sizeof *theirs));
 	check(ts_compare(context, &alone, reference, port, NULL));
-	check(ts_replay(context, &given, "eye", reference, port));
+	check(ts_replay(context, &given, "eye", reference, port, NULL));
 	puts(ts_verdicts_first(alone)->line);
 	puts(ts_verdicts_first(given)->line);
 

@@ -37,6 +37,6 @@ int main()
 	std::vector<float> theirs(right, right + 54 * 96 * 3);
 	theirs[1000] *= 1.0000001f;
 	check(ts_trace_put(port.get(), image->name, 3, image->shape, theirs.data(), theirs.size() * sizeof(float)));
-	auto verdicts = make(ts_verdicts_free, ts_replay, c, "image", ours.get(), port.get());
+	auto verdicts = make(ts_verdicts_free, ts_replay, c, "image", ours.get(), port.get(), nullptr);
 	std::puts(ts_verdicts_first(verdicts.get())->line);
 }
