@@ -46,9 +46,9 @@ TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char
  * in any order. */
 TS_API ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const ts_trace *reference, int arrival);
 
-/* Gives a candidate of ts_trace_candidate a buffer, or puts another in its place: an array of the shape that records.def says, in C order.
- * The array is not copied: it must stay, and stay as it is, until ts_trace_close or until another takes its place.
- * bytes: of all of it. */
+/* Gives a candidate of ts_trace_candidate a buffer, or puts another in its place: an array of the shape that records.def
+ * says, in C order. The array is not copied: it must stay, and stay as it is, until ts_trace_close or until another takes
+ * its place. bytes: of all of it. */
 TS_API ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_dims, const uint64_t *shape,
                               const void *data, size_t bytes);
 
@@ -69,7 +69,7 @@ TS_API int ts_trace_has(const ts_trace *trace, const char *name);
  * message set: no such buffer, the trace lacks it, or its file cannot be read. */
 TS_API const ts_buffer_view *ts_trace_buffer(ts_trace *trace, const char *name);
 
-/* The SHA-256 of the file that a trace in a folder has of a buffer, as 64 hexadecimal digits and a 0. */
+/* SHA-256 of a buffer as the .npy file that a trace in a folder has of it: 64 hexadecimal digits and a 0. */
 TS_API ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65]);
 
 /* Runs a method and calls `each` with the digest of every buffer, in the order of the stages, without keeping any: for

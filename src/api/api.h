@@ -18,7 +18,8 @@ ts_status ts_api_enter(const ts_context *context);
 void ts_api_leave(void);
 
 /* Copies a caller's struct of options, `type`. NULL: nothing. TS_ERROR: its size is none, or it sets what this library
- * does not know. Where a struct grows, callers of the older one stop short of our_bytes: then its first size is least. */
+ * does not know. Where a struct grows, callers of the older one stop short of our_bytes: then its first size is the
+ * least. */
 ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, const char *type);
 
 #endif
