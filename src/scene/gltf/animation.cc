@@ -20,21 +20,21 @@ static const struct {
 	{"scale", TINYGLTF_TYPE_VEC3, 3, AS_FLOAT},
 };
 
-static const view &open_shared(loader &in, int accessor, int type, unsigned forms, const std::string &what)
+static const view *open_shared(loader &in, int accessor, int type, unsigned forms, const std::string &what)
 {
 	auto key = std::make_pair(accessor, type);
 	auto found = in.animated.views.find(key);
 	if (found == in.animated.views.end())
 		found = in.animated.views.emplace(key, view_open(in, accessor, type, type, forms, what)).first;
-	return found->second;
+	return &found->second;
 }
 
-static const view &open_times(loader &in, int accessor)
+static const view *open_times(loader &in, int accessor)
 {
 	bool is_new = in.animated.views.count({accessor, TINYGLTF_TYPE_SCALAR}) == 0;
-	const view &times = open_shared(in, accessor, TINYGLTF_TYPE_SCALAR, AS_FLOAT, "times");
-	for (size_t i = 0; i < times.count && is_new; i++) {
-		f32 time = times.number(i, 0), before = i > 0 ? times.number(i - 1, 0) : -1.0f;
+	const view *times = open_shared(in, accessor, TINYGLTF_TYPE_SCALAR, AS_FLOAT, "times");
+	for (size_t i = 0; i < times->count && is_new; i++) {
+		f32 time = times->number(i, 0), before = i > 0 ? times->number(i - 1, 0) : -1.0f;
 		if (i == 0 && time < 0.0f)
 			fail("accessors/%d (times): item 0 is %g; a time from 0 is expected", accessor, (double)time);
 		if (i > 0 && time <= before)
@@ -49,8 +49,8 @@ static track open_track(loader &in, const recorded &from, const channel &c, unsi
 	if (c.sampler >= from.samplers.size())
 		fail("%s/sampler is %zu; the animation has %zu samplers", where.c_str(), c.sampler, from.samplers.size());
 	const sampler &s = from.samplers[c.sampler];
-	track t = {&open_times(in, s.input), nullptr, s.mode};
-	t.values = &open_shared(in, s.output, paths[path].type, paths[path].forms, paths[path].name);
+	track t = {open_times(in, s.input), nullptr, s.mode};
+	t.values = open_shared(in, s.output, paths[path].type, paths[path].forms, paths[path].name);
 	size_t wanted = t.times->count * (t.mode == "CUBICSPLINE" ? 3 : 1);
 	if (t.values->count != wanted)
 		fail("accessors/%d (%s): %zu items for %zu times; %zu are expected", s.output, paths[path].name,
