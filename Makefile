@@ -107,7 +107,7 @@ CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson l
 LIBS := -lembree$(EMBREE) $(call packages,--libs,jansson libcrypto zlib OpenCL) $(call packages,--libs,tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test check test-long dist fuzz matrix matrix-short mutants faults release-check style format deps uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test check test-long dist fuzz matrix matrix-short mutants faults release-check style format deps-build deps-test uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -255,9 +255,11 @@ $(PSEUDOCODE)/made: scripts/pseudocode $(wildcard scripts/kernel/*) src/backends
 	$(call say,GEN,$(@D))
 	$(Q)rm -rf $(@D) && scripts/pseudocode $(@D) && touch $@
 
-# And as PTX.
+# And as PTX, an empty file where there is no clang.
 PTX := $(BUILD)/gen/kernels.ptx
-$(PTX): scripts/ptx $(wildcard src/backends/cuda/*) src/backends/kernels.h src/backends/kernels.def src/families.def \
+$(BUILD)/gen/clang: FORCE
+	$(call keep,$(notdir $(shell command -v clang)))
+$(PTX): scripts/ptx $(BUILD)/gen/clang $(wildcard src/backends/cuda/*) src/backends/kernels.h src/backends/kernels.def src/families.def \
 		$(wildcard src/kernels/*/*) include/touchstone/records.def
 	$(call say,GEN,$@)
 	$(Q)mkdir -p $(@D)
@@ -321,12 +323,12 @@ $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 -include $(ALL_O:.o=.d)
 
 ##   demo               install what is missing, build, render the mirrors of the atrium
-demo: deps
+demo: deps-build
 	$(Q)$(MAKE) --no-print-directory all
 	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 960x540 -o out/demo --force
 
 ##   test               install what is missing, build, run the tests; T="PARTS OF NAMES"; also with config=asan|ubsan|tsan
-test: deps
+test: deps-test
 	$(Q)$(MAKE) --no-print-directory all tests
 	$(Q)CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-tests $(T)
 
@@ -382,7 +384,7 @@ $(BUILD)/tests/fuzz/%: $(BUILD)/obj/tests/fuzz/%.c.o $(BUILD)/obj/tests/begin.c.
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CXX) $(LINK_FLAGS) -fsanitize=fuzzer $(FIND_ABOVE) $^ $(LIBS) -o $@
-fuzz: deps
+fuzz: deps-test
 	$(Q)$(MAKE) --no-print-directory all
 	$(Q)$(MAKE) --no-print-directory config=fuzz $(FUZZ_BIN)
 	$(Q)scripts/fuzz-seeds
@@ -397,13 +399,13 @@ matrix matrix-short:
 	$(Q)scripts/matrix $(if $(filter matrix-short,$@),--short)
 
 ##   mutants            defects planted in sources and traces: each must be found where it was planted
-mutants: deps
+mutants: deps-test
 	$(Q)$(MAKE) --no-print-directory all
 	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK="$(CXX) $(LINK_FLAGS) -Wl,-rpath,$(abspath $(BUILD))" \
 		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(T)
 
 ##   faults             calls that fail, one by one, in small commands; T="COMMANDS OR KINDS"; most of an hour
-faults: deps
+faults: deps-test
 	$(Q)$(MAKE) --no-print-directory all
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' scripts/faults $(T)
 
@@ -426,8 +428,8 @@ style:
 format:
 	$(Q)scripts/format-check --write
 
-deps:
-	$(Q)scripts/install-deps
+deps-build deps-test:
+	$(Q)scripts/install-deps $(@:deps-%=--%)
 
 ##   install uninstall  under DESTDIR, in PREFIX=/usr/local or GNU's directories: prefix bindir libdir docdir mandir ...
 ifneq (,$(filter install uninstall installcheck,$(MAKECMDGOALS)))
@@ -459,7 +461,7 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	install -m 644 $(wildcard include/touchstone/*.h) $(INCLUDE)
 	scripts/assembled include/touchstone/records.def | install -m 644 /dev/stdin $(INCLUDE)/records.def
 	install -m 755 scripts/spirv-exact $(DATA)/spirv-exact
-	install -m 644 $(PTX) $(DATA)/kernels.ptx
+	[ ! -s $(PTX) ] || install -m 644 $(PTX) $(DATA)/kernels.ptx
 	rm -rf $(DATA)/glsl
 	cp -R $(PLAIN) $(DATA)/glsl
 	rm $(DATA)/glsl/made
@@ -510,4 +512,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test check test-long tests fuzz matrix matrix-short mutants faults release-check bench style format deps install uninstall installcheck dist clean help FORCE
+.PHONY: all core golden demo test check test-long tests fuzz matrix matrix-short mutants faults release-check bench style format deps-build deps-test install uninstall installcheck dist clean help FORCE

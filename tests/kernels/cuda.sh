@@ -40,6 +40,16 @@ planted() {
 	scripts/ptx "$folder/planted.ptx" "$1" && inexact "$folder/planted.ptx" | grep -qx "$2"
 	result $? "$1 shows as $2"
 }
+
+# A build without clang: PATH has no more than the script needs, and no clang.
+mkdir "$folder/bin"
+ln -s "$(command -v bash)" "$folder/bin"
+PATH=$folder/bin scripts/ptx "$folder/none.ptx" 2> "$folder/log" && [ -e "$folder/none.ptx" ] && [ ! -s "$folder/none.ptx" ] &&
+	[ "$(wc -l < "$folder/log")" -eq 1 ] && grep -q '^ptx: no clang: ' "$folder/log" &&
+	scripts/cuda-program "$folder/none.ptx" "$folder/none" > "$folder/none.inc" && [ ! -e "$folder/none" ] &&
+	grep -q '^static const u32 first_byte.* = {0\(, 0\)*};$' "$folder/none.inc"
+result $? 'without clang there are no kernels, and one line says so'
+
 planted -ffp-contract=fast fma.rn.f32
 planted -fcuda-flush-denormals-to-zero mul.rn.ftz.f32
 planted -ffast-math sqrt.approx.f32

@@ -15,10 +15,38 @@ deps() {
 	status=$?
 }
 
+# wants GROUP: the packages that it would install on a machine without any.
+wants() {
+	TS_INSTALL=0 scripts/install-deps "--$1" 2>&1 > "$scratch/stdout" | sed -n 's/^install-deps: .* missing: //p' | tr ' ' '\n'
+}
+command dpkg-query 'exit 1'
+good=0 before=/dev/null
+for group in core build test matrix; do
+	wants $group > "$scratch/$group"
+	n_before=$(wc -l < "$before")
+	head -n "$n_before" "$scratch/$group" | cmp -s "$before" - && [ "$(wc -l < "$scratch/$group")" -gt "$n_before" ] || good=1
+	before=$scratch/$group
+done
+[ -z "$(sort "$scratch/matrix" | uniq -d)" ]
+verdict $((good + $?)) 'each group is the one before and more, and names no package twice'
+! grep -qE '^(clang|pocl|mesa|libcmocka)' "$scratch/build"
+verdict $? 'who only builds gets no clang, no drivers and no tests'
+refused=$(scripts/install-deps --none 2>&1)
+[ $? -eq 2 ] && [ "$(wc -l <<< "$refused")" -eq 1 ] && grep -q 'unknown option --none: use --core, ' <<< "$refused"
+verdict $? 'an unknown group is refused'
+
+command dpkg-query '[ "${!#}" = gcc ] || echo installed'
 deps env -u TS_INSTALL scripts/install-deps
 [ "$status" -eq 0 ] && [ "$(cat "$scratch/stdout")" = 'install-deps: installing gcc' ] &&
 	grep -q '^install .* gcc$' "$scratch/asked"
 verdict $? 'what is missing is printed and installed'
+
+# What the targets ask for; their own make stops at the target that has no rule.
+for target in demo:build test:test fuzz:test mutants:test faults:test; do
+	made=$(make -n "${target%:*}" T=none 2> "$scratch/stderr" | grep -o 'scripts/install-deps.*')
+	[ "$made" = "scripts/install-deps --${target#*:}" ]
+	verdict $? "make ${target%:*} wants what is needed to ${target#*:}"
+done
 
 for target in demo test check; do
 	install=0
