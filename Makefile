@@ -162,7 +162,7 @@ $(BUILD)/libtouchstone.a: $(LIB_O)
 shared = $(CXX) $(LINK_FLAGS) -shared -Wl,-soname,$(1) -Wl,--version-script=$(filter %.map,$^) $(filter %.o,$^)
 $(BUILD)/libtouchstone.so: $(LIB_O) scripts/exports.map | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
-	$(Q)$(call shared,$(@F).$(ABI)) $(FIND_MODULE) $(LIBS) -o $@
+	$(Q)$(call shared,$(@F).$(ABI)) $(FIND_MODULE):'$$ORIGIN/touchstone' $(LIBS) -o $@
 
 $(BUILD)/libtouchstone-image.so: $(IMAGE_O) scripts/module.map
 	$(call say,LINK,$@)
@@ -172,12 +172,12 @@ $(BUILD)/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-
 	$(call say,LINK,$@)
 	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE) $^ $(LIBS) -o $@
 
-# As it is installed: the module stands in libdir as seen from bindir, wherever the prefix is moved to.
+# As it is installed: the module stands in libdir/touchstone as seen from bindir, wherever the prefix is moved to.
 $(BUILD)/installed/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a $(BUILD)/installed/dirs
 	$(call say,LINK,$@)
 	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE)/$$(cat $(@D)/dirs) $(filter-out %/dirs,$^) $(LIBS) -o $@
 $(BUILD)/installed/dirs: FORCE
-	$(call keep,$(shell realpath -ms --relative-to=$(bindir) $(libdir)))
+	$(call keep,$(shell realpath -ms --relative-to=$(bindir) $(libdir)/touchstone))
 
 # For pkg-config. Paths below the prefix follow where it is moved to.
 below = $(patsubst $(prefix)/%,$${prefix}/%,$(1))
@@ -191,7 +191,7 @@ Description: Bit-exact reference for many-view and point-based rendering
 Version: $(VERSION)
 Cflags: -I$${includedir}
 Libs: -L$${libdir} -ltouchstone
-Libs.private: $(filter -fopenmp,$(THREADED)) $(LIBS) -lstdc++
+Libs.private: $(filter -fopenmp,$(THREADED)) $(LIBS) -lstdc++ -Wl,-rpath,$${libdir}/touchstone
 endef
 export TOUCHSTONE_PC
 
@@ -449,12 +449,12 @@ PYTHON := $(DESTDIR)$(pythondir)/touchstone
 REFERENCE := $(wildcard $(patsubst %,reference/*.%,md json png))
 COMMANDS := $(shell sed -nE 's/^\t\{"([a-z]+)",.*/\1/p' src/cli/commands.c)
 install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(PTX) $(PYTHON_PACKAGE)/made
-	install -d $(BIN) $(LIB)/pkgconfig $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference $(MAN) \
+	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference $(MAN) \
 		$(BASH_COMPLETION) $(ZSH_COMPLETION) $(PYTHON)
 	install -m 755 $(BUILD)/installed/touchstone $(BIN)/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(LIB)/libtouchstone.a
 	install -m 755 $(BUILD)/libtouchstone.so $(LIB)/libtouchstone.so.$(VERSION)
-	install -m 755 $(BUILD)/libtouchstone-image.so $(LIB)
+	install -m 755 $(BUILD)/libtouchstone-image.so $(LIB)/touchstone
 	ln -sfn libtouchstone.so.$(VERSION) $(LIB)/libtouchstone.so.$(ABI)
 	ln -sfn libtouchstone.so.$(ABI) $(LIB)/libtouchstone.so
 	printf '%s\n' "$$TOUCHSTONE_PC" | install -m 644 /dev/stdin $(LIB)/pkgconfig/touchstone.pc
@@ -482,8 +482,8 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 uninstall:
 	rm -f $(BIN)/touchstone $(LIB)/pkgconfig/touchstone.pc $(MAN)/touchstone.1 $(COMMANDS:%=$(MAN)/touchstone-%.1)
 	rm -f $(BASH_COMPLETION)/touchstone $(ZSH_COMPLETION)/_touchstone
-	rm -f $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.$(ABI) .so.$(VERSION) -image.so)
-	rm -rf $(INCLUDE) $(DATA) $(DOC)/kernels $(PYTHON)
+	rm -f $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.$(ABI) .so.$(VERSION))
+	rm -rf $(LIB)/touchstone $(INCLUDE) $(DATA) $(DOC)/kernels $(PYTHON)
 	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE $(REFERENCE))
 	for folder in $(DOC)/reference $(DOC); do [ ! -d $$folder ] || rmdir --ignore-fail-on-non-empty $$folder; done
 

@@ -29,7 +29,9 @@ static ts_status require_codec(const char *what)
 {
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
 	pthread_once(&once, load);
-	return codec != NULL ? TS_OK : ts_fail("%s: images need a module that did not load: %s", what, missing);
+	if (codec != NULL) return TS_OK;
+	return ts_fail("%s: images need a module that did not load, in Debian the package touchstone-image: %s", what,
+	               missing);
 }
 
 /* The module keeps messages of its own. */

@@ -13,7 +13,7 @@ run compare "$scratch"/trace/trace-{epr,epr}
 verdict "$status" 'a comparison without the module'
 run render "${small[@]}" -o "$scratch/image"
 [ "$status" -eq 2 ] && [ "$(wc -l < "$scratch/stderr")" -eq 1 ] && [ ! -e "$scratch/image" ] &&
-	grep -q 'images need a module that did not load: libtouchstone-image.so: cannot open' "$scratch/stderr"
+	grep -q 'images need a module .*the package touchstone-image: libtouchstone-image.so: cannot open' "$scratch/stderr"
 verdict $? 'no image without the module'
 
 case ${BUILD:-} in

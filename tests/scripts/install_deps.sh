@@ -21,7 +21,7 @@ wants() {
 }
 command dpkg-query 'exit 1'
 good=0 before=/dev/null
-for group in core build test matrix; do
+for group in core build test package matrix; do
 	wants $group > "$scratch/$group"
 	n_before=$(wc -l < "$before")
 	head -n "$n_before" "$scratch/$group" | cmp -s "$before" - && [ "$(wc -l < "$scratch/$group")" -gt "$n_before" ] || good=1
@@ -31,6 +31,10 @@ done
 verdict $((good + $?)) 'each group is the one before and more, and names no package twice'
 ! grep -qE '^(clang|pocl|mesa|libcmocka)' "$scratch/build"
 verdict $? 'who only builds gets no clang, no drivers and no tests'
+for with in gcc-12:gcc-12 'clang-15:clang-15 libomp-15-dev'; do
+	wants "${with%:*}" | grep -vxFf "$scratch/core" | paste -sd' ' | grep -qx "${with#*:}"
+	verdict $? "the core with ${with%:*} needs that too"
+done
 refused=$(scripts/install-deps --none 2>&1)
 [ $? -eq 2 ] && [ "$(wc -l <<< "$refused")" -eq 1 ] && grep -q 'unknown option --none: use --core, ' <<< "$refused"
 verdict $? 'an unknown group is refused'
