@@ -107,7 +107,7 @@ CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson l
 LIBS := -lembree$(EMBREE) $(call packages,--libs,jansson libcrypto zlib OpenCL) $(call packages,--libs,tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test check test-long dist fuzz matrix matrix-short mutants faults release-check style format deps-build deps-test uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test check test-long dist fuzz matrix matrix-short distros distros-short mutants faults release-check style format deps-build deps-test uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -398,6 +398,11 @@ matrix matrix-short:
 	$(Q)scripts/install-deps --matrix
 	$(Q)scripts/matrix $(if $(filter matrix-short,$@),--short)
 
+##   distros            chroots of Debian 12 and 13: builds, traces, packages, each gcc and clang that they carry
+##   distros-short      the part of it that .ci/run runs
+distros distros-short:
+	$(Q)scripts/distros $(if $(filter distros-short,$@),--short)
+
 ##   mutants            defects planted in sources and traces: each must be found where it was planted
 mutants: deps-test
 	$(Q)$(MAKE) --no-print-directory all
@@ -409,10 +414,10 @@ faults: deps-test
 	$(Q)$(MAKE) --no-print-directory all
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' scripts/faults $(T)
 
-##   release-check      what a release must pass beside .ci/run: test-long, faults, matrix; hours
+##   release-check      what a release must pass beside .ci/run: test-long, faults, matrix, distros; hours
 release-check:
 	$(Q)scripts/install-deps --matrix
-	$(Q)for part in test-long faults matrix; do $(MAKE) --no-print-directory $$part || exit; done
+	$(Q)for part in test-long faults matrix distros; do $(MAKE) --no-print-directory $$part || exit; done
 
 ##   bench              the papers' tables, measured here, and every backend on one frame
 bench: all
@@ -512,4 +517,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test check test-long tests fuzz matrix matrix-short mutants faults release-check bench style format deps-build deps-test install uninstall installcheck dist clean help FORCE
+.PHONY: all core golden demo test check test-long tests fuzz matrix matrix-short distros distros-short mutants faults release-check bench style format deps-build deps-test install uninstall installcheck dist clean help FORCE
