@@ -1,10 +1,11 @@
 #!/bin/bash
-# The packaging in debian/ says what the tree says: version, soname, what is needed to build, and who gets which file. Lintian
-# reads the source package where it is installed; `make distros` builds and installs the packages.
+# The packaging in debian/ says what the tree says: version, soname, what is needed to build, and who gets which file.
+# Lintian reads the source package where it is installed; `make distros` builds and installs the packages.
 . "$(dirname "$0")/../cli/tap.bash"
 library=${BUILD:-build/release}/libtouchstone.so
 
-[ "$(sed -n '1s/^touchstone (\([0-9.]*\)) .*/\1/p' debian/changelog)" = "$("$touchstone" --version | sed 's/^touchstone \([0-9.]*\),.*/\1/')" ]
+version=$("$touchstone" --version | sed 's/^touchstone \([0-9.]*\),.*/\1/')
+[ -n "$version" ] && [ "$(sed -n '1s/^touchstone (\(.*\)) .*/\1/p' debian/changelog)" = "$version" ]
 verdict $? 'the version of the changelog is that of the command'
 soname=$(readelf -d "$library" | sed -n 's/.*SONAME.*\[libtouchstone\.so\.\(.*\)\]/\1/p')
 grep -qx "Package: libtouchstone$soname" debian/control && [ -e "debian/libtouchstone$soname.install" ] &&
@@ -26,7 +27,8 @@ if [[ ${BUILD:-} =~ (asan|ubsan|tsan)$ ]]; then
 	echo "ok $((tests += 1)) - each file that is installed is in one package # SKIP no installation of a sanitizer's build"
 else
 	make -s install DESTDIR="$scratch/made" "${places[@]}" > "$scratch/stdout"
-	(cd "$scratch/made" && find . ! -type d | cut -c3- | grep -vE '^usr/share/doc/touchstone/(CHANGELOG.md|LICENSE)$') > "$scratch/files"
+	(cd "$scratch/made" && find . ! -type d | cut -c3- | grep -vE '^usr/share/doc/touchstone/(CHANGELOG.md|LICENSE)$') \
+		> "$scratch/files"
 	patterns=$(cat debian/*.install)
 	set -f
 	while read -r file; do

@@ -1,5 +1,6 @@
 #!/bin/bash
-# What scripts/distros says of distributions, and what is left of it; debootstrap and chroot are ours, and so nothing is installed.
+# What scripts/distros says of distributions, and what is left of it; nothing is installed, for debootstrap, chroot and
+# autopkgtest are ours.
 . "$(dirname "$0")/../cli/tap.bash"
 if [ "$(id -u)" -ne 0 ] || ! unshare --mount --pid --fork true 2> /dev/null; then
 	echo '1..0 # SKIP no mounts of its own are allowed here'
