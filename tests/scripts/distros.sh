@@ -65,26 +65,23 @@ judged true --long
 [ "$status" -eq 2 ] && grep -q '^distros: usage: ' "$scratch/stderr"
 verdict $? 'no other word is taken'
 
-# left: mounts and processes of the chroots.
-left() {
-	grep -c "$scratch" /proc/mounts
-	grep -lz "^$scratch/[l]ong" /proc/[0-9]*/cmdline 2> /dev/null
+# within: folders of /proc of what runs in the chroot.
+within() {
+	grep -lzx "$scratch/[l]ong" /proc/[0-9]*/cmdline 2> /dev/null | sed 's|/cmdline$||'
 }
 command debootstrap 'mkdir -p "$3/etc" "$3/proc"'
 printf '#!/bin/bash\nsleep 1000\n' > "$scratch/long" && chmod +x "$scratch/long"
+command chroot "exec '$scratch/long'"
 for signal in TERM KILL; do
-	rm -f "$scratch/begun"
-	command chroot "touch '$scratch/begun' && '$scratch/long'"
 	"$scratch/tree/scripts/distros" --short > "$scratch/stdout" 2>&1 &
 	script=$!
-	for ((i = 0; i < 100; i++)); do [ -e "$scratch/begun" ] && break || sleep 0.1; done
-	sleep 0.2
-	grep -q trixie/proc /proc/"$(pgrep -f "$scratch/[l]ong" | head -n 1)"/mounts && [ "$(left | head -n 1)" = 0 ]
+	for ((i = 0; i < 100; i++)); do [ -n "$(within)" ] && break || sleep 0.1; done
+	grep -q trixie/proc "$(within)/mounts" && ! grep -q "$scratch" /proc/mounts
 	verdict $? 'a mounted /proc is seen within alone'
 	kill -$signal $script
 	wait $script 2> /dev/null
-	for ((i = 0; i < 50; i++)); do pgrep -f "$scratch/[l]ong" > /dev/null && sleep 0.1 || break; done
-	[ "$(left)" = 0 ] && ! pgrep -f "$scratch/[l]ong" > /dev/null
+	for ((i = 0; i < 50; i++)); do [ -z "$(within)" ] && break || sleep 0.1; done
+	[ -z "$(within)" ] && ! grep -q "$scratch" /proc/mounts
 	verdict $? "nothing is left after SIG$signal"
 done
 finish
