@@ -1,6 +1,6 @@
 #!/bin/bash
-# The packaging in debian/ says what the tree says: version, soname, what is needed to build, and who gets which file.
-# Lintian reads the source package where it is installed; `make distros` builds and installs the packages.
+# The packaging in debian/ says what the tree says: version, soname, what is needed to build; who gets which file install.sh
+# asks. Lintian reads the source package where it is installed; `make distros` builds and installs the packages.
 . "$(dirname "$0")/../cli/tap.bash"
 library=${BUILD:-build/release}/libtouchstone.so
 
@@ -20,29 +20,6 @@ chmod +x "$scratch/bin"/*
 	grep -vxE 'gcc|g\+\+|make|libc6-dev' && echo clang && echo 'debhelper-compat (= 13)') | sort > "$scratch/wanted"
 sed -n '/^Build-Depends:/,/^[^ ]/s/^ \(.*\),$/\1/p' debian/control | sort | diff "$scratch/wanted" - | sed 's/^/# /'
 verdict "${PIPESTATUS[2]}" 'to build it what install-deps --build installs is needed, and clang'
-
-# Each file that rules leaves is in one package.
-eval "places=($(sed -n 's/^PLACES = //p' debian/rules | sed 's/\$(DEB_HOST_MULTIARCH)/machine/'))"
-if [[ ${BUILD:-} =~ (asan|ubsan|tsan)$ ]]; then
-	echo "ok $((tests += 1)) - each file that is installed is in one package # SKIP no installation of a sanitizer's build"
-else
-	make -s install DESTDIR="$scratch/made" "${places[@]}" > "$scratch/stdout"
-	(cd "$scratch/made" && find . ! -type d | cut -c3- | grep -vE '^usr/share/doc/touchstone/(CHANGELOG.md|LICENSE)$') \
-		> "$scratch/files"
-	patterns=$(cat debian/*.install)
-	set -f
-	while read -r file; do
-		n=0
-		for pattern in $patterns; do
-			[[ $file = $pattern || $file = $pattern/* ]] && n=$((n + 1))
-		done
-		[ $n -eq 1 ] || echo "# $file is in $n packages"
-	done < "$scratch/files" > "$scratch/astray"
-	set +f
-	cat "$scratch/astray"
-	[ -s "$scratch/files" ] && [ ! -s "$scratch/astray" ]
-	verdict $? 'each file that is installed is in one package'
-fi
 
 if [ -e .git ] && [ "$(command -v dpkg-source lintian dh | wc -l)" -eq 3 ]; then
 	tar -xJf "$(make -s dist | tail -n 1)" -C "$scratch" &&

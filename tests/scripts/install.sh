@@ -18,6 +18,20 @@ find "$scratch/made" ! -type d -printf '/%P\n' |
 [ ! -s "$scratch/astray" ]
 verdict $? 'into the folders that were named'
 
+# As debian/rules installs it, which leaves out these two.
+patterns=$(cat debian/*.install)
+set -f
+find "$scratch/made" ! -type d -printf '/%P\n' | grep -vE '^/opt/docs/(CHANGELOG.md|LICENSE)$' |
+	sed "s|^$at/|usr/|; s|^/opt/docs/|usr/share/doc/touchstone/|" | while read -r file; do
+	n=0
+	for pattern in $patterns; do [[ $file = $pattern || $file = $pattern/* ]] && n=$((n + 1)); done
+	[ $n -eq 1 ] || echo "# $file is in $n packages"
+done > "$scratch/astray"
+set +f
+cat "$scratch/astray"
+[ ! -s "$scratch/astray" ]
+verdict $? 'each file is in one package of debian/'
+
 mv "$scratch/made" "$scratch/moved"
 make -s installcheck DESTDIR="$scratch/moved" "${places[@]}" | sed 's/^/# /'
 verdict "${PIPESTATUS[0]}" 'all of it works where it is moved to'
