@@ -128,7 +128,7 @@ CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/*
 	src/backends/args.c src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
-		methods nearest options parse reads say sweep truths words worker)))
+		methods nearest options parse reads say shard sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
 TEST_C := $(filter-out $(patsubst %,tests/%,$(shell sed '/^\#/d' tests/apart.txt)),$(call every,tests,c))
 

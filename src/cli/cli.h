@@ -17,7 +17,7 @@ enum {
 };
 #define TS_OPT(id) .options[TS_OPTION_##id] = true
 
-enum { TS_MAX_ARGUMENTS = 2 };
+enum { TS_MAX_ARGUMENTS = 1000, TS_MAX_TYPED = 256 };
 
 /* What images need not be, each where it is typed; all that are typed must hold. */
 typedef struct {
@@ -36,12 +36,18 @@ typedef struct {
 	u32 first;   /* differences that are shown of a buffer, at least 1 */
 	const char *junit;
 	bool tap;
+	bool told; /* the file of --junit is written */
 } ts_judging;
 
 /* What was typed. Strings belong to argv. */
 typedef struct {
 	double began; /* ts_seconds */
 	bool given[TS_N_OPTIONS];
+	struct {
+		u32 option;
+		const char *text;  /* NULL: no value */
+	} typed[TS_MAX_TYPED]; /* as they stood */
+	u32 n_typed;
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
 	ts_job job;
@@ -110,17 +116,22 @@ int ts_cli_main(int argc, char **argv);
 /* Reads argv[1...] of a command into *cli. */
 ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **argv);
 
+/* Refuses options of what a judging command says that contradict each other. */
+ts_status ts_judging_check(const ts_cli *cli);
+
 /* Commands. */
 ts_status ts_help_command(ts_cli *cli);
 ts_status ts_digest_command(ts_cli *cli);
 ts_status ts_golden_command(ts_cli *cli);
+void ts_golden_failed(const ts_cli *cli);
+ts_status ts_merge_command(ts_cli *cli);
 ts_status ts_render_command(ts_cli *cli);
 void ts_render_help(void);
 ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
-/* Writes the file of --junit where there was no comparison. */
+/* Write the file of --junit where nothing was judged. */
 void ts_compare_failed(const ts_cli *cli);
 ts_status ts_vectors_command(ts_cli *cli);
 ts_status ts_probe_command(ts_cli *cli);

@@ -29,6 +29,13 @@ const ts_command *ts_cli_require(const char *name)
 	return found;
 }
 
+ts_status ts_judging_check(const ts_cli *cli)
+{
+	if (cli->judging.tap && cli->job.output.json) return ts_fail("--tap, --json: both print; choose one");
+	if (cli->job.output.force && cli->job.output.dir == NULL) return ts_fail("--force: only with -o DIR");
+	return TS_OK;
+}
+
 /* A command as it was typed. It stays where it is: the scene that it asks for points into the job. */
 typedef struct {
 	const ts_command *command; /* NULL: all is done */

@@ -6,6 +6,7 @@
 #include <touchstone/image.h>
 #include "../replay/forced.h"
 #include "compare_images.h"
+#include "compare_shard.h"
 
 /* What is compared. */
 typedef enum { TRACES, BUFFERS, IMAGES, N_KINDS } kind;
@@ -33,15 +34,11 @@ static ts_status check_options(const ts_cli *cli, kind is)
 		u32 option;
 		bool takes[N_KINDS];
 	} limited[] = {
-		{TS_OPTION_FORCED, {[TRACES] = true}},
-		{TS_OPTION_DECIDED, {[TRACES] = true}},
-		{TS_OPTION_LAYOUT, {[TRACES] = true}},
-		{TS_OPTION_ORDER, {[TRACES] = true}},
-		{TS_OPTION_PERCENT, {[IMAGES] = true}},
-		{TS_OPTION_HARDFAIL, {[IMAGES] = true}},
-		{TS_OPTION_RMSE, {[IMAGES] = true}},
-		{TS_OPTION_EXPOSURE, {[IMAGES] = true}},
-		{TS_OPTION_IGNORE, {[TRACES] = true, [BUFFERS] = true}},
+		{TS_OPTION_FORCED, {[TRACES] = true}},   {TS_OPTION_DECIDED, {[TRACES] = true}},
+		{TS_OPTION_LAYOUT, {[TRACES] = true}},   {TS_OPTION_ORDER, {[TRACES] = true}},
+		{TS_OPTION_SHARD, {[TRACES] = true}},    {TS_OPTION_PERCENT, {[IMAGES] = true}},
+		{TS_OPTION_HARDFAIL, {[IMAGES] = true}}, {TS_OPTION_RMSE, {[IMAGES] = true}},
+		{TS_OPTION_EXPOSURE, {[IMAGES] = true}}, {TS_OPTION_IGNORE, {[TRACES] = true, [BUFFERS] = true}},
 	};
 	for (u32 i = 0; i < sizeof limited / sizeof *limited; i++) {
 		u32 option = limited[i].option;
@@ -55,9 +52,7 @@ static ts_status check_options(const ts_cli *cli, kind is)
 	if (cli->given[TS_OPTION_ORDER] && cli->judging.layout == NULL) {
 		return ts_fail("--order: only with --layout; a trace.json has its own");
 	}
-	if (cli->judging.tap && cli->job.output.json) return ts_fail("--tap, --json: both print; choose one");
-	if (cli->job.output.force && cli->job.output.dir == NULL) return ts_fail("--force: only with -o DIR");
-	return TS_OK;
+	return ts_judging_check(cli);
 }
 
 typedef struct {
@@ -65,6 +60,8 @@ typedef struct {
 	ts_trace *reference, *candidate;
 	ts_comparison *comparison;
 	ts_relaxations relaxations;
+	bool own[TS_N_BUFFERS]; /* of this shard */
+	ts_outcomes outcomes;
 } sides;
 
 static ts_status open_sides(sides *s, kind is)
@@ -114,30 +111,49 @@ static void report_all(ts_report *report, const void *user)
 {
 	const sides *s = user;
 	ts_compare_report(report, s->comparison, s->reference, s->candidate, s->cli);
+	ts_report_value(report, "stages", json_incref(s->outcomes.rows));
 }
 
-static void put_junit(ts_junit *junit, const void *user)
-{
-	const sides *s = user;
-	ts_compare_junit(junit, s->comparison, s->reference);
-}
-
-static void print_tap(FILE *out, const void *user)
-{
-	const sides *s = user;
-	ts_compare_tap(s->comparison, s->reference, out);
-}
-
-static ts_status judge(const sides *s)
+static ts_status judge_own(const sides *s)
 {
 	if (!s->cli->judging.forced) return ts_compare_traces(s->comparison, s->reference, s->candidate, &s->relaxations);
 	if (ts_selftest_require() != TS_OK) return TS_ERROR;
 	return ts_compare_forced(s->comparison, s->reference, s->candidate, &s->relaxations, s->cli->job.how.threads);
 }
 
+static ts_status judge(sides *s)
+{
+	ts_shard shard = s->cli->job.shard;
+	if (shard.of > 0) {
+		if (ts_compare_own(s->own, s->reference, s->candidate, &s->relaxations, shard) != TS_OK) return TS_ERROR;
+		s->relaxations.only = s->own;
+	}
+	ts_status status = judge_own(s);
+	if (status != TS_DIFFERENT || shard.of == 0 || s->comparison->forced) return status;
+	return ts_compare_aside(s->comparison, s->reference, s->candidate, &s->relaxations) == TS_OK ? status : TS_ERROR;
+}
+
+static ts_status tell(ts_cli *cli, sides *s, ts_status status)
+{
+	char class_name[64];
+	snprintf(class_name, sizeof class_name, "touchstone.%s", s->reference->pipeline->name);
+	char relaxed[TS_RELAXED_TEXT];
+	ts_telling telling = {"compare", &s->outcomes, relaxed, NULL, status, report_all, draw_all, s};
+	ts_compare_relaxed(relaxed, cli);
+	if (ts_outcomes_begin(&s->outcomes, "stage", class_name) != TS_OK) return TS_ERROR;
+	ts_compare_outcomes(&s->outcomes, s->comparison, s->reference);
+	if (cli->job.shard.of > 0) {
+		telling.cases = ts_compare_cases(s->reference->pipeline);
+		if (telling.cases == NULL) return TS_ERROR;
+		ts_shard_say_empty(cli->job.shard, json_array_size(telling.cases));
+	}
+	if (ts_tell(cli, &telling, true) != TS_OK) status = TS_ERROR;
+	json_decref(telling.cases);
+	return status;
+}
+
 ts_status ts_compare_command(ts_cli *cli)
 {
-	static const ts_compare_forms forms = {report_all, put_junit, print_tap, draw_all};
 	kind is = kind_of(cli->arguments[0]);
 	if (check_options(cli, is) != TS_OK) return TS_ERROR;
 	if (is == IMAGES) return ts_compare_images(cli);
@@ -146,10 +162,13 @@ ts_status ts_compare_command(ts_cli *cli)
 	ts_status status = s.comparison != NULL ? open_sides(&s, is) : TS_ERROR;
 	if (status == TS_OK) status = ts_compare_mask(&s.relaxations, cli);
 	if (status == TS_OK) status = judge(&s);
-	if (status != TS_ERROR && ts_compare_tell(cli, &forms, &s) != TS_OK) status = TS_ERROR;
+	if (status != TS_ERROR) status = tell(cli, &s, status);
+	ts_outcomes_end(&s.outcomes);
 	ts_trace_close(s.reference);
 	ts_trace_close(s.candidate);
 	free((void *)s.relaxations.mask);
 	ts_comparison_free(s.comparison);
 	return status;
 }
+
+void ts_compare_failed(const ts_cli *cli) { ts_tell_failed(cli, "compare"); }

@@ -3,8 +3,8 @@
 #define TS_CLI_COMPARE_H
 #include "../compare/line.h"
 #include "cli.h"
-#include "junit.h"
 #include "../study/table.h"
+#include "tell.h"
 
 enum { TS_RELAXED_TEXT = 600 };
 
@@ -20,27 +20,15 @@ ts_status ts_compare_mask(ts_relaxations *relaxations, const ts_cli *cli);
  * that differ; as text and as JSON. */
 void ts_compare_report(ts_report *report, const ts_comparison *comparison, const ts_trace *reference,
                        const ts_trace *candidate, const ts_cli *cli);
-/* Part of it: the verdicts of the stages, as JSON; as text if they were given the candidate's inputs. */
+/* Part of it as text: the verdicts of the stages, if they were given the candidate's inputs. */
 void ts_compare_stages(ts_report *report, const ts_comparison *comparison, const ts_trace *reference);
-/* A line a stage, in Test Anything Protocol. */
-void ts_compare_tap(const ts_comparison *comparison, const ts_trace *reference, FILE *out);
 /* A uniquely named case a stage. */
-void ts_compare_junit(ts_junit *junit, const ts_comparison *comparison, const ts_trace *reference);
+void ts_compare_outcomes(ts_outcomes *outcomes, const ts_comparison *comparison, const ts_trace *reference);
 
 /* Writes BUFFER.png into the folder of -o for each buffer of rows and columns that is unlike, and for each cube where a
  * buffer of texels is unlike BUFFER-cube-R.png: the faces +X, -X, +Y, -Y, +Z, -Z side by side, levels of a mip map one
  * below the other. White is what differs. Cubes are drawn only where the reference has cube_size.face. */
 ts_status ts_compare_draw(const ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
                           const ts_relaxations *relaxations);
-
-/* What a comparison can say, of what `user` knows. */
-typedef struct {
-	void (*report)(ts_report *report, const void *user);
-	void (*junit)(ts_junit *junit, const void *user);
-	void (*tap)(FILE *out, const void *user);
-	ts_status (*draw)(const void *user); /* pictures into the folder of -o */
-} ts_compare_forms;
-/* Says all that cli asks for. */
-ts_status ts_compare_tell(const ts_cli *cli, const ts_compare_forms *forms, const void *user);
 
 #endif

@@ -218,24 +218,6 @@ static void report_images(ts_report *report, const void *user)
 	ts_report_value(report, "first", first);
 }
 
-static void put_junit(ts_junit *junit, const void *user)
-{
-	const images *s = user;
-	char text[TS_LINE_TEXT];
-	ts_junit_case(junit, "touchstone.images", s->cli->arguments[1], ts_seconds() - s->cli->began);
-	for (u64 i = 0; !s->same && line_of(text, s, i); i++) ts_junit_say(junit, TS_JUNIT_FAILURE, "different", text);
-	ts_junit_case_end(junit);
-}
-
-static void print_tap(FILE *out, const void *user)
-{
-	const images *s = user;
-	char text[TS_LINE_TEXT];
-	fprintf(out, "%sok 1 - image\n", s->same ? "" : "not ");
-	for (u64 i = 0; line_of(text, s, i); i++) fprintf(out, "# %s\n", text);
-	fprintf(out, "1..1\n");
-}
-
 /* White where the images differ, so that it is a mask of all but that. */
 static ts_status draw(const void *user)
 {
@@ -245,13 +227,30 @@ static ts_status draw(const void *user)
 	return ts_image_write_png(path, s->marks, s->p[0].width, s->p[0].height, 1);
 }
 
-ts_status ts_compare_images(const ts_cli *cli)
+static ts_status tell(ts_cli *cli, const images *s)
 {
-	static const ts_compare_forms forms = {report_images, put_junit, print_tap, draw};
+	ts_outcomes outcomes;
+	char text[TS_LINE_TEXT], relaxed[TS_RELAXED_TEXT];
+	const ts_status found = s->same ? TS_OK : TS_DIFFERENT;
+	const ts_telling telling = {"compare", &outcomes, relaxed, NULL, found, report_images, draw, s};
+	ts_compare_relaxed(relaxed, cli);
+	ts_status status = ts_outcomes_begin(&outcomes, "image", "touchstone.images");
+	if (status == TS_OK) {
+		ts_outcomes_add(&outcomes, cli->arguments[1], s->same ? "same" : "different", s->same ? TS_PASSED : TS_FAILED,
+		                "", ts_seconds() - cli->began);
+		for (u64 i = 0; line_of(text, s, i); i++) ts_outcomes_line(&outcomes, text);
+		status = ts_tell(cli, &telling, true);
+	}
+	ts_outcomes_end(&outcomes);
+	return status;
+}
+
+ts_status ts_compare_images(ts_cli *cli)
+{
 	images s = {.cli = cli, .relaxations = cli->judging.relaxations};
 	ts_status status = open_images(&s);
 	if (status == TS_OK) status = judge(&s);
-	if (status == TS_OK) status = ts_compare_tell(cli, &forms, &s);
+	if (status == TS_OK) status = tell(cli, &s);
 	free(s.p[0].pixels);
 	free(s.p[1].pixels);
 	free((void *)s.relaxations.mask);

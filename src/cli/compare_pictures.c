@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "../study/folder.h"
+#include "../trace/emit.h"
 #include "../trace/reader.h"
 #include "compare.h"
 
@@ -127,10 +128,13 @@ ts_status ts_compare_draw(const ts_comparison *c, const ts_trace *reference, con
                           const ts_relaxations *relaxations)
 {
 	ts_order order;
+	ts_buffer_id ids[TS_N_BUFFERS];
+	ts_emit_order(ids, reference->pipeline);
 	ts_status status = ts_order_make(&order, ts_order_key(), reference, candidate);
-	for (u32 id = 0; id < TS_N_BUFFERS && status == TS_OK; id++) {
-		if (c->verdict[id].judgement != TS_UNLIKE) continue;
-		status = draw_buffer((ts_buffer_id)id, reference, candidate, &order, relaxations);
+	for (u32 i = 0; i < TS_N_BUFFERS && status == TS_OK; i++) {
+		ts_buffer_id id = ids[i];
+		if (c->verdict[id].judgement != TS_UNLIKE || c->verdict[id].aside) continue;
+		status = draw_buffer(id, reference, candidate, &order, relaxations);
 	}
 	ts_order_free(&order);
 	return status;

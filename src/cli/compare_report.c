@@ -68,6 +68,14 @@ static json_int_t element_of(ts_buffer_id id, const ts_difference *d)
 	return (json_int_t)d->element - (ts_sum_of(id) != NULL);
 }
 
+/* Hexadecimal, as wide as the field; of a count, which no field holds, null. */
+static json_t *bits_json(ts_buffer_id id, const ts_difference *d, u64 bits)
+{
+	const ts_fields fields = ts_fields_of(id);
+	if (ts_sum_of(id) != NULL) return json_null();
+	return json_sprintf("%0*" PRIx64, (int)(2 * fields.field[d->field].bytes), bits);
+}
+
 static json_t *difference_json(ts_buffer_id id, const ts_named *named)
 {
 	const ts_difference *d = &named->difference;
@@ -79,8 +87,16 @@ static json_t *difference_json(ts_buffer_id id, const ts_named *named)
 	ts_difference_show(ref, id, d, d->ref);
 	ts_difference_show(cand, id, d, d->cand);
 	json_t *apart = ulps != 0 && ulps != INT64_MAX ? json_integer(ulps) : json_null();
-	return json_pack("{s:s, s:s, s:I, s:s, s:s, s:s, s:o}", "how", how[d->how], "where", named->where, "element",
-	                 element_of(id, d), "field", field, "reference", ref, "candidate", cand, "ulps", apart);
+	return json_pack("{s:s, s:s, s:I, s:s, s:s, s:s, s:o, s:o, s:o}", "how", how[d->how], "where", named->where,
+	                 "element", element_of(id, d), "field", field, "reference", ref, "candidate", cand,
+	                 "reference_bits", bits_json(id, d, d->ref), "candidate_bits", bits_json(id, d, d->cand), "ulps",
+	                 apart);
+}
+
+static const char *stage_of(const ts_trace *reference, ts_buffer_id id)
+{
+	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
+	return step != NULL ? step->stage : "scene";
 }
 
 /* A buffer that is unlike. */
@@ -99,9 +115,9 @@ static json_t *buffer_json(ts_report *report, const ts_comparison *c, const ts_t
 		report->failed |= json_array_append_new(first, difference_json(id, &v->list.items[d])) != 0;
 	}
 	ts_compare_line(line, c, reference, id);
-	return json_pack("{s:s, s:s, s:s, s:I, s:o, s:o}", "buffer", ts_buffer_table[id].name, "judged_by",
-	                 ts_sum_of(id) != NULL ? "counts" : "elements", "line", line, "candidate_elements",
-	                 (json_int_t)v->n_cand, "fields", by_field, "first", first);
+	return json_pack("{s:s, s:s, s:s, s:s, s:I, s:o, s:o}", "stage", stage_of(reference, id), "buffer",
+	                 ts_buffer_table[id].name, "judged_by", ts_sum_of(id) != NULL ? "counts" : "elements", "line", line,
+	                 "candidate_elements", (json_int_t)v->n_cand, "fields", by_field, "first", first);
 }
 
 /* All that is said of buffers that are unlike but the line of the first: notes as text, the rest as JSON. */
@@ -111,7 +127,7 @@ static void tell_unlike(ts_report *report, const ts_comparison *c, const ts_trac
 	json_t *array = json_array();
 	for (u32 i = 0; i < TS_N_BUFFERS; i++) {
 		const ts_verdict *v = &c->verdict[ids[i]];
-		if (v->judgement != TS_UNLIKE) continue;
+		if (v->judgement != TS_UNLIKE || v->aside) continue;
 		if (ts_compare_note(note, ids[i], v)) ts_report_line(report, "%s", note);
 		report->failed |= json_array_append_new(array, buffer_json(report, c, reference, ids[i])) != 0;
 	}
@@ -132,6 +148,24 @@ static void advise(ts_report *report, const ts_comparison *c, const ts_trace *re
 	               reference->dir, step->stage, ts_buffer_table[c->first].name, element);
 }
 
+/* The first difference of all, in fields. */
+static json_t *divergence_json(const ts_comparison *c, const ts_trace *reference)
+{
+	char inputs[TS_INPUTS_TEXT];
+	const ts_verdict *v = &c->verdict[c->first];
+	json_t *fields =
+		json_pack("{s:s, s:i, s:s}", "stage", stage_of(reference, c->first), "number",
+	              (int)ts_emit_number(reference->pipeline, c->first), "buffer", ts_buffer_table[c->first].name);
+	json_t *first = v->list.n > 0 ? difference_json(c->first, &v->list.items[0]) : json_object();
+	bool failed = json_object_update(fields, first) != 0;
+	json_decref(first);
+	ts_compare_inputs(inputs, c, reference, c->first);
+	failed |= json_object_set_new(fields, "inputs", json_string(inputs)) != 0;
+	if (!failed) return fields;
+	json_decref(fields);
+	return NULL;
+}
+
 void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
                        const ts_cli *cli)
 {
@@ -140,9 +174,8 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
 	ts_table table = ts_table_begin("buffers", "", columns);
 	ts_emit_order(ids, reference->pipeline);
 	for (u32 i = 0; i < TS_N_BUFFERS; i++) {
-		const ts_step *step = ts_pipeline_maker(reference->pipeline, ids[i]);
-		if (c->verdict[ids[i]].judgement == TS_NOT_JUDGED) continue;
-		row(&table, &c->verdict[ids[i]], step != NULL ? step->stage : "scene", ids[i]);
+		if (c->verdict[ids[i]].judgement == TS_NOT_JUDGED || c->verdict[ids[i]].aside) continue;
+		row(&table, &c->verdict[ids[i]], stage_of(reference, ids[i]), ids[i]);
 	}
 	ts_compare_relaxed(relaxed, cli);
 	ts_report_table(report, &table);
@@ -163,6 +196,7 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
 		ts_compare_line(line, c, reference, c->first);
 		ts_report_line(report, "%s", line);
 		ts_report_value(report, "first_divergence", json_string(line));
+		ts_report_value(report, "divergence", divergence_json(c, reference));
 		if (!c->forced) ts_compare_more(report, c->first, &c->verdict[c->first], "  ");
 	}
 	ts_compare_stages(report, c, reference);

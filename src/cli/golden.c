@@ -6,7 +6,7 @@
 
 static const struct {
 	const char *name;
-	ts_status (*run)(const ts_goldens *goldens, const ts_case *only);
+	ts_status (*run)(const ts_goldens *goldens);
 } actions[] = {
 	{"check", ts_golden_check_action},
 	{"new", ts_golden_new_action},
@@ -15,11 +15,42 @@ static const struct {
 
 enum { N_ACTIONS = sizeof actions / sizeof *actions };
 
-static ts_status run_action(const ts_goldens *goldens, u32 action, const char *name)
+u32 ts_goldens_count(const ts_goldens *goldens) { return goldens->only != NULL ? 1 : goldens->n_cases; }
+
+const ts_case *ts_goldens_case(const ts_goldens *goldens, u32 i)
 {
-	const ts_case *only = name != NULL ? ts_cases_find(goldens, name) : NULL;
-	if (name != NULL && only == NULL) return TS_ERROR;
-	return actions[action].run(goldens, only);
+	return goldens->only != NULL ? goldens->only : &goldens->cases[i];
+}
+
+/* What one action alone has a use for. */
+static ts_status check_options(const ts_cli *cli, u32 action)
+{
+	static const struct {
+		u32 option;
+		const char *action, *why;
+	} limited[] = {
+		{TS_OPTION_REASON, "bless", ", which writes it down"},
+		{TS_OPTION_SHARD, "check", ""},
+		{TS_OPTION_JSON, "check", ""},
+		{TS_OPTION_TAP, "check", ""},
+		{TS_OPTION_JUNIT, "check", ""},
+		{TS_OPTION_OUTPUT, "check", ""},
+		{TS_OPTION_FORCE, "check", ""},
+	};
+	for (u32 i = 0; i < sizeof limited / sizeof *limited; i++) {
+		const char *option = ts_option_table[limited[i].option].name;
+		if (!cli->given[limited[i].option] || strcmp(limited[i].action, actions[action].name) == 0) continue;
+		return ts_fail("golden %s: --%s is for %s%s; leave it out", actions[action].name, option, limited[i].action,
+		               limited[i].why);
+	}
+	return TS_OK;
+}
+
+static ts_status run_action(ts_goldens *goldens, u32 action, const char *name)
+{
+	goldens->only = name != NULL ? ts_cases_find(goldens, name) : NULL;
+	if (name != NULL && goldens->only == NULL) return TS_ERROR;
+	return actions[action].run(goldens);
 }
 
 ts_status ts_golden_command(ts_cli *cli)
@@ -35,11 +66,8 @@ ts_status ts_golden_command(ts_cli *cli)
 	}
 	snprintf(help, sizeof help, "%s help golden", ts_program);
 	if (nearest.distance != 0) return ts_fail("golden: no action \"%.60s\"%s", typed, ts_nearest_hint(&nearest, help));
-	if (cli->given[TS_OPTION_REASON] && actions[action].run != ts_golden_bless_action) {
-		return ts_fail("golden %s: --reason is for bless, which writes it down; leave it out", typed);
-	}
-	goldens.job = &cli->job;
-	goldens.reason = cli->golden.reason;
+	if (check_options(cli, action) != TS_OK || ts_judging_check(cli) != TS_OK) return TS_ERROR;
+	goldens.cli = cli;
 	const char *dir = cli->golden.dir != NULL ? cli->golden.dir : "reference";
 	if (ts_selftest_require() != TS_OK || ts_golden_dir_open(&goldens.dir, NULL, dir) != TS_OK) return TS_ERROR;
 	ts_status status = ts_cases_read(&goldens);

@@ -4,7 +4,7 @@
 #include "../golden/golden.h"
 #include "cli.h"
 
-enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_REASON_BYTES = 400 };
+enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_REASON_BYTES = 400, TS_CASE_TEXT = 512 };
 
 /* For `help golden`. */
 #define TS_GOLDEN_DETAILS \
@@ -23,11 +23,11 @@ typedef struct {
 
 /* What a `golden` command works on. */
 typedef struct {
-	const ts_job *job;
-	const char *reason; /* of bless; NULL: none was given */
-	ts_golden_dir dir;  /* reference/ */
+	ts_cli *cli;
+	ts_golden_dir dir; /* reference/ */
 	ts_case cases[TS_MAX_CASES];
 	u32 n_cases;
+	const ts_case *only; /* the one that is worked on; NULL: all */
 } ts_goldens;
 
 enum { TS_CASE_PATH = TS_GOLDEN_PATH + TS_CASE_NAME + 8 };
@@ -50,10 +50,30 @@ ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, 
 /* Runs a case, as ts_golden_compute; refuses what does not fit the machine. ts_golden_free also after a failure. */
 ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how);
 
-/* The actions; `only` is a case, or NULL: all. */
-ts_status ts_golden_check_action(const ts_goldens *goldens, const ts_case *only);
-ts_status ts_golden_new_action(const ts_goldens *goldens, const ts_case *only);
-ts_status ts_golden_bless_action(const ts_goldens *goldens, const ts_case *only);
+/* How the check of a case ended. */
+typedef enum { TS_CASE_SAME, TS_CASE_DIFFERENT, TS_CASE_MISSING, TS_CASE_UNUSABLE, TS_N_CASE_ENDS } ts_case_end;
+typedef struct {
+	const ts_case *of;
+	ts_case_end end;
+	ts_buffer_id first;      /* that differs; TS_N_BUFFERS: none */
+	char text[TS_CASE_TEXT]; /* what differs, or is wrong */
+	double seconds;
+} ts_checked;
+/* "same", "different", ... */
+const char *ts_case_word(ts_case_end end);
+/* Says what was checked as --json, --tap, --junit and -o ask, of a command that ends with `status`; NULL in a program
+ * that does not know them. Each program has its own. */
+typedef ts_status ts_golden_teller(const ts_goldens *goldens, const ts_checked *checked, u32 n, ts_status status);
+extern ts_golden_teller *const ts_golden_tell;
+
+/* How many cases are worked on, and the i-th. */
+u32 ts_goldens_count(const ts_goldens *goldens);
+const ts_case *ts_goldens_case(const ts_goldens *goldens, u32 i);
+
+/* The actions. */
+ts_status ts_golden_check_action(const ts_goldens *goldens);
+ts_status ts_golden_new_action(const ts_goldens *goldens);
+ts_status ts_golden_bless_action(const ts_goldens *goldens);
 
 /* Writes the preview of a case; NULL in a program that cannot. Each program has its own. */
 typedef ts_status ts_preview(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels);

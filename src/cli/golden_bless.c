@@ -61,7 +61,7 @@ static ts_status check_proposal(const ts_goldens *goldens, const ts_case *c, con
 		ts_golden_free(&proposed);
 		return TS_ERROR;
 	}
-	ts_how plain = {.threads = goldens->job->how.threads, .reference = true};
+	ts_how plain = {.threads = goldens->cli->job.how.threads, .reference = true};
 	status = ts_case_compute(&computed, c, &plain);
 	if (status == TS_OK) status = ts_golden_compare(text, sizeof text, &proposed, &computed, c->pipeline, c->small);
 	if (status == TS_DIFFERENT) {
@@ -132,7 +132,7 @@ static ts_status replace(const ts_goldens *goldens, const ts_case *c, const ts_g
 	if (status != TS_OK) return status;
 	if (ts_golden_has(&goldens->dir, c->name)) status = ts_golden_dir_open(&old, &goldens->dir, c->name);
 	if (status == TS_OK) status = ts_golden_copy(proposed);
-	if (status == TS_OK) status = write_changes(goldens->reason, &old, proposed);
+	if (status == TS_OK) status = write_changes(goldens->cli->golden.reason, &old, proposed);
 	if (status == TS_OK) status = ts_folder_commit();
 	if (status != TS_OK) ts_folder_discard();
 	ts_golden_dir_close(&old);
@@ -152,12 +152,13 @@ static ts_status bless(const ts_goldens *goldens, const ts_case *c, const ts_gol
 	return status;
 }
 
-ts_status ts_golden_bless_action(const ts_goldens *goldens, const ts_case *only)
+ts_status ts_golden_bless_action(const ts_goldens *goldens)
 {
+	const ts_case *only = goldens->only;
 	ts_golden_dir proposed;
 	char name[TS_CASE_NAME + 8], path[TS_CASE_PATH];
 	if (only == NULL) return ts_fail("golden bless: which case? Write golden bless CASE --reason TEXT");
-	if (check_reason(goldens->reason) != TS_OK || check_build(goldens->job) != TS_OK) return TS_ERROR;
+	if (check_reason(goldens->cli->golden.reason) != TS_OK || check_build(&goldens->cli->job) != TS_OK) return TS_ERROR;
 	ts_case_path(path, goldens, only, ".new");
 	ts_folder_clear(path, 0);
 	snprintf(name, sizeof name, "%s.new", only->name);

@@ -1,26 +1,29 @@
 /* `golden check`: runs cases again and compares. Writes nothing. */
 #include <stdio.h>
 #include "../output/file.h"
+#include "../trace/emit.h"
 #include "golden.h"
 
-enum { TEXT_BYTES = 512, N_VERDICTS = 4 };
-typedef enum { SAME, DIFFERENT, MISSING, UNUSABLE } verdict;
-static const char *const words[N_VERDICTS] = {"same", "different", "missing", "unusable"};
-
-static verdict of_status(ts_status status)
+const char *ts_case_word(ts_case_end end)
 {
-	return status == TS_OK ? SAME : status == TS_DIFFERENT ? DIFFERENT : UNUSABLE;
+	static const char *const words[TS_N_CASE_ENDS] = {"same", "different", "missing", "unusable"};
+	return words[end];
 }
 
-static verdict compare(char *text, const ts_goldens *goldens, const ts_case *c, const ts_golden_dir *dir)
+static ts_case_end of_status(ts_status status)
+{
+	return status == TS_OK ? TS_CASE_SAME : status == TS_DIFFERENT ? TS_CASE_DIFFERENT : TS_CASE_UNUSABLE;
+}
+
+static ts_case_end compare(char *text, const ts_goldens *goldens, const ts_case *c, const ts_golden_dir *dir)
 {
 	ts_golden stored, computed;
-	ts_status status = ts_case_check_params(text, TEXT_BYTES, c, dir);
+	ts_status status = ts_case_check_params(text, TS_CASE_TEXT, c, dir);
 	if (status != TS_OK) return of_status(status);
 	status = ts_golden_read(&stored, dir, c->pipeline);
 	if (status == TS_OK) {
-		status = ts_case_compute(&computed, c, &goldens->job->how);
-		if (status == TS_OK) status = ts_golden_compare(text, TEXT_BYTES, &stored, &computed, c->pipeline, c->small);
+		status = ts_case_compute(&computed, c, &goldens->cli->job.how);
+		if (status == TS_OK) status = ts_golden_compare(text, TS_CASE_TEXT, &stored, &computed, c->pipeline, c->small);
 		ts_golden_free(&computed);
 	}
 	ts_golden_free(&stored);
@@ -35,39 +38,79 @@ static const char *missing_file(const ts_golden_dir *dir, bool small)
 	return small && !ts_golden_has(dir, "small") ? "small" : NULL;
 }
 
-static verdict check_case(char *text, const ts_goldens *goldens, const ts_case *c)
+static ts_case_end check_case(char *text, const ts_goldens *goldens, const ts_case *c)
 {
 	ts_golden_dir dir;
-	text[0] = 0;
 	if (!ts_golden_has(&goldens->dir, c->name)) {
 		ts_fail("%s/%s: there is no such folder", goldens->dir.path, c->name);
-		return MISSING;
+		return TS_CASE_MISSING;
 	}
-	if (ts_golden_dir_open(&dir, &goldens->dir, c->name) != TS_OK) return UNUSABLE;
+	if (ts_golden_dir_open(&dir, &goldens->dir, c->name) != TS_OK) return TS_CASE_UNUSABLE;
 	const char *missing = missing_file(&dir, c->small);
 	if (missing != NULL) ts_fail("%s/%s: there is no such file", dir.path, missing);
-	verdict v = missing != NULL ? MISSING : compare(text, goldens, c, &dir);
+	ts_case_end end = missing != NULL ? TS_CASE_MISSING : compare(text, goldens, c, &dir);
 	ts_golden_dir_close(&dir);
-	return v;
+	return end;
 }
 
-ts_status ts_golden_check_action(const ts_goldens *goldens, const ts_case *only)
+/* The buffer whose file the text names; TS_N_BUFFERS: none. */
+static ts_buffer_id named(const char *text, const ts_pipeline *pipeline)
 {
-	u32 count[N_VERDICTS] = {0};
-	char text[TEXT_BYTES], first[TEXT_BYTES] = "";
-	for (u32 i = 0; i < goldens->n_cases; i++) {
-		const ts_case *c = &goldens->cases[i];
-		if (only != NULL && c != only) continue;
-		verdict v = check_case(text, goldens, c);
-		count[v]++;
-		bool failed = v == MISSING || v == UNUSABLE;
-		if (failed && first[0] == 0) snprintf(first, sizeof first, "%s", ts_error_message());
-		const char *why = failed ? ts_error_message() : text;
-		printf("%-10s %s%s%s\n", words[v], c->name, v != SAME ? "  " : "", why);
-		if (ts_file_print("", 0) != TS_OK) return TS_ERROR;
+	char name[TS_EMIT_NAME];
+	u32 id = 0;
+	for (; id < TS_N_BUFFERS; id++) {
+		ts_emit_name(name, pipeline, (ts_buffer_id)id);
+		if (strncmp(text, name, strlen(name)) == 0 && text[strlen(name)] == ':') break;
 	}
-	u32 without = count[MISSING] + count[UNUSABLE];
-	printf("%u passed, %u failed, 0 skipped\n", (unsigned)count[SAME], (unsigned)(count[DIFFERENT] + without));
-	if (without == 0) return count[DIFFERENT] != 0 ? TS_DIFFERENT : TS_OK;
-	return ts_fail("golden: %s; \"golden new\" proposes and \"golden bless\" accepts a golden", first);
+	return (ts_buffer_id)id;
+}
+
+static void check(ts_checked *checked, const ts_goldens *goldens, const ts_case *c)
+{
+	double began = ts_seconds();
+	*checked = (ts_checked){.of = c};
+	checked->end = check_case(checked->text, goldens, c);
+	if (checked->end >= TS_CASE_MISSING) snprintf(checked->text, sizeof checked->text, "%s", ts_error_message());
+	checked->first = named(checked->text, c->pipeline);
+	checked->seconds = ts_seconds() - began;
+}
+
+static ts_status print_line(const ts_checked *checked)
+{
+	bool same = checked->end == TS_CASE_SAME;
+	printf("%-10s %s%s%s\n", ts_case_word(checked->end), checked->of->name, same ? "" : "  ", checked->text);
+	return ts_file_print("", 0);
+}
+
+/* Prints the counts, and says how the command ends. */
+static ts_status sum_up(const ts_checked *checked, u32 n, bool print)
+{
+	u32 count[TS_N_CASE_ENDS] = {0};
+	const ts_checked *first = NULL;
+	for (u32 i = 0; i < n; i++) {
+		count[checked[i].end]++;
+		if (first == NULL && checked[i].end >= TS_CASE_MISSING) first = &checked[i];
+	}
+	if (print)
+		printf("%u passed, %u failed, 0 skipped\n", (unsigned)count[TS_CASE_SAME], (unsigned)(n - count[TS_CASE_SAME]));
+	if (first == NULL) return count[TS_CASE_DIFFERENT] != 0 ? TS_DIFFERENT : TS_OK;
+	return ts_fail("golden: %s; \"golden new\" proposes and \"golden bless\" accepts a golden", first->text);
+}
+
+ts_status ts_golden_check_action(const ts_goldens *goldens)
+{
+	static ts_checked checked[TS_MAX_CASES];
+	const ts_cli *cli = goldens->cli;
+	bool print = !cli->job.output.json && !cli->judging.tap;
+	u32 n = 0;
+	for (u32 i = 0; i < ts_goldens_count(goldens); i++) {
+		if (!ts_shard_has(cli->job.shard, i)) continue;
+		check(&checked[n], goldens, ts_goldens_case(goldens, i));
+		if (print && print_line(&checked[n]) != TS_OK) return TS_ERROR;
+		n++;
+	}
+	if (cli->job.shard.of > 0) ts_shard_say_empty(cli->job.shard, ts_goldens_count(goldens));
+	ts_status status = sum_up(checked, n, print);
+	if (ts_golden_tell != NULL && ts_golden_tell(goldens, checked, n, status) != TS_OK) return TS_ERROR;
+	return status == TS_ERROR ? sum_up(checked, n, false) : status;
 }

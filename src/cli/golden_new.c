@@ -27,18 +27,17 @@ static ts_status propose(const ts_goldens *goldens, const ts_case *c)
 	ts_golden golden;
 	ts_case_path(path, goldens, c, ".new");
 	if (ts_folder_begin(path, ts_golden_judge) != TS_OK) return TS_ERROR;
-	ts_status status = ts_case_compute(&golden, c, &goldens->job->how);
+	ts_status status = ts_case_compute(&golden, c, &goldens->cli->job.how);
 	if (status == TS_OK) status = write_all(&golden, c);
 	if (status != TS_OK) ts_folder_discard();
 	ts_golden_free(&golden);
 	return status;
 }
 
-ts_status ts_golden_new_action(const ts_goldens *goldens, const ts_case *only)
+ts_status ts_golden_new_action(const ts_goldens *goldens)
 {
-	for (u32 i = 0; i < goldens->n_cases; i++) {
-		const ts_case *c = &goldens->cases[i];
-		if (only != NULL && c != only) continue;
+	for (u32 i = 0; i < ts_goldens_count(goldens); i++) {
+		const ts_case *c = ts_goldens_case(goldens, i);
 		if (propose(goldens, c) != TS_OK) return TS_ERROR;
 		printf("proposed   %s\n", c->name);
 		if (ts_file_print("", 0) != TS_OK) return TS_ERROR;

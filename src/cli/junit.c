@@ -48,9 +48,9 @@ static void put_attribute(ts_junit *j, const char *name, const char *value, FILE
 	fputs("\"", out);
 }
 
-ts_status ts_junit_begin(ts_junit *j, const char *path)
+ts_status ts_junit_begin(ts_junit *j, const char *path, const char *suite)
 {
-	*j = (ts_junit){.path = path};
+	*j = (ts_junit){.path = path, .suite = suite};
 	return ts_file_text_begin(&j->cases, path);
 }
 
@@ -94,7 +94,8 @@ static void put_suite(ts_junit *j, const char *relaxations, double seconds, FILE
 	for (u32 i = 0; i < TS_N_JUNIT_OUTCOMES; i++) tests += j->n[i];
 	if (gethostname(host, sizeof host - 1) != 0 || host[0] == 0) strcpy(host, "localhost");
 	if (gmtime_r(&began, &utc) != NULL) strftime(when, sizeof when, "%Y-%m-%dT%H:%M:%S", &utc);
-	fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"touchstone compare\"", out);
+	fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite", out);
+	put_attribute(j, "name", j->suite, out);
 	fprintf(out, " tests=\"%u\" failures=\"%u\" errors=\"%u\" skipped=\"%u\"", (unsigned)tests,
 	        (unsigned)j->n[TS_JUNIT_FAILURE], (unsigned)j->n[TS_JUNIT_ERROR], (unsigned)j->n[TS_JUNIT_SKIPPED]);
 	fprintf(out, " time=\"%.6f\" timestamp=\"%s\"", seconds, when);

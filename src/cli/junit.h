@@ -16,15 +16,15 @@ typedef enum {
 /* A suite that is being written. May not be moved. Texts may hold any bytes: those that XML has no place for are shown
  * as \xHH or '?'. */
 typedef struct {
-	const char *path;
+	const char *path, *suite;
 	ts_file_text cases;
 	ts_junit_outcome outcome; /* of the case that is open */
 	u32 n[TS_N_JUNIT_OUTCOMES];
 	bool failed; /* out of memory */
 } ts_junit;
 
-/* On failure there is nothing to end. */
-ts_status ts_junit_begin(ts_junit *junit, const char *path);
+/* Of a suite of that name. On failure there is nothing to end. */
+ts_status ts_junit_begin(ts_junit *junit, const char *path, const char *suite);
 /* Opens a case that passes unless ts_junit_say follows. */
 void ts_junit_case(ts_junit *junit, const char *classname, const char *name, double seconds);
 /* Adds a line to the open case. The first one is the message, and says how the case ended; `type` is a word for that,

@@ -92,6 +92,12 @@ static ts_status take_frames(void *to, const ts_option *option, const char *text
 	return ts_words_frames(&((ts_cli *)to)->job.frames, text);
 }
 
+static ts_status take_shard(void *to, const ts_option *option, const char *text)
+{
+	(void)option;
+	return ts_shard_read(&((ts_cli *)to)->job.shard, text);
+}
+
 static ts_status take_exposure(void *to, const ts_option *option, const char *text)
 {
 	(void)option;

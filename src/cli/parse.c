@@ -108,6 +108,16 @@ static void set_defaults(ts_cli *cli)
 	job->device = (ts_backend_options){.work_group = 64, .build = ""};
 }
 
+static ts_status note(ts_cli *cli, const ts_option *option, const char *text)
+{
+	u32 place = (u32)(option - ts_option_table);
+	cli->given[place] = true;
+	if (cli->n_typed == TS_MAX_TYPED) return ts_fail("--%s: at most %d options", option->name, TS_MAX_TYPED);
+	cli->typed[cli->n_typed].option = place;
+	cli->typed[cli->n_typed++].text = text;
+	return TS_OK;
+}
+
 ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **argv)
 {
 	known k = known_of(command);
@@ -117,8 +127,7 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 	for (int answer; (answer = getopt_long(argc, argv, k.letters, k.options, NULL)) != -1;) {
 		if (answer == '?' || answer == ':') return refuse(command, &k, answer, argv);
 		const ts_option *o = option_of(answer);
-		if (o->take((char *)cli + o->at, o, optarg) != TS_OK) return TS_ERROR;
-		cli->given[o - ts_option_table] = true;
+		if (o->take((char *)cli + o->at, o, optarg) != TS_OK || note(cli, o, optarg) != TS_OK) return TS_ERROR;
 	}
 	if (cli->job.scene.n_mirrors > 0 && !cli->job.mirrored) {
 		TS_PARAM_SET(&cli->job.params, reflectors_count, 0);

@@ -31,6 +31,7 @@ typedef struct {
 	ts_difference first, worst; /* worst: of floats, by ulps */
 	i64 worst_ulps;
 	char why[TS_WHY_TEXT]; /* of TS_UNABLE; of TS_UNLIKE both shapes, where no element was compared; else "" */
+	bool aside;            /* not counted: judged for what it says of others' inputs */
 	double seconds;        /* that ts_compare_traces or ts_compare_forced took; a stage's are its first output's */
 	/* Set by the caller. */
 	u8 *marks;           /* receives 1 for each element that differs; NULL: not wanted */
@@ -55,8 +56,9 @@ void ts_comparison_free(ts_comparison *comparison);
 /* Forgets all but the room of the lists. */
 void ts_comparison_begin(ts_comparison *comparison);
 
-/* TS_OK: all that was judged is the same; TS_DIFFERENT; TS_ERROR: could not, also where nothing could be judged or a
- * shape that the frame fixes is another. The comparison is filled in either of the first two cases. */
+/* TS_OK: all that was judged is the same; TS_DIFFERENT; TS_ERROR: could not, also where nothing could be judged though
+ * all buffers may, or a shape that the frame fixes is another. The comparison is filled in either of the first two
+ * cases. */
 ts_status ts_compare_traces(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
                             const ts_relaxations *relaxations);
 

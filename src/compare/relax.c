@@ -34,6 +34,8 @@ static bool is_name(const char *text, size_t n, const char *name)
 	return strncmp(name, buffer, length) == 0 && name[length] == '.' && strcmp(name + length + 1, field) == 0;
 }
 
+bool ts_relax_takes(const ts_relaxations *r, u32 buffer) { return r->only == NULL || r->only[buffer]; }
+
 bool ts_relax_ignores(const ts_relaxations *r, const char *name)
 {
 	for (const char *at = r->ignore; at != NULL; at = next_of(at)) {

@@ -13,10 +13,13 @@ typedef struct {
 	const char *ignore; /* "BUFFER,BUFFER.field,...": not judged; NULL: none */
 	const u8 *mask;     /* H W: pixel buffers are judged only where it is not 0; NULL: everywhere */
 	u32 mask_width, mask_height;
+	const bool *only; /* by buffer: others are not judged; NULL: all are */
 } ts_relaxations;
 
 /* Whether these floats, given as bits, pass for equal. A NaN never does. */
 bool ts_relax_close(const ts_relaxations *relaxations, u64 ref, u64 cand);
+/* Whether the buffer may be judged at all. */
+bool ts_relax_takes(const ts_relaxations *relaxations, u32 buffer);
 /* Whether `name` is one of those to be ignored. */
 bool ts_relax_ignores(const ts_relaxations *relaxations, const char *name);
 /* Refuses names to be ignored that no buffer and no field has. */

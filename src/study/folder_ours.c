@@ -15,8 +15,7 @@ enum { MAX_REPORT_BYTES = 1 << 24, PATH_BYTES = 4096 + 300 };
 
 static bool is_regular(const char *path, struct stat *info) { return lstat(path, info) == 0 && S_ISREG(info->st_mode); }
 
-/* "name" or "sub/name", none of them hidden: no name leads out of the folder. */
-static bool is_name(const char *name)
+bool ts_ours_is_name(const char *name)
 {
 	const char *slash = name != NULL ? strchr(name, '/') : NULL;
 	if (name == NULL || name[0] == 0 || name[0] == '.') return false;
@@ -26,7 +25,8 @@ static bool is_name(const char *name)
 static bool are_names(const json_t *files)
 {
 	bool all = json_is_array(files);
-	for (size_t i = 0; i < json_array_size(files); i++) all &= is_name(json_string_value(json_array_get(files, i)));
+	for (size_t i = 0; i < json_array_size(files); i++)
+		all &= ts_ours_is_name(json_string_value(json_array_get(files, i)));
 	return all;
 }
 

@@ -2,6 +2,7 @@
 #ifndef TS_CLI_JOB_H
 #define TS_CLI_JOB_H
 #include "../methods/stage.h"
+#include "shard.h"
 
 enum { TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48, TS_MAX_MIRRORS = 64 };
 
@@ -49,6 +50,7 @@ typedef struct {
 	bool framed;           /* the parameter `frame` was said */
 	ts_sweep sweep;
 	ts_frames frames;
+	ts_shard shard;               /* cases that are worked on */
 	const char *scenes, *objects; /* specs, of a render one; objects of a table */
 	ts_scene_options scene;       /* its points are these */
 	f32 eye[3], target[3], lamp[3], mirrors[TS_MAX_MIRRORS][4];

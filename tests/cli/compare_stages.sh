@@ -84,7 +84,9 @@ run compare r/trace-epr several --forced --first 2 --json
 import json
 report = json.load(open("stdout"))
 stages = {s["stage"]: s for s in report["stages"]}
-assert stages["mirror_pixel"] == {"number": 5, "stage": "mirror_pixel", "verdict": "different", "why": ""}
+mirror = stages["mirror_pixel"]
+assert mirror["lines"][0] == report["first_divergence"] and mirror["outcome"] == "failed"
+assert (mirror["number"], mirror["verdict"], mirror["why"]) == (5, "different", "")
 assert stages["eye"]["verdict"] == "same"
 buffers = {d["buffer"]: d for d in report["differences"]}
 assert set(buffers) == {r["buffer"] for r in report["buffers"] if r["verdict"] == "different"}

@@ -1,0 +1,71 @@
+/* What `golden check` found, as a report. */
+#include "golden.h"
+#include "tell.h"
+
+typedef struct {
+	const ts_goldens *goldens;
+	const ts_outcomes *outcomes;
+	ts_status status;
+} found;
+
+static void report_found(ts_report *report, const void *user)
+{
+	const found *f = user;
+	u32 passed = ts_outcomes_count(f->outcomes, TS_PASSED), skipped = ts_outcomes_count(f->outcomes, TS_LEFT_OUT);
+	u32 known = ts_outcomes_count(f->outcomes, TS_KNOWN);
+	u32 failed = (u32)json_array_size(f->outcomes->rows) - passed - skipped - known;
+	ts_report_value(report, "version", json_string(TS_VERSION));
+	ts_report_value(report, "contract", json_integer(TS_CONTRACT_VERSION));
+	ts_report_value(report, "commit", json_string(ts_commit()));
+	ts_report_value(report, "reference_dir", json_string(f->goldens->dir.path));
+	ts_report_value(report, "backend", json_string(f->goldens->cli->job.backend->name));
+	ts_report_value(report, "verdict", json_string(failed > 0 ? "different" : "same"));
+	ts_report_value(report, "passed", json_integer(passed));
+	ts_report_value(report, "failed", json_integer(failed));
+	ts_report_value(report, "known", json_integer(known));
+	ts_report_value(report, "skipped", json_integer(skipped));
+	ts_report_value(report, "cases", json_incref(f->outcomes->rows));
+}
+
+static void add(ts_outcomes *outcomes, const ts_checked *c)
+{
+	static const ts_outcome of[TS_N_CASE_ENDS] = {TS_PASSED, TS_FAILED, TS_BROKEN, TS_BROKEN};
+	bool differs = c->first != TS_N_BUFFERS;
+	const ts_step *step = differs ? ts_pipeline_maker(c->of->pipeline, c->first) : NULL;
+	ts_outcomes_add(outcomes, c->of->name, ts_case_word(c->end), of[c->end], "", c->seconds);
+	if (c->text[0] != 0) ts_outcomes_line(outcomes, c->text);
+	ts_outcomes_value(outcomes, "stage", differs ? json_string(step != NULL ? step->stage : "scene") : json_null());
+	ts_outcomes_value(outcomes, "buffer", differs ? json_string(ts_buffer_table[c->first].name) : json_null());
+}
+
+static json_t *names_of(const ts_goldens *goldens)
+{
+	json_t *names = json_array();
+	int failed = names == NULL;
+	for (u32 i = 0; i < ts_goldens_count(goldens); i++) {
+		failed |= json_array_append_new(names, json_string(ts_goldens_case(goldens, i)->name)) != 0;
+	}
+	if (failed == 0) return names;
+	json_decref(names);
+	ts_fail("the names of cases: out of memory");
+	return NULL;
+}
+
+static ts_status tell(const ts_goldens *goldens, const ts_checked *checked, u32 n, ts_status status)
+{
+	ts_outcomes outcomes;
+	const found f = {goldens, &outcomes, status};
+	ts_telling telling = {"golden check", &outcomes, "", names_of(goldens), status, report_found, NULL, &f};
+	ts_status told = telling.cases != NULL ? ts_outcomes_begin(&outcomes, "case", "touchstone.golden") : TS_ERROR;
+	if (told == TS_OK) {
+		for (u32 i = 0; i < n; i++) add(&outcomes, &checked[i]);
+		told = ts_tell(goldens->cli, &telling, goldens->cli->job.output.json);
+		ts_outcomes_end(&outcomes);
+	}
+	json_decref(telling.cases);
+	return told;
+}
+
+void ts_golden_failed(const ts_cli *cli) { ts_tell_failed(cli, "golden check"); }
+
+ts_golden_teller *const ts_golden_tell = tell;

@@ -1,0 +1,45 @@
+/* How the cases of a command ended: rows of its report, which TAP and JUnit XML print too. */
+#ifndef TS_CLI_OUTCOMES_H
+#define TS_CLI_OUTCOMES_H
+#include <jansson.h>
+#include "../kernels/base/compat.h"
+#include "../model/core.h"
+#include "junit.h"
+
+typedef enum {
+	TS_PASSED,
+	TS_LEFT_OUT, /* not judged, for a reason */
+	TS_KNOWN,    /* differs as a baseline says */
+	TS_FAILED,
+	TS_BROKEN, /* could not be judged, and should */
+	TS_N_OUTCOMES,
+} ts_outcome;
+
+/* Rows are {KEY: name, "verdict": a word, "outcome": "passed", "skipped", "known", "failed" or "error", "why": why, or
+ * "", "lines": what is said of it}. */
+typedef struct {
+	const char *key;        /* "case" or "stage" */
+	const char *class_name; /* in JUnit XML */
+	json_t *rows, *seconds; /* how long each took */
+	bool failed;            /* out of memory */
+} ts_outcomes;
+
+ts_status ts_outcomes_begin(ts_outcomes *outcomes, const char *key, const char *class_name);
+/* Takes rows that were read, which may hold anything, and how long each took. Ended by ts_outcomes_end also on
+ * failure. */
+ts_status ts_outcomes_read(ts_outcomes *outcomes, const char *key, const char *class_name, json_t *rows,
+                           json_t *seconds);
+/* Appends a case; what follows is about it. */
+void ts_outcomes_add(ts_outcomes *outcomes, const char *name, const char *verdict, ts_outcome outcome, const char *why,
+                     double seconds);
+void ts_outcomes_line(ts_outcomes *outcomes, const char *line);
+void ts_outcomes_value(ts_outcomes *outcomes, const char *key, json_t *value);
+u32 ts_outcomes_count(const ts_outcomes *outcomes, ts_outcome outcome);
+ts_status ts_outcomes_check(const ts_outcomes *outcomes);
+void ts_outcomes_end(ts_outcomes *outcomes);
+
+/* A line each, in Test Anything Protocol. */
+void ts_outcomes_tap(const ts_outcomes *outcomes, FILE *out);
+void ts_outcomes_junit(const ts_outcomes *outcomes, ts_junit *junit);
+
+#endif

@@ -1,0 +1,81 @@
+/* What was judged, in the forms that were asked for. */
+#include "tell.h"
+#include "../study/folder.h"
+#include "compare.h"
+#include "sharded.h"
+
+static ts_status write_files(ts_report *report, const ts_cli *cli, const ts_telling *t)
+{
+	ts_status status = t->draw != NULL ? t->draw(t->user) : TS_OK;
+	if (status != TS_OK) return status;
+	ts_report_value(report, "program", json_string(ts_program));
+	if (cli->job.shard.of == 0) return ts_results_report(report);
+	ts_report_timed(report, "seconds", json_incref(t->outcomes->seconds));
+	ts_report_timed(report, "seconds_in_all", json_real(ts_seconds() - cli->began));
+	const ts_sharded sharded = {t->command, t->outcomes->class_name, t->cases, t->status, NULL};
+	return ts_sharded_write(report, cli, &sharded);
+}
+
+static ts_status write_folder(ts_report *report, const ts_cli *cli, const ts_telling *t)
+{
+	ts_status status = ts_results_begin(cli->job.output.dir, cli->job.output.force);
+	if (status == TS_OK) status = write_files(report, cli, t);
+	if (status == TS_OK) status = ts_folder_commit();
+	if (status != TS_OK) ts_folder_discard();
+	return status;
+}
+
+static ts_status write_junit(const ts_cli *cli, const ts_telling *t)
+{
+	ts_junit junit;
+	char suite[64];
+	snprintf(suite, sizeof suite, "touchstone %s", t->command);
+	if (cli->judging.junit == NULL) return TS_OK;
+	if (ts_junit_begin(&junit, cli->judging.junit, suite) != TS_OK) return TS_ERROR;
+	ts_outcomes_junit(t->outcomes, &junit);
+	return ts_junit_end(&junit, t->relaxed, ts_seconds() - cli->began);
+}
+
+static ts_status print_tap(const ts_telling *t)
+{
+	ts_file_text text;
+	if (ts_file_text_begin(&text, "the verdicts") != TS_OK) return TS_ERROR;
+	if (t->relaxed[0] != 0) fprintf(text.out, "# relaxed: %s\n", t->relaxed);
+	ts_outcomes_tap(t->outcomes, text.out);
+	return ts_file_text_print(&text);
+}
+
+ts_status ts_tell(ts_cli *cli, const ts_telling *t, bool print)
+{
+	ts_report report;
+	ts_report_begin(&report, cli->job.output.json);
+	t->report(&report, t->user);
+	ts_status status = ts_outcomes_check(t->outcomes);
+	if (status == TS_OK) status = ts_report_check(&report);
+	if (status == TS_OK) {
+		status = write_junit(cli, t);
+		cli->judging.told = status == TS_OK;
+	}
+	if (status == TS_OK && cli->job.output.dir != NULL) status = write_folder(&report, cli, t);
+	if (status == TS_OK && print && !cli->judging.tap) return ts_report_end(&report);
+	if (status == TS_OK && cli->judging.tap) status = print_tap(t);
+	ts_report_discard(&report);
+	return status;
+}
+
+void ts_tell_failed(const ts_cli *cli, const char *command)
+{
+	ts_outcomes outcomes;
+	char class_name[64], relaxed[TS_RELAXED_TEXT], why[1024];
+	if (cli->judging.junit == NULL || cli->judging.told) return;
+	snprintf(why, sizeof why, "%s", ts_error_message());
+	snprintf(class_name, sizeof class_name, "touchstone.%.*s", (int)strcspn(command, " "), command);
+	const ts_telling telling = {.command = command, .outcomes = &outcomes, .relaxed = relaxed};
+	ts_compare_relaxed(relaxed, cli);
+	if (ts_outcomes_begin(&outcomes, "case", class_name) == TS_OK) {
+		ts_outcomes_add(&outcomes, "comparison", "not compared", TS_BROKEN, "", 0);
+		ts_outcomes_line(&outcomes, why);
+		if (!outcomes.failed) write_junit(cli, &telling);
+	}
+	ts_outcomes_end(&outcomes);
+}

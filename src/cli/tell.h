@@ -1,0 +1,22 @@
+/* What a command that judges says: as text or JSON, as TAP, as JUnit XML, and as a folder of results. */
+#ifndef TS_CLI_TELL_H
+#define TS_CLI_TELL_H
+#include "../study/table.h"
+#include "cli.h"
+#include "outcomes.h"
+
+typedef struct {
+	const char *command; /* "compare" */
+	const ts_outcomes *outcomes;
+	const char *relaxed; /* relaxations; "" none */
+	json_t *cases;       /* names of all cases, those of other shards too; NULL: there are no shards */
+	ts_status status;    /* that the command will end with */
+	void (*report)(ts_report *report, const void *user);
+	ts_status (*draw)(const void *user); /* pictures into the folder of -o; NULL: none */
+	const void *user;
+} ts_telling;
+/* Says all that cli asks for. Whether the report is printed, with `print`, or was, as it came. */
+ts_status ts_tell(ts_cli *cli, const ts_telling *telling, bool print);
+/* Writes the file of --junit where nothing was judged. */
+void ts_tell_failed(const ts_cli *cli, const char *command);
+#endif
