@@ -64,6 +64,7 @@ typedef struct {
 	} golden;
 	const char *check, *stage, *inputs;
 	bool flush_denormals;
+	const struct ts_parts *parts; /* of merge: renders are taken from these shards; NULL: they are made */
 	struct {
 		u32 seconds, mib; /* at most; 0: no limit */
 		bool none;

@@ -31,6 +31,7 @@ const ts_command ts_command_table[] = {
      WHERE,
      HOW,
      TS_OPT(ORDER),
+     TS_OPT(SHARD),
      TS_OPT(OUTPUT),
      TS_OPT(FORCE),
      TS_OPT(NO_IMAGES),

@@ -145,7 +145,8 @@ static ts_status tell(ts_cli *cli, sides *s, ts_status status)
 	if (cli->job.shard.of > 0) {
 		telling.cases = ts_compare_cases(s->reference->pipeline);
 		if (telling.cases == NULL) return TS_ERROR;
-		ts_shard_say_empty(cli->job.shard, json_array_size(telling.cases));
+		const size_t n = json_array_size(telling.cases);
+		if (cli->job.shard.index > n) ts_shard_say_empty(cli->job.shard, n);
 	}
 	if (ts_tell(cli, &telling, true) != TS_OK) status = TS_ERROR;
 	json_decref(telling.cases);

@@ -109,7 +109,7 @@ ts_status ts_golden_check_action(const ts_goldens *goldens)
 		if (print && print_line(&checked[n]) != TS_OK) return TS_ERROR;
 		n++;
 	}
-	if (cli->job.shard.of > 0) ts_shard_say_empty(cli->job.shard, ts_goldens_count(goldens));
+	if (cli->job.shard.of > 0 && n == 0) ts_shard_say_empty(cli->job.shard, ts_goldens_count(goldens));
 	ts_status status = sum_up(checked, n, print);
 	if (ts_golden_tell != NULL && ts_golden_tell(goldens, checked, n, status) != TS_OK) return TS_ERROR;
 	return status == TS_ERROR ? sum_up(checked, n, false) : status;

@@ -13,7 +13,7 @@ typedef struct {
 	u32 index, of;
 } ts_part;
 /* All shards of a run, by their index. */
-typedef struct {
+typedef struct ts_parts {
 	ts_part *part;
 	u32 n;
 	const char *command, *class_name; /* of all of them */

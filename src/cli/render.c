@@ -138,11 +138,14 @@ ts_status ts_render_command(ts_cli *cli)
 	if (job->output.dir != NULL && !ts_render_writes(job)) {
 		return ts_fail("--output: --no-images writes no files; leave one of the two out");
 	}
+	bool series = job->sweep.n > 0 || job->frames.step > 0;
+	if (job->shard.of > 0 && (!series || job->output.no_images)) {
+		return ts_fail("--shard: of pictures of several frames or combinations: --frames, or --set NAME=A,B");
+	}
 	if (choose_truths(job) != TS_OK) return TS_ERROR;
 	ts_measure_keep_memory();
 	ts_effect_params(job, job->effect);
 	if (job->exposed && ts_exposure_choose(job) != TS_OK) return TS_ERROR;
-	bool series = job->sweep.n > 0 || job->frames.step > 0;
-	ts_status status = series ? ts_render_series(job) : ts_render_with(job, work_in_folder, NULL);
+	ts_status status = series ? ts_render_series(cli) : ts_render_with(job, work_in_folder, NULL);
 	return status == TS_OK ? say_unread(job) : status;
 }

@@ -8,6 +8,7 @@
 #include "../study/table.h"
 #include "../study/trace.h"
 #include "../study/truths.h"
+#include "cli.h"
 
 enum { TS_MAX_PAIRS = 256, TS_MAX_SHOWN = TS_MAX_METHODS + TS_MAX_TRUTHS };
 
@@ -57,7 +58,7 @@ ts_status ts_render_with(const ts_job *job, ts_status (*with)(ts_render *render,
  * of the brightest that is displayed (exposure.c). */
 ts_status ts_exposure_choose(ts_job *job);
 /* Several: of the job's frames, of the combinations of its sweep, or of both. */
-ts_status ts_render_series(ts_job *job);
+ts_status ts_render_series(ts_cli *cli);
 /* Whether files are to be written, traces alone among them; and where. */
 bool ts_render_writes(const ts_job *job);
 bool ts_render_traces(const ts_job *job);

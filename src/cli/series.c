@@ -134,7 +134,7 @@ static void note_time(ts_series *series)
 	time->combination = series->combination;
 	time->frame = TS_PARAM(&series->job->params, frame);
 	if (series->job->truths != 0) ts_measure_return_memory();
-	time->resident_bytes = ts_memory_resident();
+	if (series->fetched == NULL) time->resident_bytes = ts_memory_resident();
 	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
 		const ts_picture *picture = ts_render_shown(series->render, i);
 		time->milliseconds[i] = picture != NULL ? 1e3 * picture->seconds : NAN;
@@ -173,27 +173,43 @@ static ts_status tell(ts_series *series)
 	if (status == TS_OK) status = ts_series_csv(series, job->sweep.n > 0 && !job->output.json);
 	if (status == TS_OK) status = ts_series_plot_frame(series);
 	note_time(series);
-	if (status == TS_OK && series->n_done == 0) ts_render_advise(series->render);
+	if (status == TS_OK && series->n_done == 0 && series->fetched == NULL) ts_render_advise(series->render);
+	if (status == TS_OK && job->shard.of > 0) status = ts_series_record(series);
 	if (status != TS_OK || job->output.no_images) return status;
-	status = show_contact(series);
-	return status == TS_OK ? ts_render_write(series->render) : status;
+	if (job->shard.of == 0) status = show_contact(series);
+	if (status != TS_OK) return status;
+	return series->fetched == NULL ? ts_render_write(series->render) : ts_series_copy(series);
 }
 
-/* A render of the job's parameters as they are. */
+/* The pictures of the job's parameters as they are. */
+static ts_status make_pictures(ts_series *series)
+{
+	name_folder(series);
+	if (series->cli->parts != NULL) return ts_series_fetch(series);
+	ts_keep_give(series);
+	ts_status status = ts_render_make(series->render);
+	if (status == TS_OK) status = mark_still(series);
+	lend_before(series);
+	return status;
+}
+
 static ts_status make(ts_series *series)
 {
-	ts_render *render = series->render;
-	name_folder(series);
-	ts_keep_give(series);
-	ts_status status = ts_render_make(render);
-	if (status == TS_OK) status = mark_still(series);
-	if (status != TS_OK) return status;
-	lend_before(series);
-	status = ts_render_compare(render);
+	ts_status status = make_pictures(series);
+	if (status == TS_OK && series->fetched == NULL) status = ts_render_compare(series->render);
 	if (status == TS_OK) status = tell(series);
 	if (status == TS_OK) status = keep_before(series);
 	series->n_done++;
-	ts_progress("renders", series->n_done, count_all(series->job));
+	ts_progress("renders", series->n_done, series->n_all);
+	return status;
+}
+
+/* The frame before the shard's first one, for what changed since. */
+static ts_status make_before(ts_series *series)
+{
+	ts_status status = make_pictures(series);
+	if (status == TS_OK) status = keep_before(series);
+	ts_render_clear(series->render);
 	return status;
 }
 
@@ -203,10 +219,13 @@ static ts_status make_frames(ts_series *series)
 	u32 n = ts_frames_count(&job->frames);
 	ts_status status = TS_OK;
 	for (u32 k = 0; k < n && status == TS_OK; k++) {
+		bool own = ts_series_has(series, series->combination, k);
 		ts_frames_set(&job->params, &job->frames, k);
+		if (!own && k + 1 < n && ts_series_has(series, series->combination, k + 1)) status = make_before(series);
+		if (!own) continue;
 		status = make(series);
-		bool last = series->n_done == count_all(job);
-		if (status == TS_OK && !last && job->sweep.n > 0) status = ts_keep_take(series);
+		bool last = series->n_done == series->n_all;
+		if (status == TS_OK && !last && job->sweep.n > 0 && series->fetched == NULL) status = ts_keep_take(series);
 		if (!last) ts_render_clear(series->render);
 	}
 	return status;
@@ -218,18 +237,19 @@ static ts_status make_combination(ts_series *series)
 	ts_params before = job->params;
 	ts_status status = ts_sweep_set(&job->sweep, series->combination, &job->params, series->values);
 	ts_frames_set(&job->params, &job->frames, 0);
-	if (status == TS_OK && series->combination > 0 && is_other_scene(series, &before)) {
+	if (status == TS_OK && series->begun && is_other_scene(series, &before)) {
 		ts_scene_free(series->render->scene);
 		series->render->scene = NULL;
 	}
 	if (status == TS_OK) status = ts_render_open(series->render);
 	if (status != TS_OK) return status;
 	u32 absent = ts_render_truths_absent(series->render);
-	bool first = series->combination == 0;
+	bool first = !series->begun;
 	if (first) ts_render_report_head(series->render, &series->report);
 	if (first || absent != series->absent) ts_render_truths_missing(series->render, &series->report);
 	if (first && job->sweep.n == 0) status = ts_report_print(&series->report);
 	series->absent = absent;
+	series->begun = true;
 	forget_before(series);
 	if (status == TS_OK) status = make_frames(series);
 	return status == TS_OK ? ts_series_plot_combination(series) : status;
@@ -286,6 +306,11 @@ static void report_pictures(ts_series *series)
 	size_t n = 0;
 	bool sequence = series->job->frames.step > 0;
 	ts_table table = ts_table_begin("pictures", "Pictures, in a folder of each render", columns);
+	if (series->fetched != NULL) {
+		ts_series_fetch_pictures(&table, series);
+		ts_report_table(&series->report, &table);
+		return;
+	}
 	ts_render_report_pictures(series->render, &table);
 	n += (size_t)snprintf(rows, sizeof rows, "renders from left to right; from above ");
 	for (u32 i = 0; i < TS_MAX_SHOWN && n < sizeof rows; i++) {
@@ -303,31 +328,42 @@ static void report_pictures(ts_series *series)
 	ts_report_table(&series->report, &table);
 }
 
-static ts_status finish(ts_series *series)
+/* What is of all renders. */
+static ts_status write_whole(ts_series *series)
 {
-	ts_job *job = series->job;
-	ts_series_report(series);
-	ts_report_timed(&series->report, "renders", times_json(series));
-	if (job->output.no_images) return ts_report_check(&series->report);
-	report_pictures(series);
 	ts_status status = ts_contact_write(&series->contact, "contact-sheet.png");
 	if (status == TS_OK) status = ts_series_plots_write(series);
 	if (status == TS_OK) status = write_videos(series);
 	if (status == TS_OK) status = write_csv(series);
 	if (status != TS_OK) return status;
 	ts_report_line(&series->report, "%s", "");
-	ts_report_line(&series->report, "The files are in %s", ts_render_output(job));
+	ts_report_line(&series->report, "The files are in %s", ts_render_output(series->job));
 	return ts_results_report(&series->report);
+}
+
+static ts_status finish(ts_series *series)
+{
+	ts_job *job = series->job;
+	ts_series_report(series);
+	ts_report_timed(&series->report, "renders", times_json(series));
+	if (job->output.no_images) return ts_report_check(&series->report);
+	if (series->n_all > 0) report_pictures(series);
+	return job->shard.of > 0 ? ts_series_shard_write(series) : write_whole(series);
 }
 
 static ts_status make_all(ts_series *series)
 {
 	ts_status status = TS_OK;
-	u32 n = ts_sweep_count(&series->job->sweep);
-	for (u32 c = 0; c < n && status == TS_OK; c++) {
-		series->combination = c;
-		status = make_combination(series);
+	u32 n = ts_sweep_count(&series->job->sweep), n_frames = ts_frames_count(&series->job->frames);
+	for (u32 c = 0; c < n; c++) {
+		for (u32 k = 0; k < n_frames; k++) series->n_all += ts_series_has(series, c, k);
 	}
+	for (u32 c = 0; c < n && status == TS_OK; c++) {
+		bool whole = series->job->sweep.n == 0 && series->n_all > 0; /* of frames a part */
+		series->combination = c;
+		if (whole || ts_series_has(series, c, 0)) status = make_combination(series);
+	}
+	if (series->n_all == 0) ts_shard_say_empty(series->job->shard, (u64)n * n_frames);
 	return status == TS_OK ? finish(series) : status;
 }
 
@@ -338,17 +374,21 @@ static void release(ts_series *series)
 	free(series->times);
 	ts_contact_free(&series->contact);
 	ts_keep_free(&series->keep);
+	json_decref(series->renders);
 	free(series->data);
 	free(series);
 }
 
 static ts_status work(ts_render *render, void *user)
 {
-	ts_job *job = user;
+	ts_cli *cli = user;
+	ts_job *job = &cli->job;
 	bool files = !job->output.no_images, quiet = job->sweep.n > 0;
 	ts_series *series = ts_alloc_zero(1, sizeof *series, "a series of renders");
 	if (series == NULL) return TS_ERROR;
+	series->cli = cli;
 	series->job = job;
+	series->renders = json_array();
 	series->render = render;
 	series->times = ts_alloc(count_all(job), sizeof *series->times, "times of a series");
 	ts_report_begin(&series->report, job->output.json || quiet);
@@ -366,8 +406,8 @@ static ts_status work(ts_render *render, void *user)
 	return status;
 }
 
-ts_status ts_render_series(ts_job *job)
+ts_status ts_render_series(ts_cli *cli)
 {
-	if (ts_render_traces(job)) return ts_fail("--trace: of one frame and no sweep; name the frame by --frame");
-	return ts_render_with(job, work, job);
+	if (ts_render_traces(&cli->job)) return ts_fail("--trace: of one frame and no sweep; name the frame by --frame");
+	return ts_render_with(&cli->job, work, cli);
 }

@@ -5,6 +5,7 @@
 #include "../study/frames.h"
 #include "../study/plot.h"
 #include "../study/sweep.h"
+#include "merge.h"
 #include "render.h"
 
 /* What is told of a picture: counters, errors against each truth, and how it changed. */
@@ -50,6 +51,7 @@ typedef struct {
 } ts_series_time;
 
 typedef struct {
+	ts_cli *cli;
 	ts_job *job; /* its parameters are those of the render that is made */
 	ts_render *render;
 	ts_report report;
@@ -64,6 +66,11 @@ typedef struct {
 	char name[TS_SERIES_NAME];                 /* of the combination, "" or "cube.px=64"; and of a folder of it */
 	char folder[TS_SERIES_NAME + 24];
 	u32 combination, n_done; /* its place among all; renders before this one */
+	u32 n_all;               /* renders of this shard */
+	bool begun;              /* the report has its head */
+	json_t *renders;         /* of a shard: what they gave */
+	const ts_part *from;     /* of merge: the shard of this one, */
+	const json_t *fetched;   /* and what this one gave */
 	u32 absent;              /* truths that cannot be made, as the report has said */
 	ts_datum *data;          /* of the plots */
 	size_t n_data, data_capacity;
@@ -74,6 +81,21 @@ void ts_keep_give(ts_series *series);
 /* Takes the pictures of the render, but for those that do not fit, which stay. */
 ts_status ts_keep_take(ts_series *series);
 void ts_keep_free(ts_keep *keep);
+
+/* Whether the shard has frame number k of a combination. A case is a combination, or, where there is no sweep, a
+ * frame. */
+bool ts_series_has(const ts_series *series, u32 combination, u32 k);
+/* Keeps what this render gave: its figures, exactly. */
+ts_status ts_series_record(ts_series *series);
+/* Writes the report as one of a shard. */
+ts_status ts_series_shard_write(ts_series *series);
+/* Takes the pictures, times and figures of this render from the shard that made them, for merge. */
+ts_status ts_series_fetch(ts_series *series);
+ts_status ts_series_fetch_figures(ts_figures *figures, const ts_series *series, u32 shown);
+/* Rows of names and of what they show, as the shard of this render has them. */
+void ts_series_fetch_pictures(ts_table *table, const ts_series *series);
+/* Copies the files of this render from there. */
+ts_status ts_series_copy(ts_series *series);
 
 /* Adds this render's figures to those of the combination, series->rows. */
 ts_status ts_series_add(ts_series *series);

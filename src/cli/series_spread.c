@@ -11,7 +11,11 @@ ts_status ts_series_add(ts_series *series)
 		if (series->rows[i] == NULL) series->rows[i] = ts_alloc_zero(1, sizeof *series->rows[i], "figures");
 		ts_series_row *row = series->rows[i];
 		if (row == NULL) return TS_ERROR;
-		ts_series_figures(&row->figures, series->render, i);
+		if (series->fetched == NULL) {
+			ts_series_figures(&row->figures, series->render, i);
+		} else if (ts_series_fetch_figures(&row->figures, series, i) != TS_OK) {
+			return TS_ERROR;
+		}
 		for (u32 k = 0; k < row->figures.n; k++)
 			ts_frame_spread_add(&row->spread[k], row->figures.figure[k].value, frame);
 		ts_frame_spread_add(&row->milliseconds, 1e3 * picture->seconds, frame);

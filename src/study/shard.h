@@ -1,4 +1,4 @@
-/* A part of a table of cases, --shard I/N: every N-th case from the I-th on, so that each is in exactly one part. */
+/* A part of a table of cases, --shard I/N: each case is in exactly one of the N parts; sizes differ by one at most. */
 #ifndef TS_STUDY_SHARD_H
 #define TS_STUDY_SHARD_H
 #include "../model/core.h"
@@ -12,9 +12,11 @@ typedef struct {
 
 /* Reads "I/N", with I from 1 to N. */
 ts_status ts_shard_read(ts_shard *shard, const char *text);
-/* Whether case `place`, from 0, is in it. */
+/* Whether case `place`, from 0, is in it: every N-th from the I-th on is. */
 bool ts_shard_has(ts_shard shard, u64 place);
-/* Says so where no case is in it: a shard of none passes. */
+/* The same of cases of which each needs the one before: parts of n cases that follow one another. */
+bool ts_shard_has_block(ts_shard shard, u64 place, u64 n);
+/* Says that none of so many cases is in it, and that it passes. */
 void ts_shard_say_empty(ts_shard shard, u64 n_cases);
 
 #endif
