@@ -127,7 +127,7 @@ CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/* methods methods/* families golden vectors)) \
 	src/backends/args.c src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
-	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
+	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends baseline command commit digest golden* help \
 		methods nearest options parse reads say shard sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
 TEST_C := $(filter-out $(patsubst %,tests/%,$(shell sed '/^\#/d' tests/apart.txt)),$(call every,tests,c))

@@ -1,10 +1,13 @@
 /* What `golden check` found, as a report. */
+#include "../scene/print.h"
+#include "compare.h"
 #include "golden.h"
 #include "tell.h"
 
 typedef struct {
 	const ts_goldens *goldens;
 	const ts_outcomes *outcomes;
+	const char *relaxed;
 	ts_status status;
 } found;
 
@@ -19,6 +22,7 @@ static void report_found(ts_report *report, const void *user)
 	ts_report_value(report, "commit", json_string(ts_commit()));
 	ts_report_value(report, "reference_dir", json_string(f->goldens->dir.path));
 	ts_report_value(report, "backend", json_string(f->goldens->cli->job.backend->name));
+	ts_report_value(report, "relaxations", ts_text_json(f->relaxed));
 	ts_report_value(report, "verdict", json_string(failed > 0 ? "different" : "same"));
 	ts_report_value(report, "passed", json_integer(passed));
 	ts_report_value(report, "failed", json_integer(failed));
@@ -29,12 +33,12 @@ static void report_found(ts_report *report, const void *user)
 
 static void add(ts_outcomes *outcomes, const ts_checked *c)
 {
-	static const ts_outcome of[TS_N_CASE_ENDS] = {TS_PASSED, TS_FAILED, TS_BROKEN, TS_BROKEN};
+	static const ts_outcome of[TS_N_CASE_ENDS] = {TS_PASSED, TS_LEFT_OUT, TS_KNOWN, TS_FAILED, TS_BROKEN, TS_BROKEN};
 	bool differs = c->first != TS_N_BUFFERS;
-	const ts_step *step = differs ? ts_pipeline_maker(c->of->pipeline, c->first) : NULL;
-	ts_outcomes_add(outcomes, c->of->name, ts_case_word(c->end), of[c->end], "", c->seconds);
+	const char *stage = differs ? ts_baseline_stage(c->of->pipeline, c->first) : "";
+	ts_outcomes_add(outcomes, c->of->name, ts_case_word(c->end), of[c->end], c->why, c->seconds);
 	if (c->text[0] != 0) ts_outcomes_line(outcomes, c->text);
-	ts_outcomes_value(outcomes, "stage", differs ? json_string(step != NULL ? step->stage : "scene") : json_null());
+	ts_outcomes_value(outcomes, "stage", differs ? json_string(stage) : json_null());
 	ts_outcomes_value(outcomes, "buffer", differs ? json_string(ts_buffer_table[c->first].name) : json_null());
 }
 
@@ -54,8 +58,10 @@ static json_t *names_of(const ts_goldens *goldens)
 static ts_status tell(const ts_goldens *goldens, const ts_checked *checked, u32 n, ts_status status)
 {
 	ts_outcomes outcomes;
-	const found f = {goldens, &outcomes, status};
-	ts_telling telling = {"golden check", &outcomes, "", names_of(goldens), status, report_found, NULL, &f};
+	char relaxed[TS_RELAXED_TEXT];
+	ts_compare_relaxed(relaxed, goldens->cli);
+	const found f = {goldens, &outcomes, relaxed, status};
+	ts_telling telling = {"golden check", &outcomes, relaxed, names_of(goldens), status, report_found, NULL, &f};
 	ts_status told = telling.cases != NULL ? ts_outcomes_begin(&outcomes, "case", "touchstone.golden") : TS_ERROR;
 	if (told == TS_OK) {
 		for (u32 i = 0; i < n; i++) add(&outcomes, &checked[i]);

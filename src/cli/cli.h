@@ -32,8 +32,9 @@ typedef struct {
 	ts_tolerances tolerances;   /* of images */
 	const char *mask;           /* file */
 	const char *layout;
-	bool forced; /* each stage by the candidate's own inputs */
-	u32 first;   /* differences that are shown of a buffer, at least 1 */
+	bool forced;                 /* each stage by the candidate's own inputs */
+	u32 first;                   /* differences that are shown of a buffer, at least 1 */
+	const char *baseline, *skip; /* files */
 	const char *junit;
 	bool tap;
 	bool told; /* the file of --junit is written */

@@ -124,6 +124,8 @@ const ts_command ts_command_table[] = {
      TS_OPT(RMSE),
      TS_OPT(EXPOSURE),
      TS_OPT(IGNORE),
+     TS_OPT(BASELINE),
+     TS_OPT(SKIP),
      TS_OPT(MASK),
      TS_OPT(LAYOUT),
      TS_OPT(ORDER),
@@ -147,8 +149,8 @@ const ts_command ts_command_table[] = {
      TS_OPT(METHOD), TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS), TS_OPT(SET), HOW, TS_OPT(FLUSH_DENORMALS),
      .run = ts_digest_command},
 	{"golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/", TS_GOLDEN_DETAILS, 1, 2, HOW,
-     TS_OPT(SHARD), TS_OPT(REASON), TS_OPT(REFERENCE_DIR), TS_OPT(JUNIT), TS_OPT(TAP), TS_OPT(OUTPUT), TS_OPT(FORCE),
-     TS_OPT(JSON), .run = ts_golden_command, .failed = ts_golden_failed},
+     TS_OPT(SHARD), TS_OPT(BASELINE), TS_OPT(SKIP), TS_OPT(REASON), TS_OPT(REFERENCE_DIR), TS_OPT(JUNIT), TS_OPT(TAP),
+     TS_OPT(OUTPUT), TS_OPT(FORCE), TS_OPT(JSON), .run = ts_golden_command, .failed = ts_golden_failed},
 	{"merge", "DIR...", "results of shards, put together",
      "DIR: what a command with --shard I/N wrote to -o DIR; name all N folders. What merge writes, and says as JSON,\n"
      "TAP or JUnit XML, is what the command does without --shard, but for times. The exit code is the shards' worst.\n"

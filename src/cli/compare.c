@@ -6,6 +6,7 @@
 #include <touchstone/image.h>
 #include "../replay/forced.h"
 #include "compare_images.h"
+#include "compare_known.h"
 #include "compare_shard.h"
 
 /* What is compared. */
@@ -36,6 +37,7 @@ static ts_status check_options(const ts_cli *cli, kind is)
 	} limited[] = {
 		{TS_OPTION_FORCED, {[TRACES] = true}},   {TS_OPTION_DECIDED, {[TRACES] = true}},
 		{TS_OPTION_LAYOUT, {[TRACES] = true}},   {TS_OPTION_ORDER, {[TRACES] = true}},
+		{TS_OPTION_BASELINE, {[TRACES] = true}}, {TS_OPTION_SKIP, {[TRACES] = true}},
 		{TS_OPTION_SHARD, {[TRACES] = true}},    {TS_OPTION_PERCENT, {[IMAGES] = true}},
 		{TS_OPTION_HARDFAIL, {[IMAGES] = true}}, {TS_OPTION_RMSE, {[IMAGES] = true}},
 		{TS_OPTION_EXPOSURE, {[IMAGES] = true}}, {TS_OPTION_IGNORE, {[TRACES] = true, [BUFFERS] = true}},
@@ -61,6 +63,7 @@ typedef struct {
 	ts_comparison *comparison;
 	ts_relaxations relaxations;
 	bool own[TS_N_BUFFERS]; /* of this shard */
+	ts_compare_lists lists;
 	ts_outcomes outcomes;
 } sides;
 
@@ -111,6 +114,9 @@ static void report_all(ts_report *report, const void *user)
 {
 	const sides *s = user;
 	ts_compare_report(report, s->comparison, s->reference, s->candidate, s->cli);
+	ts_compare_report_known(report, &s->lists, s->comparison);
+	bool failed = ts_outcomes_count(&s->outcomes, TS_FAILED) > 0;
+	ts_report_value(report, "verdict", json_string(failed ? "different" : "same"));
 	ts_report_value(report, "stages", json_incref(s->outcomes.rows));
 }
 
@@ -124,24 +130,28 @@ static ts_status judge_own(const sides *s)
 static ts_status judge(sides *s)
 {
 	ts_shard shard = s->cli->job.shard;
+	if (s->lists.ignore != NULL) s->relaxations.ignore = s->lists.ignore;
 	if (shard.of > 0) {
 		if (ts_compare_own(s->own, s->reference, s->candidate, &s->relaxations, shard) != TS_OK) return TS_ERROR;
 		s->relaxations.only = s->own;
 	}
+	s->lists.only = s->relaxations.only;
 	ts_status status = judge_own(s);
 	if (status != TS_DIFFERENT || shard.of == 0 || s->comparison->forced) return status;
 	return ts_compare_aside(s->comparison, s->reference, s->candidate, &s->relaxations) == TS_OK ? status : TS_ERROR;
 }
 
-static ts_status tell(ts_cli *cli, sides *s, ts_status status)
+static ts_status tell(ts_cli *cli, sides *s)
 {
+	ts_status status;
 	char class_name[64];
 	snprintf(class_name, sizeof class_name, "touchstone.%s", s->reference->pipeline->name);
 	char relaxed[TS_RELAXED_TEXT];
-	ts_telling telling = {"compare", &s->outcomes, relaxed, NULL, status, report_all, draw_all, s};
+	ts_telling telling = {"compare", &s->outcomes, relaxed, NULL, TS_OK, report_all, draw_all, s};
 	ts_compare_relaxed(relaxed, cli);
 	if (ts_outcomes_begin(&s->outcomes, "stage", class_name) != TS_OK) return TS_ERROR;
-	ts_compare_outcomes(&s->outcomes, s->comparison, s->reference);
+	ts_compare_outcomes(&s->outcomes, s->comparison, s->reference, &s->lists);
+	telling.status = status = ts_outcomes_count(&s->outcomes, TS_FAILED) > 0 ? TS_DIFFERENT : TS_OK;
 	if (cli->job.shard.of > 0) {
 		telling.cases = ts_compare_cases(s->reference->pipeline);
 		if (telling.cases == NULL) return TS_ERROR;
@@ -162,9 +172,11 @@ ts_status ts_compare_command(ts_cli *cli)
 	s.comparison = ts_comparison_make(cli->judging.first);
 	ts_status status = s.comparison != NULL ? open_sides(&s, is) : TS_ERROR;
 	if (status == TS_OK) status = ts_compare_mask(&s.relaxations, cli);
+	if (status == TS_OK) status = ts_compare_lists_read(&s.lists, cli, s.reference->pipeline);
 	if (status == TS_OK) status = judge(&s);
-	if (status != TS_ERROR) status = tell(cli, &s, status);
+	if (status != TS_ERROR) status = tell(cli, &s);
 	ts_outcomes_end(&s.outcomes);
+	ts_compare_lists_free(&s.lists);
 	ts_trace_close(s.reference);
 	ts_trace_close(s.candidate);
 	free((void *)s.relaxations.mask);

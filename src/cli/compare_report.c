@@ -57,6 +57,8 @@ void ts_compare_relaxed(char text[TS_RELAXED_TEXT], const ts_cli *cli)
 	if (r->decided) fprintf(out, " --decided");
 	if (r->ignore != NULL) fprintf(out, " --ignore %.200s", r->ignore);
 	if (judging->mask != NULL) fprintf(out, " --mask %.200s", judging->mask);
+	if (judging->baseline != NULL) fprintf(out, " --baseline %.200s", judging->baseline);
+	if (judging->skip != NULL) fprintf(out, " --skip %.200s", judging->skip);
 	fclose(out);
 	if (text[0] != 0) memmove(text, text + 1, strlen(text));
 	ts_line_clean(text);
@@ -191,7 +193,6 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
 	ts_report_value(report, "candidate_producer", ts_text_json(candidate->producer));
 	ts_report_value(report, "candidate_order", json_string(candidate->arrival ? "arrival" : "canonical"));
 	ts_report_value(report, "relaxations", ts_text_json(relaxed));
-	ts_report_value(report, "verdict", json_string(c->n_unlike > 0 ? "different" : "same"));
 	if (c->first != TS_N_BUFFERS) {
 		ts_compare_line(line, c, reference, c->first);
 		ts_report_line(report, "%s", line);

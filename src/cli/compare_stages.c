@@ -1,5 +1,5 @@
 /* The verdicts of stages: as text, as JSON, as TAP and as JUnit XML. */
-#include "compare.h"
+#include "compare_known.h"
 #include "../scene/print.h"
 #include "../trace/emit.h"
 
@@ -10,8 +10,9 @@ typedef struct {
 	const ts_step *next; /* NULL: the scene is */
 	const char *name;
 	u32 number;
-	ts_judgement verdict; /* of its buffer that differs, else whether any was judged */
-	const char *why;      /* of what could not be judged; else "" */
+	ts_judgement verdict;          /* of its buffer that differs, else whether any was judged */
+	const char *why;               /* of what could not be judged, or is skipped; else "" */
+	const ts_compare_lists *lists; /* NULL: nothing is skipped */
 	ts_buffer_id unlike[TS_N_BUFFERS];
 	u32 n_unlike;
 	double seconds; /* that judging took */
@@ -28,6 +29,7 @@ static void add_buffer(stages *s, ts_buffer_id id)
 	if (v->aside) return;
 	if (v->judgement == TS_UNLIKE) s->unlike[s->n_unlike++] = id;
 	if (v->judgement == TS_UNABLE) s->why = v->why;
+	if (v->judgement == TS_IGNORED && s->lists != NULL) s->why = ts_compare_skipped(s->lists, id);
 	s->seconds += v->seconds;
 	s->verdict = v->judgement > s->verdict ? v->judgement : s->verdict;
 }
@@ -50,6 +52,25 @@ static void add_stage(stages *s, const ts_step *step)
 	for (; *ids != TS_N_BUFFERS; ids++) add_buffer(s, *ids);
 }
 
+/* Entries of the stage that hold no more; without outcomes they are only counted. */
+static u32 put_stale(ts_outcomes *outcomes, const ts_comparison *c, const char *stage, const ts_compare_lists *lists)
+{
+	char line[TS_LINE_TEXT];
+	u32 n = 0;
+	for (size_t i = 0; i < lists->known.n; i++) {
+		if (strcmp(lists->known.entry[i].stage, stage) != 0 || !ts_compare_stale(line, lists, c, i)) continue;
+		if (outcomes != NULL) ts_outcomes_line(outcomes, line);
+		n++;
+	}
+	return n;
+}
+
+/* What is known of a stage without a verdict is told: it is there no more. */
+static bool is_listed(const stages *s)
+{
+	return s->lists != NULL && put_stale(NULL, s->comparison, s->name, s->lists) > 0;
+}
+
 /* The next one that there is a verdict of; false: there is none. */
 static bool next(stages *s)
 {
@@ -66,7 +87,7 @@ static bool next(stages *s)
 		} else {
 			return false;
 		}
-	} while (s->verdict == TS_NOT_JUDGED);
+	} while (s->verdict == TS_NOT_JUDGED && !is_listed(s));
 	return true;
 }
 
@@ -110,18 +131,48 @@ static bool detail(char text[TS_LINE_TEXT], const stages *s, ts_buffer_id id, u3
 	return true;
 }
 
-void ts_compare_outcomes(ts_outcomes *outcomes, const ts_comparison *c, const ts_trace *reference)
+/* Whether all buffers that differ are known; `why` has their reasons. */
+static bool are_known(char why[TS_LINE_TEXT], const stages *s, const ts_compare_lists *lists)
+{
+	size_t used = 0;
+	why[0] = 0;
+	for (u32 i = 0; i < s->n_unlike; i++) {
+		const ts_entry *e = ts_compare_known(lists, s->unlike[i]);
+		if (e == NULL) return false;
+		if (used >= TS_LINE_TEXT) continue;
+		used += (size_t)snprintf(why + used, TS_LINE_TEXT - used, "%s%s", used > 0 ? "; " : "", e->reason);
+	}
+	return true;
+}
+
+static void add_case(ts_outcomes *outcomes, const ts_comparison *c, const stages *s, const ts_compare_lists *lists)
+{
+	char why[TS_LINE_TEXT];
+	bool known = are_known(why, s, lists), stale = put_stale(NULL, c, s->name, lists) > 0;
+	if (stale || !known) {
+		ts_outcomes_add(outcomes, s->name, ts_compare_word(TS_UNLIKE), TS_FAILED, s->why, s->seconds);
+	} else if (s->verdict == TS_UNLIKE) {
+		ts_outcomes_add(outcomes, s->name, "known", TS_KNOWN, why, s->seconds);
+	} else {
+		ts_outcome outcome = s->verdict == TS_SAME ? TS_PASSED : TS_LEFT_OUT;
+		ts_outcomes_add(outcomes, s->name, ts_compare_word(s->verdict), outcome, s->why, s->seconds);
+	}
+	ts_outcomes_value(outcomes, "number", json_integer(s->number));
+}
+
+void ts_compare_outcomes(ts_outcomes *outcomes, const ts_comparison *c, const ts_trace *reference,
+                         const ts_compare_lists *lists)
 {
 	char line[TS_LINE_TEXT], inner[TS_LINE_TEXT + 2];
-	for (stages s = begin(c, reference); next(&s);) {
-		ts_outcome outcome = s.verdict == TS_UNLIKE ? TS_FAILED : s.verdict == TS_SAME ? TS_PASSED : TS_LEFT_OUT;
-		ts_outcomes_add(outcomes, s.name, ts_compare_word(s.verdict), outcome, s.why, s.seconds);
-		ts_outcomes_value(outcomes, "number", json_integer(s.number));
+	stages s = begin(c, reference);
+	for (s.lists = lists; next(&s);) {
+		add_case(outcomes, c, &s, lists);
 		for (u32 i = 0; i < s.n_unlike; i++) {
 			for (u32 k = 0; detail(line, &s, s.unlike[i], k); k++) {
 				snprintf(inner, sizeof inner, "%s%s", k > 0 ? "  " : "", line);
 				ts_outcomes_line(outcomes, inner);
 			}
 		}
+		put_stale(outcomes, c, s.name, lists);
 	}
 }

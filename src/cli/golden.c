@@ -36,6 +36,8 @@ static ts_status check_options(const ts_cli *cli, u32 action)
 		{TS_OPTION_JUNIT, "check", ""},
 		{TS_OPTION_OUTPUT, "check", ""},
 		{TS_OPTION_FORCE, "check", ""},
+		{TS_OPTION_BASELINE, "check", ""},
+		{TS_OPTION_SKIP, "check", ""},
 	};
 	for (u32 i = 0; i < sizeof limited / sizeof *limited; i++) {
 		const char *option = ts_option_table[limited[i].option].name;
@@ -44,6 +46,26 @@ static ts_status check_options(const ts_cli *cli, u32 action)
 		               limited[i].why);
 	}
 	return TS_OK;
+}
+
+static const ts_pipeline *pipeline_of(const void *user, const char *name)
+{
+	const ts_case *found = ts_cases_find(user, name);
+	return found != NULL ? found->pipeline : NULL;
+}
+
+static ts_status check_name(const void *user, const char *name)
+{
+	return ts_cases_find(user, name) != NULL ? TS_OK : TS_ERROR;
+}
+
+static ts_status read_lists(ts_goldens *goldens, const ts_cli *cli)
+{
+	ts_status status = TS_OK;
+	const char *baseline = cli->judging.baseline, *skip = cli->judging.skip;
+	if (baseline != NULL) status = ts_baseline_read(&goldens->known, baseline, pipeline_of, goldens);
+	if (skip != NULL && status == TS_OK) status = ts_baseline_skips(&goldens->skips, skip, check_name, goldens);
+	return status;
 }
 
 static ts_status run_action(ts_goldens *goldens, u32 action, const char *name)
@@ -71,8 +93,11 @@ ts_status ts_golden_command(ts_cli *cli)
 	const char *dir = cli->golden.dir != NULL ? cli->golden.dir : "reference";
 	if (ts_selftest_require() != TS_OK || ts_golden_dir_open(&goldens.dir, NULL, dir) != TS_OK) return TS_ERROR;
 	ts_status status = ts_cases_read(&goldens);
+	if (status == TS_OK) status = read_lists(&goldens, cli);
 	if (status == TS_OK) status = run_action(&goldens, action, cli->n_arguments > 1 ? cli->arguments[1] : NULL);
 	ts_golden_dir_close(&goldens.dir);
+	ts_baseline_free(&goldens.known);
+	ts_baseline_free(&goldens.skips);
 	return status;
 }
 

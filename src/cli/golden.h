@@ -2,6 +2,7 @@
 #ifndef TS_CLI_GOLDEN_H
 #define TS_CLI_GOLDEN_H
 #include "../golden/golden.h"
+#include "baseline.h"
 #include "cli.h"
 
 enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_REASON_BYTES = 400, TS_CASE_TEXT = 512 };
@@ -27,6 +28,7 @@ typedef struct {
 	ts_golden_dir dir; /* reference/ */
 	ts_case cases[TS_MAX_CASES];
 	u32 n_cases;
+	ts_baseline known, skips;
 	const ts_case *only; /* the one that is worked on; NULL: all */
 } ts_goldens;
 
@@ -51,11 +53,20 @@ ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, 
 ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how);
 
 /* How the check of a case ended. */
-typedef enum { TS_CASE_SAME, TS_CASE_DIFFERENT, TS_CASE_MISSING, TS_CASE_UNUSABLE, TS_N_CASE_ENDS } ts_case_end;
+typedef enum {
+	TS_CASE_SAME,
+	TS_CASE_SKIPPED,
+	TS_CASE_KNOWN,
+	TS_CASE_DIFFERENT,
+	TS_CASE_MISSING,
+	TS_CASE_UNUSABLE,
+	TS_N_CASE_ENDS,
+} ts_case_end;
 typedef struct {
 	const ts_case *of;
 	ts_case_end end;
 	ts_buffer_id first;      /* that differs; TS_N_BUFFERS: none */
+	const char *why;         /* it is known, or skipped; else "" */
 	char text[TS_CASE_TEXT]; /* what differs, or is wrong */
 	double seconds;
 } ts_checked;

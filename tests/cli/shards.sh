@@ -5,6 +5,7 @@
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/stamp.bash"
 schema=$PWD/tests/cli/junit.xsd
+BUILD=$(realpath "${BUILD:-build/release}")
 cd "$scratch" || exit 2
 export OMP_WAIT_POLICY=passive
 

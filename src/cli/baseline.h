@@ -1,0 +1,38 @@
+/* Lists of what is known: --baseline, differences that pass, and --skip, what is not judged. Lines of words that blanks
+ * separate, each with a reason at its end; lines that begin with # are comments. The files are untrusted. Part of the
+ * core. */
+#ifndef TS_CLI_BASELINE_H
+#define TS_CLI_BASELINE_H
+#include "../methods/pipeline.h"
+
+typedef struct {
+	u32 line;
+	const char *name;  /* a case; of --skip also a buffer */
+	const char *stage; /* of a difference: its stage and buffer; NULL: of --skip */
+	ts_buffer_id buffer;
+	const char *reason;
+} ts_entry;
+/* All zero: an empty list. */
+typedef struct {
+	const char *path;
+	char *text; /* that the entries point into */
+	ts_entry *entry;
+	size_t n, capacity;
+} ts_baseline;
+
+/* The pipeline of a case; NULL with the message set: there is no such case. */
+typedef const ts_pipeline *ts_baseline_case(const void *user, const char *name);
+/* Reads lines of CASE STAGE BUFFER REASON, each checked. Released by ts_baseline_free, also on failure. */
+ts_status ts_baseline_read(ts_baseline *baseline, const char *path, ts_baseline_case *find, const void *user);
+/* Fails, and says why, if nothing has that name. */
+typedef ts_status ts_baseline_named(const void *user, const char *name);
+/* Reads lines of NAME REASON. */
+ts_status ts_baseline_skips(ts_baseline *skips, const char *path, ts_baseline_named *check, const void *user);
+void ts_baseline_free(ts_baseline *baseline);
+
+/* The entry of that name, and of a difference in that buffer unless it is TS_N_BUFFERS; NULL: there is none. */
+const ts_entry *ts_baseline_find(const ts_baseline *baseline, const char *name, ts_buffer_id buffer);
+/* The stage of a pipeline that makes a buffer, or "scene". */
+const char *ts_baseline_stage(const ts_pipeline *pipeline, ts_buffer_id buffer);
+
+#endif
