@@ -22,6 +22,8 @@ def load(path):
 def is_of(value, name):
 	if name == "integer":
 		return isinstance(value, int) and not isinstance(value, bool)
+	if name == "number":
+		return isinstance(value, (int, float)) and not isinstance(value, bool)
 	return isinstance(value, TYPES[name])
 
 
@@ -189,4 +191,5 @@ def main():
 	return 1 if tap.failed else 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+	sys.exit(main())

@@ -1,0 +1,131 @@
+#!/bin/bash
+# The recipes of reference/CI.md, as they stand there, on three goldens of which one differs: the merged JUnit XML is that of one
+# run. Slurm is a real one, of one node, where it is installed; a stand-in for its array runs everywhere.
+. "$(dirname "$0")/tap.bash"
+page=$PWD/reference/CI.md
+export OMP_WAIT_POLICY=passive
+cd "$scratch" || exit 2
+mkdir bin && ln -s "$touchstone" bin/touchstone
+export PATH=$scratch/bin:$PATH
+
+# recipe HEADING: the block below it.
+recipe() { sed -n "/^### $1\$/,/^### /p" "$page" | sed -n '/^```[a-z]/,/^```$/p' | sed '/^```/d'; }
+# skip NAME TOOL: visible, where a tool is not installed.
+skip() { verdict 0 "$1 # SKIP $2 is not installed"; }
+# timeless FILE: JUnit XML without what differs from run to run.
+timeless() { sed -E 's/ (time|timestamp|hostname)="[^"]*"//g' "$1"; }
+# judged STATUS NAME: golden.xml and the exit code are those of one run.
+judged() {
+	[ "$1" -eq 1 ] && diff <(timeless whole.xml) <(timeless golden.xml) > differs
+	verdict $? "$2"
+	rm -rf shards golden.xml
+}
+
+mkdir reference
+for i in 1 2 3; do
+	echo "case-$i: mvr dining:triangles=10000 --size 24x16 --reflectors 0 --set seed=$i"
+done > reference/cases.txt
+touchstone golden new > made
+for i in 1 2 3; do mv "reference/case-$i.new" "reference/case-$i"; done
+sed -i '3s/^./g/;3s/^g/0/' reference/case-2/SHA256SUMS
+sed -i '3{s/^0/1/;t;s/^./0/}' reference/case-2/SHA256SUMS
+touchstone golden check --junit whole.xml > whole
+[ $? -eq 1 ] && grep -q 'failures="1"' whole.xml
+verdict $? 'one of three goldens differs'
+
+recipe Slurm > goldens.sh
+array=$(sed -n 's/^#SBATCH --array=1-//p' goldens.sh)
+mkdir shards
+for ((i = 1; i <= array; i++)); do
+	SLURM_ARRAY_TASK_ID=$i SLURM_ARRAY_TASK_MAX=$array bash goldens.sh > "shards/$i.log" 2>&1
+done
+touchstone merge shards/*.d --junit golden.xml > merged
+judged $? 'a job array of Slurm, by a stand-in that sets its variables'
+
+# slurm: one node with a key of its own, which listens to this machine alone; only root's runs jobs.
+slurm() {
+	mkdir -p state spool
+	(umask 077 && head -c 1024 /dev/urandom > munge.key)
+	munged --foreground --force --key-file="$PWD/munge.key" --socket="$PWD/munge.socket" --pid-file="$PWD/munge.pid" \
+		--log-file="$PWD/munge.log" --seed-file="$PWD/munge.seed" > munged.log 2>&1 & munge=$!
+	cat > slurm.conf <<CONF
+ClusterName=one
+SlurmctldHost=$(hostname)(127.0.0.1)
+SlurmctldPort=16847
+SlurmdPort=16848
+SlurmUser=root
+SlurmdUser=root
+AuthType=auth/munge
+AuthInfo=socket=$PWD/munge.socket
+CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
+CredType=cred/munge
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+ReturnToService=2
+StateSaveLocation=$PWD/state
+SlurmdSpoolDir=$PWD/spool
+SlurmctldPidFile=$PWD/ctld.pid
+SlurmdPidFile=$PWD/d.pid
+NodeName=$(hostname) NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
+PartitionName=all Nodes=$(hostname) Default=YES State=UP
+CONF
+	export SLURM_CONF=$PWD/slurm.conf
+	for ((i = 0; i < 30; i++)); do
+		[ ! -S munge.socket ] || break
+		sleep 0.2
+	done
+	slurmctld -D > ctld.log 2>&1 & slurm=$!
+	slurmd -D > d.log 2>&1 & node=$!
+	trap 'kill "$slurm" "$node" "$munge" 2> /dev/null; wait; rm -rf "$scratch"' EXIT
+	for ((i = 0; i < 30; i++)); do
+		timeout 5 sinfo -h -o %t 2> /dev/null | grep -q idle && return
+		sleep 1
+	done
+	false
+}
+name='a job array of Slurm'
+if ! command -v slurmctld slurmd sbatch munged > found || [ "$(id -u)" -ne 0 ]; then
+	skip "$name" 'Slurm, for root,'
+elif ! slurm; then
+	verdict 0 "$name # SKIP no daemon of Slurm can run here: $(tail -n 1 ctld.log d.log | tr -d '#' | tr '\n' ' ')"
+else
+	mkdir shards
+	timeout 300 sbatch --wait goldens.sh > submitted 2>&1
+	status=$?
+	touchstone merge shards/*.d --junit golden.xml > merged
+	[ $? -eq "$status" ] || status=-1
+	judged "$status" "$name"
+fi
+
+if command -v parallel > found; then
+	recipe 'GNU parallel' > goldens.sh
+	bash goldens.sh > merged 2> said
+	judged $? 'GNU parallel'
+else
+	skip 'GNU parallel' parallel
+fi
+
+recipe 'GitHub Actions' > workflow.yml
+if /usr/bin/python3 -c 'import yaml' 2> found; then
+	mkdir build && ln -s "$touchstone" build/touchstone
+	/usr/bin/python3 - <<'PY' > commands
+import yaml
+flow = yaml.safe_load(open("workflow.yml"))
+shard, merge = flow["jobs"]["shard"], flow["jobs"]["merge"]
+matrix = shard["strategy"]["matrix"]["shard"]
+run = {step["name"]: step["run"] for job in (shard, merge) for step in job["steps"] if "run" in step}
+assert merge["needs"] == "shard" and "make deps && make" in run["build"], "built"
+assert all("uses" in step or "run" in step for job in (shard, merge) for step in job["steps"]), "steps"
+assert f"/{len(matrix)} " in run["check"] and matrix == list(range(1, len(matrix) + 1)), "the matrix is all shards"
+for i in matrix:
+	print(run["check"].replace("${{ matrix.shard }}", str(i)), "|| :")
+print(run["merge"])
+PY
+	verdict $? 'a matrix of GitHub Actions is YAML'
+	mkdir shards
+	bash commands > merged 2> said
+	judged $? 'and its commands work'
+else
+	skip 'a matrix of GitHub Actions' python3-yaml
+fi
+finish
