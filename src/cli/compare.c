@@ -147,7 +147,7 @@ static ts_status tell(ts_cli *cli, sides *s)
 	char class_name[64];
 	snprintf(class_name, sizeof class_name, "touchstone.%s", s->reference->pipeline->name);
 	char relaxed[TS_RELAXED_TEXT];
-	ts_telling telling = {"compare", &s->outcomes, relaxed, NULL, TS_OK, report_all, draw_all, s};
+	ts_telling telling = {"compare", &s->outcomes, relaxed, NULL, TS_OK, report_all, false, draw_all, s};
 	ts_compare_relaxed(relaxed, cli);
 	if (ts_outcomes_begin(&s->outcomes, "stage", class_name) != TS_OK) return TS_ERROR;
 	ts_compare_outcomes(&s->outcomes, s->comparison, s->reference, &s->lists);

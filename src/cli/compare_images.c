@@ -232,7 +232,7 @@ static ts_status tell(ts_cli *cli, const images *s)
 	ts_outcomes outcomes;
 	char text[TS_LINE_TEXT], relaxed[TS_RELAXED_TEXT];
 	const ts_status found = s->same ? TS_OK : TS_DIFFERENT;
-	const ts_telling telling = {"compare", &outcomes, relaxed, NULL, found, report_images, draw, s};
+	const ts_telling telling = {"compare", &outcomes, relaxed, NULL, found, report_images, false, draw, s};
 	ts_compare_relaxed(relaxed, cli);
 	ts_status status = ts_outcomes_begin(&outcomes, "image", "touchstone.images");
 	if (status == TS_OK) {

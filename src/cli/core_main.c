@@ -13,7 +13,7 @@ const ts_command ts_command_table[] = {
      TS_OPT(FLUSH_DENORMALS), .run = ts_digest_command},
 	{"golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/", TS_GOLDEN_DETAILS, 1, 2,
      TS_OPT(SHARD), TS_OPT(THREADS), TS_OPT(REFERENCE), TS_OPT(BACKEND), TS_OPT(BASELINE), TS_OPT(SKIP), TS_OPT(REASON),
-     TS_OPT(REFERENCE_DIR), .run = ts_golden_command},
+     TS_OPT(REFERENCE_DIR), TS_OPT(QUIET), .run = ts_golden_command},
 	{"help", "[COMMAND]", "what a command does and takes", "", 0, 1, .run = ts_help_command},
 	{0},
 };

@@ -126,8 +126,9 @@ static void check(ts_checked *checked, const ts_goldens *goldens, const ts_case 
 	checked->seconds = ts_seconds() - began;
 }
 
-static ts_status print_line(const ts_checked *checked)
+static ts_status print_line(const ts_checked *checked, bool quiet)
 {
+	if (quiet && checked->end < TS_CASE_DIFFERENT) return TS_OK;
 	printf("%-10s %s%s%s%s%s\n", ts_case_word(checked->end), checked->of->name, checked->why[0] != 0 ? "  " : "",
 	       checked->why, checked->text[0] != 0 ? "  " : "", checked->text);
 	return ts_file_print("", 0);
@@ -160,11 +161,11 @@ ts_status ts_golden_check_action(const ts_goldens *goldens)
 	for (u32 i = 0; i < ts_goldens_count(goldens); i++) {
 		if (!ts_shard_has(cli->job.shard, i)) continue;
 		check(&checked[n], goldens, ts_goldens_case(goldens, i));
-		if (print && print_line(&checked[n]) != TS_OK) return TS_ERROR;
+		if (print && print_line(&checked[n], cli->job.output.quiet) != TS_OK) return TS_ERROR;
 		n++;
 	}
 	if (cli->job.shard.of > 0 && n == 0) ts_shard_say_empty(cli->job.shard, ts_goldens_count(goldens));
-	ts_status status = sum_up(checked, n, print);
+	ts_status status = sum_up(checked, n, print && !cli->job.output.quiet);
 	if (ts_golden_tell != NULL && ts_golden_tell(goldens, checked, n, status) != TS_OK) return TS_ERROR;
 	return status == TS_ERROR ? sum_up(checked, n, false) : status;
 }

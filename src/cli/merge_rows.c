@@ -147,28 +147,13 @@ static ts_status merge_reports(merged *m)
 	                        m->seconds);
 }
 
-static void put_line(ts_report *report, const merged *m, const json_t *row)
-{
-	size_t i;
-	json_t *line, *lines = json_object_get(row, "lines");
-	const char *why = json_string_value(json_object_get(row, "why"));
-	const char *first = json_string_value(json_array_get(lines, 0));
-	ts_report_line(report, "%-10s %s%s%s%s%s", json_string_value(json_object_get(row, "verdict")),
-	               json_string_value(json_object_get(row, m->is->key)), why[0] != 0 ? "  " : "", why,
-	               first != NULL ? "  " : "", first != NULL ? first : "");
-	json_array_foreach (lines, i, line) {
-		if (i > 0) ts_report_line(report, "%12s%s", "", json_string_value(line));
-	}
-}
-
 static void report_merged(ts_report *report, const void *user)
 {
 	const merged *m = user;
 	const char *key;
-	size_t i;
 	json_t *value;
 	json_object_foreach (m->root, key, value) ts_report_value(report, key, json_incref(value));
-	json_array_foreach (m->outcomes.rows, i, value) put_line(report, m, value);
+	ts_outcomes_lines(report, &m->outcomes);
 	u32 passed = ts_outcomes_count(&m->outcomes, TS_PASSED), skipped = ts_outcomes_count(&m->outcomes, TS_LEFT_OUT);
 	u32 known_ones = ts_outcomes_count(&m->outcomes, TS_KNOWN), all = (u32)json_array_size(m->outcomes.rows);
 	ts_report_line(report, "%u passed, %u failed, %u skipped", (unsigned)(passed + known_ones),
@@ -209,9 +194,9 @@ ts_status ts_merge_rows(ts_cli *cli, const ts_parts *parts)
 	if (status == TS_OK) status = merge_reports(&m);
 	if (status == TS_OK) {
 		const char *relaxed = json_string_value(json_object_get(m.root, "relaxations"));
-		const ts_telling telling = {
-			parts->command, &m.outcomes, relaxed != NULL ? relaxed : "", NULL, parts->status, report_merged,
-			copy_pictures,  &m};
+		const ts_telling telling = {parts->command, &m.outcomes,   relaxed != NULL ? relaxed : "",
+		                            NULL,           parts->status, report_merged,
+		                            true,           copy_pictures, &m};
 		status = ts_tell(cli, &telling, true);
 	}
 	ts_outcomes_end(&m.outcomes);

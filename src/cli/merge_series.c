@@ -33,6 +33,7 @@ ts_status ts_merge_series(ts_cli *cli, const ts_parts *parts)
 		run->job.output.dir = cli->job.output.dir;
 		run->job.output.force = cli->job.output.force;
 		run->job.output.json = cli->job.output.json;
+		run->job.output.quiet = cli->job.output.quiet;
 		run->job.how.threads = (u32)json_integer_value(json_object_get(parts->part[0].report, "threads"));
 		run->parts = parts;
 		status = ts_render_command(run);

@@ -87,6 +87,22 @@ static void say_why(char *text, size_t bytes, const json_t *row)
 	snprintf(text, bytes, "%s%s%s", text_of(row, "verdict"), why[0] != 0 ? ": " : "", why);
 }
 
+void ts_outcomes_lines(ts_report *report, const ts_outcomes *o)
+{
+	size_t i, k;
+	json_t *row, *line;
+	json_array_foreach (o->rows, i, row) {
+		void (*put)(ts_report *, const char *, ...) = outcome_of(row) >= TS_FAILED ? ts_report_failure : ts_report_line;
+		const json_t *lines = json_object_get(row, "lines");
+		const char *why = text_of(row, "why"), *first = json_string_value(json_array_get(lines, 0));
+		put(report, "%-10s %s%s%s%s%s", text_of(row, "verdict"), text_of(row, o->key), why[0] != 0 ? "  " : "", why,
+		    first != NULL ? "  " : "", first != NULL ? first : "");
+		json_array_foreach (lines, k, line) {
+			if (k > 0) put(report, "%12s%s", "", json_string_value(line));
+		}
+	}
+}
+
 void ts_outcomes_tap(const ts_outcomes *o, FILE *out)
 {
 	size_t i, k;

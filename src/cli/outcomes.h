@@ -4,6 +4,7 @@
 #include <jansson.h>
 #include "../kernels/base/compat.h"
 #include "../model/core.h"
+#include "../study/table.h"
 #include "junit.h"
 
 typedef enum {
@@ -38,6 +39,8 @@ u32 ts_outcomes_count(const ts_outcomes *outcomes, ts_outcome outcome);
 ts_status ts_outcomes_check(const ts_outcomes *outcomes);
 void ts_outcomes_end(ts_outcomes *outcomes);
 
+/* Lines of text of each; of those that did not pass as failures. */
+void ts_outcomes_lines(ts_report *report, const ts_outcomes *outcomes);
 /* A line each, in Test Anything Protocol. */
 void ts_outcomes_tap(const ts_outcomes *outcomes, FILE *out);
 void ts_outcomes_junit(const ts_outcomes *outcomes, ts_junit *junit);

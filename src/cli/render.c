@@ -57,6 +57,7 @@ static ts_status work_in_folder(ts_render *render, void *user)
 	if (status != TS_OK) return status;
 	ts_report report;
 	ts_report_begin(&report, job->output.json);
+	report.quiet = job->output.quiet;
 	status = work(render, &report);
 	if (status == TS_OK && files) {
 		ts_report_line(&report, "%s", "");

@@ -74,6 +74,7 @@ static ts_status replay_traces(const ts_cli *cli, const ts_trace *reference, con
 	ts_report report;
 	if (ts_load_match(reference, candidate) != TS_OK) return TS_ERROR;
 	ts_report_begin(&report, cli->job.output.json);
+	report.quiet = cli->job.output.quiet;
 	ts_replay_report_begin(&report, reference, candidate);
 	ts_status status = cli->stage != NULL ? replay_one(cli, reference, candidate, &report)
 	                                      : replay_all(cli, reference, candidate, &report);

@@ -69,9 +69,11 @@ void ts_replay_report_outputs(ts_report *report, const ts_replayed *r, const ts_
 	char text[LINE];
 	u32 number = ts_emit_number(pipeline, ts_stage_outputs(r->stage)[0]);
 	for (u32 i = 0; i < r->n_judged; i++) {
-		describe(text, &r->judged[i]);
-		ts_report_line(report, "stage %02u %s, buffer %s: %s", (unsigned)number, r->stage->name,
-		               ts_buffer_table[r->judged[i].id].name, text);
+		const ts_judged *v = &r->judged[i];
+		bool failed = v->shape_differs || v->verdict.n_different > 0;
+		describe(text, v);
+		(failed ? ts_report_failure : ts_report_line)(report, "stage %02u %s, buffer %s: %s", (unsigned)number,
+		                                              r->stage->name, ts_buffer_table[v->id].name, text);
 	}
 	add_stage(report, r, number);
 }
@@ -90,10 +92,11 @@ void ts_replay_report_stage(ts_report *report, const ts_replayed *r, const ts_pi
 	if (r->status == TS_ERROR) {
 		size_t name = strlen("stage : ") + strlen(r->stage->name); /* that the message begins with */
 		const char *why = strlen(r->error) > name ? r->error + name : r->error;
-		ts_report_line(report, "stage %02u %s: not replayed: %s", (unsigned)number, r->stage->name, why);
+		ts_report_failure(report, "stage %02u %s: not replayed: %s", (unsigned)number, r->stage->name, why);
 	} else {
-		ts_report_line(report, "stage %02u %s%s%s: %s", (unsigned)number, r->stage->name,
-		               buffer[0] != 0 ? ", buffer " : "", buffer, text);
+		(r->status == TS_OK ? ts_report_line : ts_report_failure)(report, "stage %02u %s%s%s: %s", (unsigned)number,
+		                                                          r->stage->name, buffer[0] != 0 ? ", buffer " : "",
+		                                                          buffer, text);
 	}
 	add_stage(report, r, number);
 }

@@ -170,7 +170,7 @@ static ts_status tell(ts_series *series)
 {
 	const ts_job *job = series->job;
 	ts_status status = ts_series_add(series);
-	if (status == TS_OK) status = ts_series_csv(series, job->sweep.n > 0 && !job->output.json);
+	if (status == TS_OK) status = ts_series_csv(series, job->sweep.n > 0 && !job->output.json && !job->output.quiet);
 	if (status == TS_OK) status = ts_series_plot_frame(series);
 	note_time(series);
 	if (status == TS_OK && series->n_done == 0 && series->fetched == NULL) ts_render_advise(series->render);
@@ -392,6 +392,7 @@ static ts_status work(ts_render *render, void *user)
 	series->render = render;
 	series->times = ts_alloc(count_all(job), sizeof *series->times, "times of a series");
 	ts_report_begin(&series->report, job->output.json || quiet);
+	series->report.quiet = job->output.quiet;
 	ts_status status = ts_file_text_begin(&series->csv, "the figures");
 	if (status == TS_OK && files) status = ts_results_begin(ts_render_output(job), job->output.force);
 	if (status == TS_OK) status = series->times != NULL ? make_all(series) : TS_ERROR;

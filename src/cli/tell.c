@@ -49,7 +49,9 @@ ts_status ts_tell(ts_cli *cli, const ts_telling *t, bool print)
 {
 	ts_report report;
 	ts_report_begin(&report, cli->job.output.json);
+	report.quiet = cli->job.output.quiet;
 	t->report(&report, t->user);
+	if (report.quiet && !t->lines) ts_outcomes_lines(&report, t->outcomes);
 	ts_status status = ts_outcomes_check(t->outcomes);
 	if (status == TS_OK) status = ts_report_check(&report);
 	if (status == TS_OK) {

@@ -12,6 +12,7 @@ typedef struct {
 	json_t *cases;       /* names of all cases, those of other shards too; NULL: there are no shards */
 	ts_status status;    /* that the command will end with */
 	void (*report)(ts_report *report, const void *user);
+	bool lines;                          /* the report has the lines of the outcomes */
 	ts_status (*draw)(const void *user); /* pictures into the folder of -o; NULL: none */
 	const void *user;
 } ts_telling;

@@ -102,6 +102,7 @@ static ts_status write_folder(const ts_cli *cli)
 		return status;
 	}
 	ts_report_begin(&report, cli->job.output.json);
+	report.quiet = cli->job.output.quiet;
 	ts_report_value(&report, "folder", json_string(cli->job.output.dir));
 	ts_report_value(&report, "contract", json_integer(TS_CONTRACT_VERSION));
 	ts_report_value(&report, "primitives", json_integer(ts_vectors_count()));
@@ -117,5 +118,5 @@ ts_status ts_vectors_command(ts_cli *cli)
 	if (check == write) return ts_fail("vectors: write them with -o DIR, or judge a port's with --check DIR");
 	if (check && cli->job.output.force) return ts_fail("vectors: --check writes nothing; leave --force out");
 	if (ts_selftest_require() != TS_OK) return TS_ERROR;
-	return check ? ts_vectors_check(cli->check, cli->job.output.json) : write_folder(cli);
+	return check ? ts_vectors_check(cli) : write_folder(cli);
 }

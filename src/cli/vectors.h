@@ -11,8 +11,8 @@ typedef struct {
 	u32 found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 } ts_vector_rows;
 
-/* Judges the outputs in folder `dir`: TS_OK all that are there are right, TS_DIFFERENT, or TS_ERROR. */
-ts_status ts_vectors_check(const char *dir, bool json);
+/* Judges the outputs in the folder of --check: TS_OK all that are there are right, TS_DIFFERENT, or TS_ERROR. */
+ts_status ts_vectors_check(const ts_cli *cli);
 
 /* Reads DIR/NAME.npy, elements of `descr` and of element_bytes in that shape, to `data`. *there: the file exists;
  * without it nothing is read and nothing fails. */

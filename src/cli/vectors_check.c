@@ -250,7 +250,7 @@ static ts_status tell_details(check *c)
 	if (ts_file_text_flush(&c->details, "the report") != TS_OK) return TS_ERROR;
 	const char *line = c->details.bytes > 0 ? c->details.text : "";
 	for (const char *end; (end = strchr(line, '\n')) != NULL; line = end + 1) {
-		ts_report_line(&c->report, "%.*s", (int)(end - line), line);
+		ts_report_failure(&c->report, "%.*s", (int)(end - line), line);
 	}
 	return TS_OK;
 }
@@ -270,12 +270,13 @@ static ts_status tell_all(check *c)
 }
 
 /* The report is printed only if it is whole, and released in any case. */
-static ts_status work(check *c, const char *dir, bool json)
+static ts_status work(check *c, const ts_cli *cli)
 {
-	ts_report_begin(&c->report, json);
+	ts_report_begin(&c->report, cli->job.output.json);
+	c->report.quiet = cli->job.output.quiet;
 	ts_report_value(&c->report, "contract", json_integer(TS_CONTRACT_VERSION));
 	c->table = ts_table_begin("primitives", "", columns);
-	ts_status status = check_all(c, dir);
+	ts_status status = check_all(c, cli->check);
 	if (status == TS_OK) status = tell_all(c);
 	ts_table_end(&c->table);
 	if (status != TS_OK) {
@@ -286,12 +287,12 @@ static ts_status work(check *c, const char *dir, bool json)
 	return status != TS_OK ? status : c->n_wrong > 0 ? TS_DIFFERENT : TS_OK;
 }
 
-ts_status ts_vectors_check(const char *dir, bool json)
+ts_status ts_vectors_check(const ts_cli *cli)
 {
 	check c = {.rows = ts_alloc(1, sizeof *c.rows, "arithmetic vectors"), .first_wrong = json_array()};
 	ts_status status = c.rows != NULL ? ts_file_text_begin(&c.details, "the report") : TS_ERROR;
 	if (status == TS_OK && c.first_wrong == NULL) status = ts_fail("the report: out of memory");
-	if (status == TS_OK) status = work(&c, dir, json);
+	if (status == TS_OK) status = work(&c, cli);
 	if (c.details.out != NULL) ts_file_text_drop(&c.details);
 	json_decref(c.first_wrong);
 	free(c.rows);

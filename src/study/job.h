@@ -29,7 +29,8 @@ typedef struct {
 	const char *dir; /* NULL: not said */
 	bool force;      /* replace what an earlier run wrote there */
 	bool no_images;
-	bool json; /* one object instead of text */
+	bool json;  /* one object instead of text */
+	bool quiet; /* only failures are told, as text */
 	bool trace, margins, viewer;
 	const char *trace_only, *crop; /* NULL: all; either is a trace, too */
 } ts_output;

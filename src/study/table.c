@@ -223,27 +223,40 @@ void ts_report_begin(ts_report *report, bool json)
 void ts_report_table(ts_report *report, ts_table *table)
 {
 	report->failed |= table->failed;
-	if (!report->json && !table->silent && !report->failed) ts_table_print(table, report->text.out);
+	if (!report->json && !report->quiet && !table->silent && !report->failed) ts_table_print(table, report->text.out);
 	(table->timed ? ts_report_timed : ts_report_value)(report, table->key, ts_table_json(table));
 	ts_table_end(table);
 }
 
-void ts_report_line(ts_report *report, const char *format, ...)
+static void add_line(ts_report *report, const char *format, va_list arguments)
 {
 	ts_file_text line;
 	if (report->json || report->failed) return;
 	report->failed = ts_file_text_begin(&line, "a line") != TS_OK;
 	if (report->failed) return;
-	va_list arguments;
-	va_start(arguments, format);
 	report->failed = vfprintf(line.out, format, arguments) < 0;
-	va_end(arguments);
 	report->failed |= ts_file_text_close(&line, "a line") != TS_OK;
 	if (!report->failed) {
 		ts_line_clean(line.text);
 		fprintf(report->text.out, "%s\n", line.text);
 	}
 	free(line.text);
+}
+
+void ts_report_line(ts_report *report, const char *format, ...)
+{
+	va_list arguments;
+	va_start(arguments, format);
+	if (!report->quiet) add_line(report, format, arguments);
+	va_end(arguments);
+}
+
+void ts_report_failure(ts_report *report, const char *format, ...)
+{
+	va_list arguments;
+	va_start(arguments, format);
+	add_line(report, format, arguments);
+	va_end(arguments);
 }
 
 void ts_report_value(ts_report *report, const char *key, json_t *value)

@@ -54,6 +54,7 @@ typedef struct {
 	json_t *timed; /* keys of root whose values differ from run to run */
 	ts_file_text text;
 	bool json;   /* text is not printed */
+	bool quiet;  /* text has failures alone */
 	bool failed; /* out of memory */
 } ts_report;
 
@@ -63,6 +64,8 @@ void ts_report_begin(ts_report *report, bool json);
 void ts_report_table(ts_report *report, ts_table *table);
 /* A line of text only; control characters become '?'. */
 void ts_report_line(ts_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* The same of a failure, which is told in any case. */
+void ts_report_failure(ts_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* A figure of the JSON object only; takes the value over. */
 void ts_report_value(ts_report *report, const char *key, json_t *value);
 /* The same of what a clock or the system said. */
