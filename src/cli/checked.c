@@ -8,7 +8,6 @@ typedef struct {
 	const ts_goldens *goldens;
 	const ts_outcomes *outcomes;
 	const char *relaxed;
-	ts_status status;
 } found;
 
 static void report_found(ts_report *report, const void *user)
@@ -60,7 +59,7 @@ static ts_status tell(const ts_goldens *goldens, const ts_checked *checked, u32 
 	ts_outcomes outcomes;
 	char relaxed[TS_RELAXED_TEXT];
 	ts_compare_relaxed(relaxed, goldens->cli);
-	const found f = {goldens, &outcomes, relaxed, status};
+	const found f = {goldens, &outcomes, relaxed};
 	ts_telling telling = {"golden check", &outcomes, relaxed, names_of(goldens), status, report_found, true, NULL, &f};
 	ts_status told = telling.cases != NULL ? ts_outcomes_begin(&outcomes, "case", "touchstone.golden") : TS_ERROR;
 	if (told == TS_OK) {

@@ -23,7 +23,10 @@ static ts_status check_line(const ts_part *part, const char *line)
 	bool good = strlen(line) > TS_DIGEST_BYTES + 1 && strspn(line, "0123456789abcdef") == TS_DIGEST_BYTES - 1;
 	if (!good || !ts_ours_is_name(name)) return ts_part_damaged(part, "SHA256SUMS has a line that is none of its");
 	snprintf(path, sizeof path, "%s/%s", part->dir, name);
-	if (!ts_sharded_digest(hex, path)) return TS_ERROR;
+	if (!ts_sharded_digest(hex, path)) {
+		snprintf(text, sizeof text, "%s", ts_error_message());
+		return ts_part_damaged(part, text);
+	}
 	if (strncmp(hex, line, TS_DIGEST_BYTES - 1) == 0) return TS_OK;
 	snprintf(text, sizeof text, "%.200s is not what SHA256SUMS says", name);
 	return ts_part_damaged(part, text);

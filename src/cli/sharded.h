@@ -1,5 +1,5 @@
 /* The folder of a shard's results: report.json has a member "shard", and SHA256SUMS, as sha256sum checks them, is of
- * all its files. `merge` reads it. */
+ * all its files but times.json. `merge` reads it. */
 #ifndef TS_CLI_SHARDED_H
 #define TS_CLI_SHARDED_H
 #include "../study/table.h"

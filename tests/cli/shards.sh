@@ -159,7 +159,7 @@ run compare r/trace-epr c -o no-shard
 refuses_merge 'no SHA256SUMS there' 'of no shard' no-shard s-1
 refuses_merge 'nowhere: no SHA256SUMS there' 'of no folder' nowhere
 bad=0
-for file in s-2/*; do
+for file in s-2/[^t]*; do # times are no results
 	rm -rf hurt && cp -r s-2 hurt
 	python3 - "hurt/${file#s-2/}" <<'PY'
 import sys
@@ -172,6 +172,10 @@ PY
 	[ "${file#s-2/}" = SHA256SUMS ] || { rm "hurt/${file#s-2/}" && run merge s-1 hurt s-3; [ "$status" -eq 2 ] || bad=1; }
 done
 verdict "$bad" 'a file that is damaged, or missing'
+rm -rf hurt && cp -r s-2 hurt && echo '{}' > hurt/times.json
+run merge s-1 hurt s-3
+[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ]
+verdict $? 'no times'
 # seal FOLDER: as if it was written so.
 seal() { (cd "$1" && rm SHA256SUMS && sha256sum $(find . -type f -printf '%P\n') > ../sums && mv ../sums SHA256SUMS); }
 # forge NAME PYTHON: a shard 2 whose report says something else is refused, and nothing crashes.

@@ -1,4 +1,4 @@
-/* Shards: each case of a table is in exactly one, and none has more than one case more than another; what is no shard. */
+/* Shards: each case of a table is in exactly one, and none has over one case more than another; what is no shard. */
 #include <stdio.h>
 #include "../model/test.h"
 #include "../../src/study/shard.h"
