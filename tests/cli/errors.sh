@@ -9,7 +9,7 @@ refuses 'render EFFECT' render
 refuses 'the nearest is reflections' render reflexions
 refuses 'the nearest is --method' render reflections --metod epr
 refuses 'the nearest is epr' render reflections --method eprr
-refuses 'no option -q' render reflections -q
+refuses 'no option -x' render reflections -x
 refuses 'needs a value' render reflections -o
 refuses 'needs a value' render reflections --size
 refuses 'takes no value' render reflections --json=3
