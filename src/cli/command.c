@@ -94,7 +94,7 @@ static int run(void *user)
 	task *t = user;
 	ts_cli *cli = &t->cli;
 	require_path();
-	if (cli->job.output.quiet) ts_listen(&(ts_listener){NULL, NULL});
+	if (cli->job.output.quiet) ts_listen(&(ts_listener){.line = NULL});
 	ts_status status = ts_backend_open(&cli->job); /* before there are threads: who asks for devices forks */
 	if (status == TS_OK && ts_command_takes(t->command, TS_OPTION_THREADS)) {
 		u32 *n = &cli->job.how.threads;

@@ -46,7 +46,7 @@ ts_status ts_compare_aside(ts_comparison *c, const ts_trace *reference, const ts
 		const ts_buffer_id *input = ts_stage_inputs(ts_stage_find(step->stage));
 		for (; *input != TS_N_BUFFERS; input++) wanted[*input] = !relaxations->only[*input];
 	}
-	ts_status status = ts_compare(aside, reference, candidate, &others);
+	ts_status status = ts_compare_traces(aside, reference, candidate, &others);
 	for (u32 id = 0; id < TS_N_BUFFERS && status != TS_ERROR; id++) {
 		if (!wanted[id]) continue;
 		c->verdict[id] = aside->verdict[id];

@@ -138,5 +138,5 @@ void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *c, const ts_t
 	ts_compare_inputs(inputs, c, reference, id);
 	ts_compare_first(first, id, &c->verdict[id]);
 	snprintf(text, TS_LINE_TEXT, "stage %02u %s, buffer %s, %s; %s", (unsigned)ts_emit_number(reference->pipeline, id),
-	         step != NULL ? step->stage : "scene", ts_buffer_table[id].name, first, inputs);
+	         stage != NULL ? stage->name : "scene", ts_buffer_table[id].name, first, inputs);
 }
