@@ -238,6 +238,15 @@ $(SPIRV): scripts/vulkan-program scripts/kernel/packed.py scripts/spirv-exact $(
 $(call object,src/backends/vulkan/program.c): $(SPIRV)
 $(call object,src/backends/vulkan/program.c): OWN := -I$(BUILD)/gen
 
+# The page of a report, before and behind its data.
+PAGE := $(BUILD)/gen/page.inc
+$(PAGE): scripts/report-page $(wildcard src/report/page/*)
+	$(call say,GEN,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)scripts/report-page > $@
+$(call object,src/report/page.c): $(PAGE)
+$(call object,src/report/page.c): OWN := -I$(BUILD)/gen
+
 # As C that tells what it computes.
 EXPLAINED := $(BUILD)/gen/explained.inc
 $(EXPLAINED): scripts/explained $(wildcard scripts/kernel/*) src/backends/kernels.h src/families.def $(wildcard src/kernels/*/*) \

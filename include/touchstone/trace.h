@@ -46,9 +46,9 @@ TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char
  * in any order. */
 TS_API ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const ts_trace *reference, int arrival);
 
-/* Gives a candidate of ts_trace_candidate a buffer, or puts another in its place: an array of the shape that records.def
- * says, in C order. The array is not copied: it must stay, and stay as it is, until ts_trace_close or until another takes
- * its place. bytes: of all of it. */
+/* Gives a candidate of ts_trace_candidate a buffer, or puts another in its place: an array of the shape that
+ * records.def says, in C order. The array is not copied: it must stay, and stay as it is, until ts_trace_close or until
+ * another takes its place. bytes: of all of it. */
 TS_API ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_dims, const uint64_t *shape,
                               const void *data, size_t bytes);
 

@@ -60,7 +60,8 @@ static ts_status tell(const ts_goldens *goldens, const ts_checked *checked, u32 
 	char relaxed[TS_RELAXED_TEXT];
 	ts_compare_relaxed(relaxed, goldens->cli);
 	const found f = {goldens, &outcomes, relaxed};
-	ts_telling telling = {"golden check", &outcomes, relaxed, names_of(goldens), status, report_found, true, NULL, &f};
+	ts_telling telling = {"golden check", &outcomes, relaxed, names_of(goldens), status, report_found, true,
+	                      NULL,           NULL,      &f};
 	ts_status told = telling.cases != NULL ? ts_outcomes_begin(&outcomes, "case", "touchstone.golden") : TS_ERROR;
 	if (told == TS_OK) {
 		for (u32 i = 0; i < n; i++) add(&outcomes, &checked[i]);

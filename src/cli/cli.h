@@ -64,6 +64,10 @@ typedef struct {
 		const char *reason, *dir;
 	} golden;
 	const char *check, *stage, *inputs;
+	struct {
+		double ppd;
+		u32 probes;
+	} report;
 	bool flush_denormals;
 	const struct ts_parts *parts; /* of merge: renders are taken from these shards; NULL: they are made */
 	struct {
@@ -135,6 +139,7 @@ ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
 /* Write the file of --junit where nothing was judged. */
 void ts_compare_failed(const ts_cli *cli);
+ts_status ts_report_command(ts_cli *cli);
 ts_status ts_vectors_command(ts_cli *cli);
 ts_status ts_probe_command(ts_cli *cli);
 void ts_probe_help(void);

@@ -40,6 +40,7 @@ const ts_command ts_command_table[] = {
      TS_OPT(CROP),
      TS_OPT(MARGINS),
      TS_OPT(VIEWER),
+     TS_OPT(REPORT),
      TS_OPT(QUIET),
      TS_OPT(JSON),
      .run = ts_render_command,
@@ -134,12 +135,18 @@ const ts_command ts_command_table[] = {
      TS_OPT(SHARD),
      TS_OPT(JUNIT),
      TS_OPT(TAP),
+     TS_OPT(REPORT),
      TS_OPT(OUTPUT),
      TS_OPT(FORCE),
      TS_OPT(QUIET),
      TS_OPT(JSON),
      .run = ts_compare_command,
      .failed = ts_compare_failed},
+	{"report", "DIR...", "one page of HTML: pictures side by side, FLIP, heat maps, tables, first differences",
+     "DIR: a trace, or a folder that render or compare wrote. Further traces of a method are compared with its first\n"
+     "one. -o FILE.html is one file that needs no server and no network. It holds the pictures, and the probes of\n"
+     "differing pixels on both sides; for any other pixel it shows the command that prints its probe.",
+     1, TS_MAX_ARGUMENTS, TS_OPT(OUTPUT), TS_OPT(PPD), TS_OPT(PROBES), .run = ts_report_command},
 	{"probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",
      "TRACE: a folder that render --trace wrote, or a port's.\n"
      "--pixel: who competed for it, who won by how much, and each term of its light; with --view a texel of a view\n"

@@ -35,19 +35,26 @@ static ts_status check_options(const ts_cli *cli, kind is)
 		u32 option;
 		bool takes[N_KINDS];
 	} limited[] = {
-		{TS_OPTION_FORCED, {[TRACES] = true}},   {TS_OPTION_DECIDED, {[TRACES] = true}},
-		{TS_OPTION_LAYOUT, {[TRACES] = true}},   {TS_OPTION_ORDER, {[TRACES] = true}},
-		{TS_OPTION_BASELINE, {[TRACES] = true}}, {TS_OPTION_SKIP, {[TRACES] = true}},
-		{TS_OPTION_SHARD, {[TRACES] = true}},    {TS_OPTION_PERCENT, {[IMAGES] = true}},
-		{TS_OPTION_HARDFAIL, {[IMAGES] = true}}, {TS_OPTION_RMSE, {[IMAGES] = true}},
-		{TS_OPTION_EXPOSURE, {[IMAGES] = true}}, {TS_OPTION_IGNORE, {[TRACES] = true, [BUFFERS] = true}},
+		{TS_OPTION_FORCED, {[TRACES] = true}},
+		{TS_OPTION_DECIDED, {[TRACES] = true}},
+		{TS_OPTION_LAYOUT, {[TRACES] = true}},
+		{TS_OPTION_ORDER, {[TRACES] = true}},
+		{TS_OPTION_BASELINE, {[TRACES] = true}},
+		{TS_OPTION_SKIP, {[TRACES] = true}},
+		{TS_OPTION_SHARD, {[TRACES] = true}},
+		{TS_OPTION_PERCENT, {[IMAGES] = true}},
+		{TS_OPTION_HARDFAIL, {[IMAGES] = true}},
+		{TS_OPTION_RMSE, {[IMAGES] = true}},
+		{TS_OPTION_EXPOSURE, {[IMAGES] = true}},
+		{TS_OPTION_IGNORE, {[TRACES] = true, [BUFFERS] = true}},
+		{TS_OPTION_REPORT, {[TRACES] = true, [IMAGES] = true}},
 	};
 	for (u32 i = 0; i < sizeof limited / sizeof *limited; i++) {
 		u32 option = limited[i].option;
 		if (!cli->given[option] || limited[i].takes[is]) continue;
-		const char *right = limited[i].takes[IMAGES]    ? "images"
-		                    : limited[i].takes[BUFFERS] ? "traces and buffers"
-		                                                : "traces";
+		const char *images = limited[i].takes[TRACES] ? "traces and images" : "images";
+		const char *traces = limited[i].takes[BUFFERS] ? "traces and buffers" : "traces";
+		const char *right = limited[i].takes[IMAGES] ? images : traces;
 		return ts_fail("--%s: means something for %s only; %s is one of two %s: leave the option out",
 		               ts_option_table[option].name, right, cli->arguments[0], kind_names[is]);
 	}
@@ -110,6 +117,14 @@ static ts_status draw_all(const void *user)
 	return ts_compare_draw(s->comparison, s->reference, s->candidate, &s->relaxations);
 }
 
+static ts_status show_all(ts_page *page, const json_t *said, const void *user)
+{
+	const sides *s = user;
+	if (ts_page_add_trace(page, s->reference) != TS_OK || ts_page_add_trace(page, s->candidate) != TS_OK)
+		return TS_ERROR;
+	return ts_page_add_comparison(page, s->comparison, s->reference, s->candidate, &s->relaxations, said);
+}
+
 static void report_all(ts_report *report, const void *user)
 {
 	const sides *s = user;
@@ -147,7 +162,7 @@ static ts_status tell(ts_cli *cli, sides *s)
 	char class_name[64];
 	snprintf(class_name, sizeof class_name, "touchstone.%s", s->reference->pipeline->name);
 	char relaxed[TS_RELAXED_TEXT];
-	ts_telling telling = {"compare", &s->outcomes, relaxed, NULL, TS_OK, report_all, false, draw_all, s};
+	ts_telling telling = {"compare", &s->outcomes, relaxed, NULL, TS_OK, report_all, false, draw_all, show_all, s};
 	ts_compare_relaxed(relaxed, cli);
 	if (ts_outcomes_begin(&s->outcomes, "stage", class_name) != TS_OK) return TS_ERROR;
 	ts_compare_outcomes(&s->outcomes, s->comparison, s->reference, &s->lists);

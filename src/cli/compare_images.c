@@ -227,12 +227,37 @@ static ts_status draw(const void *user)
 	return ts_image_write_png(path, s->marks, s->p[0].width, s->p[0].height, 1);
 }
 
+/* As a display shows it; a channel or two are grey, and the last of two or four is alpha. */
+static ts_status show_picture(ts_page *page, const picture *p, const char *path)
+{
+	const u32 colours = p->channels < 3 ? 1 : 3;
+	const size_t n = (size_t)p->width * p->height;
+	u8 *rgb = ts_alloc(n, 3, path);
+	if (rgb == NULL) return TS_ERROR;
+	for (size_t i = 0; i < n * 3; i++) {
+		f32 v = p->pixels[i / 3 * p->channels + (colours == 3 ? i % 3 : 0)];
+		rgb[i] = (u8)(p->linear ? (f32)ts_srgb_byte(v) : v * 255.0f + 0.5f);
+	}
+	ts_status status = ts_page_add_picture(page, path, path, rgb, p->width, p->height);
+	free(rgb);
+	return status;
+}
+
+static ts_status show_images(ts_page *page, const json_t *said, const void *user)
+{
+	const images *s = user;
+	for (u32 i = 0; i < 2; i++) {
+		if (show_picture(page, &s->p[i], s->cli->arguments[i]) != TS_OK) return TS_ERROR;
+	}
+	return ts_page_add_picture_comparison(page, said);
+}
+
 static ts_status tell(ts_cli *cli, const images *s)
 {
 	ts_outcomes outcomes;
 	char text[TS_LINE_TEXT], relaxed[TS_RELAXED_TEXT];
 	const ts_status found = s->same ? TS_OK : TS_DIFFERENT;
-	const ts_telling telling = {"compare", &outcomes, relaxed, NULL, found, report_images, false, draw, s};
+	const ts_telling telling = {"compare", &outcomes, relaxed, NULL, found, report_images, false, draw, show_images, s};
 	ts_compare_relaxed(relaxed, cli);
 	ts_status status = ts_outcomes_begin(&outcomes, "image", "touchstone.images");
 	if (status == TS_OK) {

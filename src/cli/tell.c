@@ -1,5 +1,6 @@
 /* What was judged, in the forms that were asked for. */
 #include "tell.h"
+#include "../image/flip.h"
 #include "../study/folder.h"
 #include "compare.h"
 #include "sharded.h"
@@ -36,6 +37,15 @@ static ts_status write_junit(const ts_cli *cli, const ts_telling *t)
 	return ts_junit_end(&junit, t->relaxed, ts_seconds() - cli->began);
 }
 
+static ts_status write_page(const ts_report *report, const ts_cli *cli, const ts_telling *t)
+{
+	ts_page *page = ts_page_make(TS_FLIP_PPD, TS_PAGE_PROBES);
+	ts_status status = page != NULL ? t->show(page, report->root, t->user) : TS_ERROR;
+	if (status == TS_OK) status = ts_page_write(page, cli->job.output.report);
+	ts_page_free(page);
+	return status;
+}
+
 static ts_status print_tap(const ts_telling *t)
 {
 	ts_file_text text;
@@ -59,6 +69,7 @@ ts_status ts_tell(ts_cli *cli, const ts_telling *t, bool print)
 		cli->judging.told = status == TS_OK;
 	}
 	if (status == TS_OK && cli->job.output.dir != NULL) status = write_folder(&report, cli, t);
+	if (status == TS_OK && cli->job.output.report != NULL) status = write_page(&report, cli, t);
 	if (status == TS_OK && print && !cli->judging.tap) return ts_report_end(&report);
 	if (status == TS_OK && cli->judging.tap) status = print_tap(t);
 	ts_report_discard(&report);

@@ -11,6 +11,7 @@
 #include <touchstone/image.h>
 #include "../output/file.h"
 #include "codec.h"
+#include "encode.h"
 #include "format.h"
 #include "png.h"
 
@@ -117,13 +118,21 @@ static ts_status put(const char *path, ts_status encoded, void *file, size_t byt
 	return status;
 }
 
+ts_status ts_image_encode_png(void **file, size_t *file_bytes, const char *what, const uint8_t *pixels, uint32_t width,
+                              uint32_t height, uint32_t channels)
+{
+	*file = NULL;
+	if (require_codec(what) != TS_OK) return TS_ERROR;
+	return said(codec->encode_png(file, file_bytes, what, pixels, width, height, channels));
+}
+
 ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
                              uint32_t channels)
 {
-	void *file = NULL;
+	void *file;
 	size_t bytes = 0;
-	if (TS_LACKS(path) || TS_LACKS(pixels) || require_codec(path) != TS_OK) return TS_ERROR;
-	ts_status status = said(codec->encode_png(&file, &bytes, path, pixels, width, height, channels));
+	if (TS_LACKS(path) || TS_LACKS(pixels)) return TS_ERROR;
+	ts_status status = ts_image_encode_png(&file, &bytes, path, pixels, width, height, channels);
 	return put(path, status, file, bytes);
 }
 

@@ -33,6 +33,7 @@ typedef struct {
 	bool quiet; /* only failures are told, as text */
 	bool trace, margins, viewer;
 	const char *trace_only, *crop; /* NULL: all; either is a trace, too */
+	const char *report;            /* a page; NULL: none */
 } ts_output;
 
 /* Strings are NULL if nothing was said. */

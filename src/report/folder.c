@@ -1,0 +1,155 @@
+/* What render or compare wrote to a folder. Its report.json is untrusted: no name leads out of the folder, and every
+ * picture is checked. */
+#include <stdlib.h>
+#include <touchstone/image.h>
+#include <unistd.h>
+#include "../image/png.h"
+#include "../scene/print.h"
+#include "page.h"
+
+enum { PATH_BYTES = 4608, NAME_BYTES = 256, MOST_SIDE = 1 << 14 };
+
+/* A PNG file of a folder. */
+typedef struct {
+	const char *dir, *file;
+	char path[PATH_BYTES], group[NAME_BYTES], stem[NAME_BYTES];
+	bool method, truth;
+} found;
+
+static bool lists(const json_t *report, const char *key, const char *name)
+{
+	const json_t *list = json_object_get(report, key);
+	for (size_t i = 0; i < json_array_size(list); i++) {
+		const char *text = json_string_value(json_array_get(list, i));
+		if (text != NULL && strcmp(text, name) == 0) return true;
+	}
+	return false;
+}
+
+/* Parts "group/stem.png", or without a group; false of what is no picture, or one that shows a difference. */
+static bool take_apart(found *f, const char *dir, const json_t *report, const char *file)
+{
+	const char *slash = file != NULL ? strchr(file, '/') : NULL, *name = slash != NULL ? slash + 1 : file;
+	size_t n = name != NULL ? strlen(name) : 0;
+	if (n < 5 || n >= NAME_BYTES || strcmp(name + n - 4, ".png") != 0) return false;
+	if (name[0] == '.' || file[0] == '.' || file[0] == '/' || strchr(name, '/') != NULL) return false;
+	if (name - file >= NAME_BYTES || strncmp(name, "difference-", 11) == 0) return false;
+	*f = (found){.dir = dir, .file = file};
+	snprintf(f->path, sizeof f->path, "%s/%s", dir, file);
+	memcpy(f->group, file, slash != NULL ? (size_t)(slash - file) : 0);
+	memcpy(f->stem, name, n - 4);
+	f->method = lists(report, "methods", f->stem);
+	f->truth = strncmp(f->stem, "truth-", 6) == 0;
+	return true;
+}
+
+/* What the report says the picture shows; NULL: nothing. */
+static const char *words_of(const json_t *report, const char *file)
+{
+	const json_t *list = json_object_get(report, "pictures");
+	size_t n = strlen(file);
+	for (size_t i = 0; i < json_array_size(list); i++) {
+		const json_t *row = json_array_get(list, i);
+		const char *name = json_string_value(json_object_get(row, "name"));
+		if (name == NULL || strncmp(name, file, n) != 0 || (name[n] != 0 && name[n] != ' ')) continue;
+		return json_string_value(json_object_get(row, "shows"));
+	}
+	return NULL;
+}
+
+static void drop_alpha(u8 *rgba, size_t n)
+{
+	for (size_t i = 0; i < n; i++) memmove(rgba + 3 * i, rgba + 4 * i, 3);
+}
+
+static u32 big_endian(const u8 *p) { return (u32)p[0] << 24 | (u32)p[1] << 16 | (u32)p[2] << 8 | p[3]; }
+
+/* *png by free(): a PNG with nothing but pixels, of the size that its header says. */
+static ts_status read_png(u8 **png, size_t *bytes, ts_page_picture *picture, const char *path)
+{
+	static const u8 signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+	size_t file_bytes;
+	*png = NULL;
+	u8 *file = (u8 *)ts_input_read(&file_bytes, path);
+	if (file == NULL) return TS_ERROR;
+	bool is = file_bytes > sizeof signature && memcmp(file, signature, sizeof signature) == 0;
+	ts_status status = is ? ts_png_clean(png, bytes, file, file_bytes, path) : ts_fail("%s: no PNG", path);
+	free(file);
+	if (status != TS_OK) return status;
+	picture->width = big_endian(*png + 16);
+	picture->height = big_endian(*png + 20);
+	if (picture->width <= MOST_SIDE && picture->height <= MOST_SIDE) return TS_OK;
+	free(*png);
+	return ts_fail("%s: %u x %u pixels; at most %d a side are shown", path, (unsigned)picture->width,
+	               (unsigned)picture->height, MOST_SIDE);
+}
+
+/* `probe` can be asked of its pixels where the folder holds its trace. */
+static void put_trace(ts_page *page, json_t *o, const found *f)
+{
+	char trace[PATH_BYTES], file[PATH_BYTES + NAME_BYTES];
+	snprintf(trace, sizeof trace, "%s/%s%strace-%s", f->dir, f->group, f->group[0] != 0 ? "/" : "", f->stem);
+	snprintf(file, sizeof file, "%s/trace.json", trace);
+	if (access(file, F_OK) == 0) ts_page_put(page, o, "trace", ts_text_json(trace));
+}
+
+static ts_status add_picture(ts_page *page, const found *f, const json_t *report)
+{
+	ts_page_picture p = {.name = (char *)f->stem, .group = (char *)f->group, .truth = f->truth};
+	u8 *png;
+	size_t bytes;
+	char from[PATH_BYTES];
+	p.folder = page->n_folders;
+	if (read_png(&png, &bytes, &p, f->path) != TS_OK) return TS_ERROR;
+	ts_status status = TS_OK;
+	if (f->method || f->truth) {
+		status = ts_image_decode(&p.rgb, &p.width, &p.height, png, bytes, (u64)MOST_SIDE * MOST_SIDE, f->path);
+	}
+	if (status == TS_OK && p.rgb != NULL) drop_alpha(p.rgb, (size_t)p.width * p.height);
+	snprintf(from, sizeof from, "%s%s%s", f->dir, f->group[0] != 0 ? "/" : "", f->group);
+	json_t *o = status == TS_OK ? ts_page_take(page, &p, from, ts_page_base64(png, bytes, f->path)) : NULL;
+	free(png);
+	if (o == NULL) return TS_ERROR;
+	const char *words = words_of(report, f->file);
+	if (words != NULL) ts_page_put(page, o, "shows", json_string(words));
+	if (f->method) put_trace(page, o, f);
+	return ts_page_check(page);
+}
+
+/* What of the report tables are made of. */
+static void put_report(ts_page *page, const char *dir, json_t *report, json_t *times)
+{
+	json_t *o = json_object();
+	json_object_del(report, "files");
+	ts_page_put(page, o, "dir", ts_text_json(dir));
+	ts_page_put(page, o, "report", json_incref(report));
+	if (times != NULL) ts_page_put(page, o, "times", json_incref(times));
+	ts_page_append(page, page->folders, o);
+}
+
+ts_status ts_page_add_folder(ts_page *page, const char *dir)
+{
+	json_t *report, *times = NULL;
+	found f;
+	if (ts_page_read(&report, dir, "report.json", false) != TS_OK) return TS_ERROR;
+	const char *program = json_string_value(json_object_get(report, "program"));
+	ts_status status = program != NULL && strcmp(program, "touchstone") == 0
+	                       ? ts_page_read(&times, dir, "times.json", true)
+	                       : ts_fail("%s/report.json: of no touchstone; a folder that render -o or compare -o wrote "
+	                                 "would be right",
+	                                 dir);
+	const json_t *files = json_object_get(report, "files");
+	for (size_t i = 0; i < json_array_size(files) && status == TS_OK; i++) {
+		if (take_apart(&f, dir, report, json_string_value(json_array_get(files, i)))) {
+			status = add_picture(page, &f, report);
+		}
+	}
+	if (status == TS_OK) {
+		put_report(page, dir, report, times);
+		page->n_folders++;
+		status = ts_page_check(page);
+	}
+	json_decref(report);
+	json_decref(times);
+	return status;
+}
