@@ -19,12 +19,12 @@ find "$scratch/made" ! -type d -printf '/%P\n' |
 verdict $? 'into the folders that were named'
 
 # As debian/rules installs it, which leaves out these two.
-patterns=$(cat debian/*.install)
+patterns=$(sed 's/\./\\./g; s/\*/[^/]*/g' debian/*.install)
 set -f
 find "$scratch/made" ! -type d -printf '/%P\n' | grep -vE '^/opt/docs/(CHANGELOG.md|LICENSE)$' |
 	sed "s|^$at/|usr/|; s|^/opt/docs/|usr/share/doc/touchstone/|" | while read -r file; do
 	n=0
-	for pattern in $patterns; do [[ $file = $pattern || $file = $pattern/* ]] && n=$((n + 1)); done
+	for pattern in $patterns; do [[ $file =~ ^$pattern(/|$) ]] && n=$((n + 1)); done
 	[ $n -eq 1 ] || echo "# $file is in $n packages"
 done > "$scratch/astray"
 set +f
