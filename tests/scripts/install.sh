@@ -19,7 +19,7 @@ find "$scratch/made" ! -type d -printf '/%P\n' |
 verdict $? 'into the folders that were named'
 
 # As debian/rules installs it, which leaves out these two.
-patterns=$(sed 's/\./\\./g; s/\*/[^/]*/g' debian/*.install)
+patterns=$(sed 's|\.|\\.|g; s|\*|[^/]*|g' debian/*.install)
 set -f
 find "$scratch/made" ! -type d -printf '/%P\n' | grep -vE '^/opt/docs/(CHANGELOG.md|LICENSE)$' |
 	sed "s|^$at/|usr/|; s|^/opt/docs/|usr/share/doc/touchstone/|" | while read -r file; do
