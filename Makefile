@@ -510,9 +510,9 @@ installcheck: | $(filter install,$(MAKECMDGOALS))
 DIST = build/touchstone-$(shell git show HEAD:src/model/core.h 2>/dev/null | $(SHOWN_VERSION))
 dist:
 	$(Q)[ -e .git ] || { echo "make dist: no git checkout here, whose last commit would be packed" >&2; exit 2; }
-	$(Q)mkdir -p build
-	$(Q)git -c tar.umask=0022 archive --prefix=$(notdir $(DIST))/ -o $(DIST).tar HEAD
-	$(Q)env -u XZ_OPT -u XZ_DEFAULTS xz -T1 -f $(DIST).tar
+	$(Q)mkdir -p build && part=$(DIST).$$$$.tar && trap 'rm -f $$part $$part.xz' EXIT && \
+		git -c tar.umask=0022 archive --prefix=$(notdir $(DIST))/ -o $$part HEAD && \
+		env -u XZ_OPT -u XZ_DEFAULTS xz -T1 -f $$part && mv -f $$part.xz $(DIST).tar.xz
 	@echo $(DIST).tar.xz
 
 ##   clean              removes build/

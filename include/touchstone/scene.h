@@ -81,8 +81,8 @@ typedef struct {
 	const ts_slot *slots;
 	const ts_image_array *images;
 	const ts_light *lights;   /* none: a sun, as of a file without lights */
-	const ts_object *objects; /* none: all vertices are of object 0. Of object 0, the static scene, which is no mirror, only
-	                           * `reflector` is read. Another object is a mirror unless its reflector is TS_NO_INDEX */
+	const ts_object *objects; /* none: all vertices are of object 0, the static scene, which is no mirror. Another
+	                           * object is one unless its reflector is TS_NO_INDEX */
 	const ts_surfel *surfels;
 	const ts_camera_array *cameras;
 	uint32_t n_vertices, n_triangles, n_materials, n_slots, n_images, n_lights, n_objects, n_surfels, n_cameras;
