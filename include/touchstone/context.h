@@ -10,7 +10,7 @@ extern "C" {
 
 typedef struct ts_context ts_context;
 
-/* What a context is opened with; all but `bytes` may be 0. */
+/* Options of a context. Only `bytes` must be set; 0 is the default of each other member. */
 typedef struct {
 	size_t bytes;        /* sizeof(ts_context_options) */
 	const char *backend; /* a name of ts_backend_at; NULL: "c", the reference */

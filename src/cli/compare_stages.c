@@ -65,7 +65,7 @@ static u32 put_stale(ts_outcomes *outcomes, const ts_comparison *c, const char *
 	return n;
 }
 
-/* What is known of a stage without a verdict is told: it is there no more. */
+/* The baseline lists a difference of this stage, which no longer has a verdict. */
 static bool is_listed(const stages *s)
 {
 	return s->lists != NULL && put_stale(NULL, s->comparison, s->name, s->lists) > 0;

@@ -15,7 +15,7 @@ static ts_case_end of_status(ts_status status)
 	return status == TS_OK ? TS_CASE_SAME : status == TS_DIFFERENT ? TS_CASE_DIFFERENT : TS_CASE_UNUSABLE;
 }
 
-/* What is computed a second time is the same, or there is nothing to be known. */
+/* Computes the case a second time. If the runs differ, the difference is no known one, and `text` says so. */
 static ts_status compute_again(char *text, const ts_goldens *goldens, const ts_case *c, const ts_golden *computed)
 {
 	ts_golden again;

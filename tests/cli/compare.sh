@@ -4,19 +4,6 @@
 . "$(dirname "$0")/traces.bash"
 cd "$scratch" || exit 2
 
-# change FILE ELEMENT_BYTES ELEMENT OFFSET HEX: overwrites bytes of an element of a .npy file.
-change() {
-	python3 - "$@" <<'PY'
-import sys
-name, size, element, offset = sys.argv[1], *map(int, sys.argv[2:5])
-data = bytearray(open(name, "rb").read())
-at = 10 + data[8] + 256 * data[9] + size * element + offset
-new = bytes.fromhex(sys.argv[5])
-data[at:at + len(new)] = new
-open(name, "wb").write(data)
-PY
-}
-
 # ends STATUS PATTERN NAME ARGUMENT...: the command ends so, and prints, or reports, a line that matches.
 ends() {
 	local expected=$1 pattern=$2 name=$3

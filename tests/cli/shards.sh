@@ -9,18 +9,6 @@ BUILD=$(realpath "${BUILD:-build/release}")
 cd "$scratch" || exit 2
 export OMP_WAIT_POLICY=passive
 
-# change FILE ELEMENT_BYTES ELEMENT OFFSET HEX: overwrites bytes of an element of a .npy file.
-change() {
-	python3 - "$@" <<'PY'
-import sys
-name, size, element, offset = sys.argv[1], *map(int, sys.argv[2:5])
-data = bytearray(open(name, "rb").read())
-at = 10 + data[8] + 256 * data[9] + size * element + offset
-new = bytes.fromhex(sys.argv[5])
-data[at:at + len(new)] = new
-open(name, "wb").write(data)
-PY
-}
 # What differs from run to run: times, the machine's name.
 timeless() { sed -E 's/ (time|timestamp|hostname)="[^"]*"//g' "$1"; }
 # alike A B: the folders hold the same, but for times.

@@ -126,7 +126,7 @@ _of_arrays = {"vertices": "scene.vertex", "triangles": "scene.triangle", "materi
 
 
 def _array(array, dtype, n_dims, what):
-	"""In C order. What is another thing is refused rather than converted."""
+	"""The array in C order. Another dtype, or another number of dimensions, is refused."""
 	array = np.asarray(array)
 	if array.dtype != dtype or array.ndim != n_dims:
 		raise Error(f"{what}: {array.ndim} dimensions of {array.dtype}; {n_dims} of {dtype} would be right")
