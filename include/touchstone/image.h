@@ -16,14 +16,20 @@ extern "C" {
 TS_API ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
                                  uint64_t max_texels, const char *what);
 
-/* Writes an 8-bit PNG of `channels` (1, 3 or 4) interleaved channels, rows from the top. The file appears whole or not
- * at all: it is written as PATH.partial and renamed. */
-TS_API ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
-                                    uint32_t channels);
+/* What a file says about its picture. `name` is 1 to 79 characters of printable ASCII. */
+typedef struct {
+	const char *name, *text;
+} ts_image_text;
 
-/* Writes a 32-bit float EXR of `channels` channels (1: Y, 3: RGB, 4: RGBA), rows from the top, whole or not at all. */
+/* Writes an 8-bit PNG of `channels` (1, 3 or 4) interleaved channels, rows from the top. The file appears whole or not
+ * at all: it is written as PATH.partial and renamed. texts: ended by one whose name is NULL; NULL: none. */
+TS_API ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
+                                    uint32_t channels, const ts_image_text *texts);
+
+/* Writes a 32-bit float EXR of `channels` channels (1: Y, 3: RGB, 4: RGBA), rows from the top, whole or not at all.
+ * texts: as above. */
 TS_API ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height,
-                                    uint32_t channels);
+                                    uint32_t channels, const ts_image_text *texts);
 
 /* Reads a PNG, JPEG or EXR as float (channels as in the file; 8-bit values divided by 255). *pixels by free(). */
 TS_API ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path);

@@ -10,7 +10,12 @@
 #define BACKEND TS_OPT(BACKEND), TS_OPT(DEVICE), TS_OPT(WORK_GROUP), TS_OPT(BUILD), TS_OPT(INEXACT), TS_OPT(REQUIRE)
 
 const char *const ts_program = "touchstone";
-ts_preview *const ts_golden_preview = ts_image_write_png;
+
+static ts_status write_preview(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels)
+{
+	return ts_image_write_png(path, srgb, width, height, channels, NULL);
+}
+ts_preview *const ts_golden_preview = write_preview;
 
 const ts_command ts_command_table[] = {
 	{"render",
@@ -20,8 +25,8 @@ const ts_command ts_command_table[] = {
      "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT:texels=SIDE\"; checkerboard,\n"
      "of surfels, also with \":surfels=COUNT\"; or a .gltf, .glb or .ply file. Writes METHOD.png and .exr,\n"
      "truth-NAME.png, differences, pictures of the stages, traces and report.json to DIR, and prints times, counters,\n"
-     "memory and metrics. Of a parameter with several values, --set NAME=A,B, every combination is rendered, in a\n"
-     "folder of DIR each, and CSV is printed.",
+     "memory and metrics. The header of each picture names its scene, parameters and version. Of a parameter with\n"
+     "several values, --set NAME=A,B, every combination is rendered, in a folder of DIR each, and CSV is printed.",
      1,
      2,
      TS_OPT(METHOD),

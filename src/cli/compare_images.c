@@ -224,7 +224,7 @@ static ts_status draw(const void *user)
 	const images *s = user;
 	const char *path = s->n_unlike > 0 ? ts_folder_file("difference.png") : NULL;
 	if (path == NULL) return s->n_unlike > 0 ? TS_ERROR : TS_OK;
-	return ts_image_write_png(path, s->marks, s->p[0].width, s->p[0].height, 1);
+	return ts_image_write_png(path, s->marks, s->p[0].width, s->p[0].height, 1, NULL);
 }
 
 /* As a display shows it; a channel or two are grey, and the last of two or four is alpha. */

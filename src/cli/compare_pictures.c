@@ -22,7 +22,7 @@ static bool is_marked(const u8 *of, u64 every) { return memchr(of, 1, every) != 
 static ts_status write_picture(const char *name, const u8 *picture, u32 width, u32 height)
 {
 	const char *path = ts_folder_file(name);
-	return path != NULL ? ts_image_write_png(path, picture, width, height, 1) : TS_ERROR;
+	return path != NULL ? ts_image_write_png(path, picture, width, height, 1, NULL) : TS_ERROR;
 }
 
 static ts_status draw_rows(marks *m)

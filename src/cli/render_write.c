@@ -1,5 +1,6 @@
 /* The files of a render: every method, truth and difference as PNG and EXR, and the pictures of the stages. */
 #include <stdlib.h>
+#include "../image/about.h"
 #include "../study/folder.h"
 #include "render.h"
 
@@ -10,14 +11,28 @@ static const char *file(const ts_render *render, const char *stem, const char *s
 	return ts_folder_file(name);
 }
 
+static void describe(ts_about *about, const ts_render *render, const char *stem)
+{
+	ts_about_make(about, render->scene->name, render->effect, stem, &render->job->params);
+}
+
+static ts_status write_png(const ts_render *render, const char *stem, const u8 *rgb, u32 width, u32 height)
+{
+	ts_about about;
+	const char *png = file(render, stem, "png");
+	describe(&about, render, stem);
+	return png != NULL ? ts_image_write_png(png, rgb, width, height, 3, about.texts) : TS_ERROR;
+}
+
 /* Of the eye's size. */
 static ts_status write_pair(const ts_render *render, const char *stem, const u8 *srgb, const f32 *radiance)
 {
+	ts_about about;
 	u32 width = TS_PARAM(&render->job->params, width), height = TS_PARAM(&render->job->params, height);
-	const char *png = file(render, stem, "png");
-	ts_status status = png != NULL ? ts_image_write_png(png, srgb, width, height, 3) : TS_ERROR;
-	const char *exr = status == TS_OK ? file(render, stem, "exr") : NULL;
-	return exr != NULL ? ts_image_write_exr(exr, radiance, width, height, 3) : TS_ERROR;
+	if (write_png(render, stem, srgb, width, height) != TS_OK) return TS_ERROR;
+	const char *exr = file(render, stem, "exr");
+	describe(&about, render, stem);
+	return exr != NULL ? ts_image_write_exr(exr, radiance, width, height, 3, about.texts) : TS_ERROR;
 }
 
 int ts_render_difference_scale(const ts_render *render)
@@ -53,8 +68,7 @@ static ts_status write_stages(const ts_render *render, u32 method)
 		const ts_stage_picture *p = &pictures->picture[k];
 		char stem[64];
 		snprintf(stem, sizeof stem, "%s-%s", render->methods[method]->name, p->name);
-		const char *png = file(render, stem, "png");
-		status = png != NULL ? ts_image_write_png(png, p->rgb, p->width, p->height, 3) : TS_ERROR;
+		status = write_png(render, stem, p->rgb, p->width, p->height);
 	}
 	return status;
 }

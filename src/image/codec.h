@@ -4,7 +4,7 @@
 #define TS_IMAGE_CODEC_H
 #include <stddef.h>
 #include <stdint.h>
-#include <touchstone/status.h>
+#include <touchstone/image.h>
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -13,11 +13,12 @@ typedef struct {
 	/* `file` is of that format ("png", "jpeg"), and its header says width by height: so many texels are written. */
 	ts_status (*decode)(uint8_t *rgba, uint32_t width, uint32_t height, const char *format, const void *file,
 	                    size_t file_bytes, const char *what);
-	/* Files in memory, for `path` (by free(); NULL on failure), of pixels as <touchstone/image.h> takes them. */
+	/* Files in memory, for `path` (by free(); NULL on failure), of pixels and texts as <touchstone/image.h> takes
+	 * them. */
 	ts_status (*encode_png)(void **file, size_t *file_bytes, const char *path, const uint8_t *pixels, uint32_t width,
-	                        uint32_t height, uint32_t channels);
+	                        uint32_t height, uint32_t channels, const ts_image_text *texts);
 	ts_status (*encode_exr)(void **file, size_t *file_bytes, const char *path, const float *pixels, uint32_t width,
-	                        uint32_t height, uint32_t channels);
+	                        uint32_t height, uint32_t channels, const ts_image_text *texts);
 	/* `file` is of that format ("png", "jpeg", "openexr"). As ts_image_read otherwise. */
 	ts_status (*read)(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *format,
 	                  const void *file, size_t file_bytes, const char *what);

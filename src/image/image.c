@@ -119,29 +119,30 @@ static ts_status put(const char *path, ts_status encoded, void *file, size_t byt
 }
 
 ts_status ts_image_encode_png(void **file, size_t *file_bytes, const char *what, const uint8_t *pixels, uint32_t width,
-                              uint32_t height, uint32_t channels)
+                              uint32_t height, uint32_t channels, const ts_image_text *texts)
 {
 	*file = NULL;
 	if (require_codec(what) != TS_OK) return TS_ERROR;
-	return said(codec->encode_png(file, file_bytes, what, pixels, width, height, channels));
+	return said(codec->encode_png(file, file_bytes, what, pixels, width, height, channels, texts));
 }
 
 ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
-                             uint32_t channels)
+                             uint32_t channels, const ts_image_text *texts)
 {
 	void *file;
 	size_t bytes = 0;
 	if (TS_LACKS(path) || TS_LACKS(pixels)) return TS_ERROR;
-	ts_status status = ts_image_encode_png(&file, &bytes, path, pixels, width, height, channels);
+	ts_status status = ts_image_encode_png(&file, &bytes, path, pixels, width, height, channels, texts);
 	return put(path, status, file, bytes);
 }
 
-ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels)
+ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels,
+                             const ts_image_text *texts)
 {
 	void *file = NULL;
 	size_t bytes = 0;
 	if (TS_LACKS(path) || TS_LACKS(pixels) || require_codec(path) != TS_OK) return TS_ERROR;
-	ts_status status = said(codec->encode_exr(&file, &bytes, path, pixels, width, height, channels));
+	ts_status status = said(codec->encode_exr(&file, &bytes, path, pixels, width, height, channels, texts));
 	return put(path, status, file, bytes);
 }
 

@@ -137,14 +137,20 @@ struct encoded {
 	}
 };
 
+static void add_texts(ImageSpec &spec, const ts_image_text *texts)
+{
+	for (; texts != nullptr && texts->name != nullptr; texts++) spec.attribute(texts->name, texts->text);
+}
+
 static ts_status encode_png(void **file, size_t *bytes, const char *path, const uint8_t *pixels, uint32_t width,
-                            uint32_t height, uint32_t channels)
+                            uint32_t height, uint32_t channels, const ts_image_text *texts)
 {
 	*file = nullptr;
 	return guarded(path, [&] {
 		ImageSpec spec((int)width, (int)height, (int)channels, TypeDesc::UINT8);
 		spec.attribute("oiio:UnassociatedAlpha", 1);
 		spec.attribute("oiio:ColorSpace", "sRGB");
+		add_texts(spec, texts);
 		return encoded{file, bytes, path}.write("png", spec, TypeDesc::UINT8, pixels);
 	});
 }
@@ -214,13 +220,14 @@ static ts_status require_whole(void **file, size_t bytes, const char *path, cons
 
 /* OpenImageIO writes the time of day where no other is given. */
 static ts_status encode_exr(void **file, size_t *bytes, const char *path, const float *pixels, uint32_t width,
-                            uint32_t height, uint32_t channels)
+                            uint32_t height, uint32_t channels, const ts_image_text *texts)
 {
 	*file = nullptr;
 	return guarded(path, [&] {
 		ImageSpec spec((int)width, (int)height, (int)channels, TypeDesc::FLOAT);
 		spec.attribute("compression", "zip");
 		spec.attribute("DateTime", "1970:01:01 00:00:00");
+		add_texts(spec, texts);
 		if (channels == 1) spec.channelnames.assign(1, "Y");
 		ts_status status = encoded{file, bytes, path}.write("openexr", spec, TypeDesc::FLOAT, pixels);
 		return status == TS_OK ? require_whole(file, *bytes, path, pixels, spec) : status;

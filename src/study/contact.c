@@ -56,7 +56,7 @@ void ts_contact_put(ts_contact *contact, u32 column, u32 row, const u8 *srgb, u3
 ts_status ts_contact_write(const ts_contact *contact, const char *name)
 {
 	const char *path = ts_folder_file(name);
-	return path != NULL ? ts_image_write_png(path, contact->rgb, contact->width, contact->height, 3) : TS_ERROR;
+	return path != NULL ? ts_image_write_png(path, contact->rgb, contact->width, contact->height, 3, NULL) : TS_ERROR;
 }
 
 void ts_contact_free(ts_contact *contact)

@@ -235,7 +235,7 @@ few = row("5", "ivir_5")
 assert few["rmse_128_centre"] < few["rmse_128_default"] and few["rmse_128_mvr"] > 0
 PY
 verdict $? 'bench ivir-culling, ivir-4, ivir-5 and ivir-6 write their pictures and judge them'
-run render soft-shadows $hall --method mvr,ivir --set reflectors.count=0 "${figures[@]}" -o "$scratch/figure"
+run render soft-shadows $hall --method mvr,ivir --set reflectors.count=0 --set scene.ground=on "${figures[@]}" -o "$scratch/figure"
 cmp -s "$scratch/figure/ivir.png" "$scratch/ivir-figure-4/1-$hall-ivir.png" &&
 	cmp -s "$scratch/figure/difference-mvr-ivir.png" "$scratch/ivir-figure-4/1-$hall-difference-ivir.png"
 verdict $? 'pictures of bench are those of render'

@@ -44,7 +44,7 @@ static void test_png(void **state)
 		uint8_t pixels[TEXELS * 4], file[8192], *rgba;
 		uint32_t width, height;
 		for (unsigned i = 0; i < TEXELS * channels; i++) pixels[i] = value(i);
-		assert_int_equal(ts_image_write_png(name("a.png"), pixels, WIDTH, HEIGHT, channels), TS_OK);
+		assert_int_equal(ts_image_write_png(name("a.png"), pixels, WIDTH, HEIGHT, channels, NULL), TS_OK);
 		size_t n = slurp(file, sizeof file);
 		assert_int_equal(ts_image_decode(&rgba, &width, &height, file, n, TEXELS, "a.png"), TS_OK);
 		assert_int_equal(width, WIDTH);
@@ -66,7 +66,7 @@ static void test_read_png(void **state)
 	uint32_t width, height, channels;
 	float *read;
 	for (unsigned i = 0; i < TEXELS * 3; i++) pixels[i] = value(i);
-	assert_int_equal(ts_image_write_png(name("b.png"), pixels, WIDTH, HEIGHT, 3), TS_OK);
+	assert_int_equal(ts_image_write_png(name("b.png"), pixels, WIDTH, HEIGHT, 3, NULL), TS_OK);
 	assert_int_equal(ts_image_read(&read, &width, &height, &channels, path), TS_OK);
 	assert_true(width == WIDTH && height == HEIGHT && channels == 3);
 	for (unsigned i = 0; i < TEXELS * 3; i++) assert_true(read[i] == (float)pixels[i] / 255.0f);
@@ -82,7 +82,7 @@ static void test_exr(void **state)
 		float pixels[TEXELS * 4], *read;
 		uint32_t width, height, channels;
 		for (unsigned i = 0; i < TEXELS * n_channels; i++) pixels[i] = (float)value(i) * 1234.5f - 3.0f;
-		assert_int_equal(ts_image_write_exr(name("c.exr"), pixels, WIDTH, HEIGHT, n_channels), TS_OK);
+		assert_int_equal(ts_image_write_exr(name("c.exr"), pixels, WIDTH, HEIGHT, n_channels, NULL), TS_OK);
 		assert_int_equal(ts_image_read(&read, &width, &height, &channels, path), TS_OK);
 		assert_true(width == WIDTH && height == HEIGHT && channels == n_channels);
 		assert_memory_equal(read, pixels, sizeof(float) * TEXELS * n_channels);
@@ -106,7 +106,7 @@ static void test_damaged(void **state)
 {
 	(void)state;
 	uint8_t pixels[TEXELS * 3] = {0}, file[8192];
-	assert_int_equal(ts_image_write_png(name("d.png"), pixels, WIDTH, HEIGHT, 3), TS_OK);
+	assert_int_equal(ts_image_write_png(name("d.png"), pixels, WIDTH, HEIGHT, 3, NULL), TS_OK);
 	size_t n = slurp(file, sizeof file);
 	refuse(file, n, TEXELS - 1, "at most 90 texels");
 	for (size_t cut = 0; cut < 40; cut++) refuse(file, cut, TEXELS, "picture");
@@ -146,11 +146,11 @@ static void test_damaged_files(void **state)
 	(void)state;
 	uint8_t file[8192];
 	float light[TEXELS * 3] = {0};
-	assert_int_equal(ts_image_write_png(name("d.png"), (uint8_t *)light, WIDTH, HEIGHT, 3), TS_OK);
+	assert_int_equal(ts_image_write_png(name("d.png"), (uint8_t *)light, WIDTH, HEIGHT, 3, NULL), TS_OK);
 	size_t n = slurp(file, sizeof file);
 	assert_gone();
 	for (size_t cut = 8; cut < n; cut++) refuse_file(file, cut, "it is cut short");
-	assert_int_equal(ts_image_write_exr(name("d.exr"), light, WIDTH, HEIGHT, 3), TS_OK);
+	assert_int_equal(ts_image_write_exr(name("d.exr"), light, WIDTH, HEIGHT, 3, NULL), TS_OK);
 	n = slurp(file, sizeof file);
 	assert_gone();
 	for (size_t cut = 4; cut < n; cut += 7) refuse_file(file, cut, "f.png: ");
@@ -166,7 +166,7 @@ static void test_bad_paths(void **state)
 	uint8_t pixel[3] = {1, 2, 3};
 	float *read;
 	uint32_t width, height, channels;
-	assert_int_equal(ts_image_write_png(name("absent/e.png"), pixel, 1, 1, 3), TS_ERROR);
+	assert_int_equal(ts_image_write_png(name("absent/e.png"), pixel, 1, 1, 3, NULL), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "absent/e.png"));
 	assert_int_equal(ts_image_read(&read, &width, &height, &channels, name("none.png")), TS_ERROR);
 	assert_null(read);

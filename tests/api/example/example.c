@@ -35,7 +35,7 @@ int main(int n_words, char **word)
 	check(ts_scene_make(context, &scene, &arrays, params, NULL));
 	check(ts_trace_run(context, &reference, scene, params, "reflections", "epr", NULL));
 	const ts_buffer_view *image = ts_trace_buffer(reference, "image.srgb");
-	if (n_words > 1) check(ts_image_write_png(word[1], image->data, 96, 54, 3));
+	if (n_words > 1) check(ts_image_write_png(word[1], image->data, 96, 54, 3, NULL));
 
 	const ts_buffer_view *keys = ts_trace_buffer(reference, "eye.depth_triangle");
 	uint64_t *theirs = malloc(54 * 96 * sizeof *theirs);
