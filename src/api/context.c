@@ -67,18 +67,6 @@ ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, cons
 	return TS_OK;
 }
 
-static ts_status find(const ts_backend_kind **kind, const char *name)
-{
-	char names[128] = "";
-	for (u32 i = 0; ts_backend_kinds[i] != NULL; i++) {
-		size_t used = strlen(names);
-		*kind = ts_backend_kinds[i];
-		snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? ", " : "", (*kind)->name);
-		if (name == NULL || strcmp((*kind)->name, name) == 0) return TS_OK;
-	}
-	return ts_fail("there is no backend \"%.40s\"; there is: %s", name, names);
-}
-
 /* Drivers are opened one after the other. */
 static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 device)
 {
@@ -95,8 +83,9 @@ static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 devi
 static ts_status open_context(ts_context *context, const ts_context_options *options)
 {
 	const ts_backend_kind *kind;
+	bool named = options->backend != NULL;
 	context->listener = (ts_listener){options->say, options->progress, options->cancelled, options->user};
-	if (find(&kind, options->backend) != TS_OK) return TS_ERROR;
+	if (ts_backend_find(&kind, named ? options->backend : ts_backend_kinds[0]->name) != TS_OK) return TS_ERROR;
 	if (options->threads > TS_MOST_THREADS) {
 		return ts_fail("%lu threads; 0 to %d are right", (unsigned long)options->threads, TS_MOST_THREADS);
 	}

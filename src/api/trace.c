@@ -212,8 +212,5 @@ ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65])
 
 int64_t ts_trace_counter(const ts_trace *trace, const char *name)
 {
-	for (u32 i = 0; trace != NULL && name != NULL && i < trace->n_counters; i++) {
-		if (strcmp(trace->counters[i].name, name) == 0) return trace->counters[i].value;
-	}
-	return 0;
+	return trace != NULL && name != NULL ? ts_counter_of(trace->counters, trace->n_counters, name) : 0;
 }

@@ -1,4 +1,4 @@
-/* What --backend and the options behind it name. */
+/* Opens what --backend and the options behind it name. */
 #ifndef TS_CLI_BACKENDS_H
 #define TS_CLI_BACKENDS_H
 #include "../study/job.h"
@@ -6,7 +6,5 @@
 /* Opens the job's backend into job->how, if it is not the reference; a device that breaks the numeric contract
  * is refused, unless it may. */
 ts_status ts_backend_open(ts_job *job);
-/* The backend of that name; TS_ERROR, with a message that names those there are. */
-ts_status ts_backend_find(const ts_backend_kind **kind, const char *name);
 
 #endif

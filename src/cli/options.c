@@ -169,7 +169,8 @@ static ts_status take_backend(void *to, const ts_option *option, const char *tex
 	(void)option;
 	ts_job *job = &((ts_cli *)to)->job;
 	job->backend_named = true;
-	return ts_backend_find(&job->backend, text);
+	if (ts_backend_find(&job->backend, text) == TS_OK) return TS_OK;
+	return ts_fail("--backend: %s", ts_error_message());
 }
 
 static ts_status take_device(void *to, const ts_option *option, const char *text)

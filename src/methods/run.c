@@ -90,13 +90,15 @@ void ts_run_count(ts_run *run, const char *name, i64 value)
 	run->counters[run->n_counters++] = (ts_counter){.name = name, .value = value};
 }
 
-i64 ts_run_counter(const ts_run *run, const char *name)
+i64 ts_counter_of(const ts_counter *counters, u32 n, const char *name)
 {
-	for (u32 i = 0; i < run->n_counters; i++) {
-		if (strcmp(run->counters[i].name, name) == 0) return run->counters[i].value;
+	for (u32 i = 0; i < n; i++) {
+		if (strcmp(counters[i].name, name) == 0) return counters[i].value;
 	}
 	return 0;
 }
+
+i64 ts_run_counter(const ts_run *run, const char *name) { return ts_counter_of(run->counters, run->n_counters, name); }
 
 const ts_info *ts_run_info(const ts_run *run) { return ts_frame_data(&run->frame, TS_B_scene_info); }
 

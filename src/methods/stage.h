@@ -88,7 +88,9 @@ const ts_backend *ts_run_backend(const ts_run *run);
 ts_backend *ts_run_backend_of(ts_run *run);
 /* Adds to a counter by name. */
 void ts_run_count(ts_run *run, const char *name, i64 value);
+/* The value of the counter of that name; 0: there is none. */
 i64 ts_run_counter(const ts_run *run, const char *name);
+i64 ts_counter_of(const ts_counter *counters, u32 n, const char *name);
 
 /* Sizes of records.def (sizes.c). A run has those of the scene and what stages counted; the others are computed when
  * they are asked for, of the batch if batched. TS_UNKNOWN where neither is there. */
