@@ -83,9 +83,9 @@ static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 devi
 static ts_status open_context(ts_context *context, const ts_context_options *options)
 {
 	const ts_backend_kind *kind;
-	bool named = options->backend != NULL;
+	const char *name = options->backend != NULL ? options->backend : ts_backend_kinds[0]->name;
 	context->listener = (ts_listener){options->say, options->progress, options->cancelled, options->user};
-	if (ts_backend_find(&kind, named ? options->backend : ts_backend_kinds[0]->name) != TS_OK) return TS_ERROR;
+	if (ts_backend_find(&kind, ts_backend_kinds, name) != TS_OK) return TS_ERROR;
 	if (options->threads > TS_MOST_THREADS) {
 		return ts_fail("%lu threads; 0 to %d are right", (unsigned long)options->threads, TS_MOST_THREADS);
 	}

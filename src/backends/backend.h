@@ -75,8 +75,8 @@ typedef struct {
 extern const ts_backend_kind ts_c_kind, ts_opencl_kind, ts_vulkan_kind, ts_cuda_kind;
 /* Those that the library, or the core, has: the reference first, ended by NULL. */
 extern const ts_backend_kind *const ts_backend_kinds[];
-/* The one of that name; TS_ERROR, with a message that names those there are. */
-ts_status ts_backend_find(const ts_backend_kind **kind, const char *name);
+/* The one of that name among `kinds`, ended by NULL; TS_ERROR, with a message that names those. */
+ts_status ts_backend_find(const ts_backend_kind **kind, const ts_backend_kind *const *kinds, const char *name);
 
 /* The reference, in C: threads of OpenMP. */
 typedef struct {

@@ -3,12 +3,12 @@
 #include <string.h>
 #include "backend.h"
 
-ts_status ts_backend_find(const ts_backend_kind **kind, const char *name)
+ts_status ts_backend_find(const ts_backend_kind **kind, const ts_backend_kind *const *kinds, const char *name)
 {
 	char names[128] = "";
-	for (u32 i = 0; ts_backend_kinds[i] != NULL; i++) {
+	for (u32 i = 0; kinds[i] != NULL; i++) {
 		size_t used = strlen(names);
-		*kind = ts_backend_kinds[i];
+		*kind = kinds[i];
 		snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? ", " : "", (*kind)->name);
 		if (strcmp((*kind)->name, name) == 0) return TS_OK;
 	}

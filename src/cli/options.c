@@ -169,7 +169,7 @@ static ts_status take_backend(void *to, const ts_option *option, const char *tex
 	(void)option;
 	ts_job *job = &((ts_cli *)to)->job;
 	job->backend_named = true;
-	if (ts_backend_find(&job->backend, text) == TS_OK) return TS_OK;
+	if (ts_backend_find(&job->backend, job->backends, text) == TS_OK) return TS_OK;
 	return ts_fail("--backend: %s", ts_error_message());
 }
 
