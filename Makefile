@@ -292,6 +292,12 @@ $(MANUAL)/made: scripts/manual $(BUILD)/touchstone
 	$(call say,GEN,$(@D))
 	$(Q)rm -rf $(@D) && scripts/manual $(BUILD)/touchstone $(@D) && touch $@
 
+##   docs               the documents, the headers and the manual as pages for a browser: build/docs/index.html; needs pandoc
+docs: $(MANUAL)/made
+	$(Q)scripts/site $(MANUAL) build/docs
+	$(Q)scripts/links-check build/docs
+	@echo build/docs/index.html
+
 # The package for Python: its sources, what it reads of the headers, and the name of the library.
 PYTHON_PACKAGE := $(BUILD)/python/touchstone
 $(PYTHON_PACKAGE)/made: $(wildcard src/python/touchstone/*.py include/touchstone/*) scripts/abi $(BUILD)/flags
@@ -526,4 +532,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test check test-long tests fuzz matrix matrix-short distros distros-short mutants faults release-check bench style format deps-build deps-test install uninstall installcheck dist clean help FORCE
+.PHONY: all core golden demo test check test-long tests fuzz matrix matrix-short distros distros-short mutants faults release-check bench style format deps-build deps-test install uninstall installcheck dist docs clean help FORCE
