@@ -466,7 +466,7 @@ MAN := $(DESTDIR)$(mandir)/man1
 BASH_COMPLETION := $(DESTDIR)$(bashcompletiondir)
 ZSH_COMPLETION := $(DESTDIR)$(zshcompletiondir)
 PYTHON := $(DESTDIR)$(pythondir)/touchstone
-REFERENCE := $(filter-out reference/RECIPES.md,$(wildcard $(patsubst %,reference/*.%,md json png)))
+REFERENCE := $(filter-out reference/RECIPES.md reference/PICTURES.md,$(wildcard $(patsubst %,reference/*.%,md json png)))
 COMMANDS := $(shell sed -nE 's/^\t\{"([a-z]+)",.*/\1/p' src/cli/commands.c)
 install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(PTX) $(PYTHON_PACKAGE)/made
 	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference $(MAN) \
