@@ -1,5 +1,6 @@
 /* The command `touchstone`: its table of commands. */
 #include <touchstone/image.h>
+#include "../image/png.h"
 #include "golden.h"
 
 #define WHERE \
@@ -15,7 +16,7 @@ static ts_status write_preview(const char *path, const u8 *srgb, u32 width, u32 
 {
 	return ts_image_write_png(path, srgb, width, height, channels, NULL);
 }
-ts_preview *const ts_golden_preview = write_preview;
+const ts_preview ts_golden_preview = {write_preview, ts_png_rgb};
 
 const ts_command ts_command_table[] = {
 	{"render",

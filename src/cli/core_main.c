@@ -3,7 +3,7 @@
 #include "golden.h"
 
 const char *const ts_program = "touchstone-core";
-ts_preview *const ts_golden_preview = NULL;
+const ts_preview ts_golden_preview = {NULL, NULL};
 ts_golden_teller *const ts_golden_tell = NULL;
 const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, NULL};
 

@@ -5,7 +5,8 @@
 #include "baseline.h"
 #include "cli.h"
 
-enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_REASON_BYTES = 400, TS_CASE_TEXT = 512 };
+enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_CASE_TEXT = 512, TS_CASE_PIXELS = 1 << 20 };
+enum { TS_REASON_BYTES = 400, TS_REASONS_BYTES = 1 << 20 }; /* one; all that CHANGES holds */
 
 /* For `help golden`. */
 #define TS_GOLDEN_DETAILS \
@@ -49,6 +50,14 @@ ts_status ts_case_write_params(const ts_case *c);
  * name, because it is younger, must have its default. */
 ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir);
 
+/* A reason to bless: one line that says something, of at most TS_REASON_BYTES. */
+ts_status ts_reason_check(const char *reason);
+/* Whether CHANGES of a folder is lines of reasons. */
+ts_status ts_case_check_changes(const ts_golden_dir *dir);
+/* As ts_golden_compare; then the folder's preview with the computed picture, in a program that reads PNG. */
+ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir, const ts_golden *stored,
+                          const ts_golden *computed);
+
 /* Runs a case, as ts_golden_compute; refuses what does not fit the machine. ts_golden_free also after a failure. */
 ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how);
 
@@ -86,8 +95,12 @@ ts_status ts_golden_check_action(const ts_goldens *goldens);
 ts_status ts_golden_new_action(const ts_goldens *goldens);
 ts_status ts_golden_bless_action(const ts_goldens *goldens);
 
-/* Writes the preview of a case; NULL in a program that cannot. Each program has its own. */
-typedef ts_status ts_preview(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels);
-extern ts_preview *const ts_golden_preview;
+/* Write and read previews; NULL in a program that cannot. Each program has its own. */
+typedef struct {
+	ts_status (*write)(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels);
+	ts_status (*read)(u8 **rgb, u32 *width, u32 *height, const void *file, size_t bytes, u64 most_pixels,
+	                  const char *what);
+} ts_preview;
+extern const ts_preview ts_golden_preview;
 
 #endif

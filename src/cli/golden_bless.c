@@ -6,24 +6,6 @@
 #include "../output/folder.h"
 #include "golden.h"
 
-enum { MOST_TEXT_BYTES = 1 << 20 };
-
-/* A reason is one line that says something. */
-static ts_status check_reason(const char *reason)
-{
-	if (reason == NULL || reason[strspn(reason, " \t")] == 0) {
-		return ts_fail("golden bless: no reason; write --reason TEXT");
-	}
-	char clean[TS_REASON_BYTES + 1];
-	if (strlen(reason) > TS_REASON_BYTES) {
-		return ts_fail("golden bless: a reason has at most %d bytes", TS_REASON_BYTES);
-	}
-	strcpy(clean, reason);
-	ts_line_clean(clean);
-	if (strcmp(clean, reason) == 0) return TS_OK;
-	return ts_fail("golden bless: a reason is one line, without control characters");
-}
-
 /* Only what a known state of the source computed by the reference is accepted. */
 static ts_status check_build(const ts_job *job)
 {
@@ -53,7 +35,7 @@ static ts_status check_values(const ts_case *c, const ts_golden *golden)
 static ts_status check_proposal(const ts_goldens *goldens, const ts_case *c, const ts_golden_dir *dir)
 {
 	ts_golden proposed, computed;
-	char text[512];
+	char text[TS_CASE_TEXT];
 	ts_status status = ts_case_check_params(text, sizeof text, c, dir);
 	if (status == TS_DIFFERENT) ts_fail("golden bless: %s: %s; run \"golden new %s\"", c->name, text, c->name);
 	if (status != TS_OK) return TS_ERROR;
@@ -63,7 +45,7 @@ static ts_status check_proposal(const ts_goldens *goldens, const ts_case *c, con
 	}
 	ts_how plain = {.threads = goldens->cli->job.how.threads, .reference = true};
 	status = ts_case_compute(&computed, c, &plain);
-	if (status == TS_OK) status = ts_golden_compare(text, sizeof text, &proposed, &computed, c->pipeline, c->small);
+	if (status == TS_OK) status = ts_case_compare(text, c, dir, &proposed, &computed);
 	if (status == TS_DIFFERENT) {
 		ts_fail("golden bless: %s: this build computes something else: %s; run \"golden new %s\"", c->name, text,
 		        c->name);
@@ -84,7 +66,7 @@ static ts_status read_text(text *t, const ts_golden_dir *dir, const char *name)
 {
 	*t = (text){.data = NULL};
 	if (!ts_golden_has(dir, name)) return TS_OK;
-	return ts_golden_read_file(&t->data, &t->bytes, dir, name, MOST_TEXT_BYTES);
+	return ts_golden_read_file(&t->data, &t->bytes, dir, name, TS_REASONS_BYTES);
 }
 
 static bool ends_with(const text *t, const char *line)
@@ -158,7 +140,10 @@ ts_status ts_golden_bless_action(const ts_goldens *goldens)
 	ts_golden_dir proposed;
 	char name[TS_CASE_NAME + 8], path[TS_CASE_PATH];
 	if (only == NULL) return ts_fail("golden bless: which case? Write golden bless CASE --reason TEXT");
-	if (check_reason(goldens->cli->golden.reason) != TS_OK || check_build(&goldens->cli->job) != TS_OK) return TS_ERROR;
+	const char *reason = goldens->cli->golden.reason;
+	if (reason == NULL) return ts_fail("golden bless: no reason; write --reason TEXT");
+	if (ts_reason_check(reason) != TS_OK) return ts_fail("golden bless: %s", ts_error_message());
+	if (check_build(&goldens->cli->job) != TS_OK) return TS_ERROR;
 	ts_case_path(path, goldens, only, ".new");
 	ts_folder_clear(path, 0);
 	snprintf(name, sizeof name, "%s.new", only->name);

@@ -37,10 +37,11 @@ static ts_case_end compare(char *text, const ts_goldens *goldens, const ts_case 
 	ts_status status = ts_case_check_params(text, TS_CASE_TEXT, c, dir);
 	if (status != TS_OK) return of_status(status);
 	status = ts_golden_read(&stored, dir, c->pipeline);
+	if (status == TS_OK) status = ts_case_check_changes(dir);
 	if (status == TS_OK) {
 		bool listed = ts_baseline_find(&goldens->known, c->name, TS_N_BUFFERS) != NULL;
 		status = ts_case_compute(&computed, c, &goldens->cli->job.how);
-		if (status == TS_OK) status = ts_golden_compare(text, TS_CASE_TEXT, &stored, &computed, c->pipeline, c->small);
+		if (status == TS_OK) status = ts_case_compare(text, c, dir, &stored, &computed);
 		if (status == TS_DIFFERENT && listed) status = compute_again(text, goldens, c, &computed);
 		ts_golden_free(&computed);
 	}
@@ -51,8 +52,10 @@ static ts_case_end compare(char *text, const ts_goldens *goldens, const ts_case 
 /* The file without which there is no golden; NULL: all are there. */
 static const char *missing_file(const ts_golden_dir *dir, bool small)
 {
-	if (!ts_golden_has(dir, TS_GOLDEN_PARAMS)) return TS_GOLDEN_PARAMS;
-	if (!ts_golden_has(dir, TS_GOLDEN_SUMS)) return TS_GOLDEN_SUMS;
+	static const char *const names[] = {TS_GOLDEN_PARAMS, TS_GOLDEN_SUMS, TS_GOLDEN_PREVIEW, TS_GOLDEN_CHANGES};
+	for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+		if (!ts_golden_has(dir, names[i])) return names[i];
+	}
 	return small && !ts_golden_has(dir, "small") ? "small" : NULL;
 }
 

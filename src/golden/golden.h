@@ -11,8 +11,8 @@
 #include "file.h"
 #include "../trace/sums.h"
 
-/* The largest file that is stored as it is. */
-enum { TS_GOLDEN_SMALL_BYTES = 192 << 10 };
+/* The largest file that is stored as it is, and the largest of any kind. */
+enum { TS_GOLDEN_SMALL_BYTES = 192 << 10, TS_GOLDEN_FILE_BYTES = 8 << 20 };
 #define TS_GOLDEN_SUMS "SHA256SUMS"
 #define TS_GOLDEN_PARAMS "params.txt"
 #define TS_GOLDEN_PREVIEW "preview.png"

@@ -5,7 +5,7 @@
 #include "../output/folder.h"
 #include "golden.h"
 
-enum { HEX = TS_DIGEST_BYTES - 1, MOST_SUMS_BYTES = 64 << 10, MOST_COPIED_BYTES = 8 << 20 };
+enum { HEX = TS_DIGEST_BYTES - 1, MOST_SUMS_BYTES = 64 << 10 };
 static const char small_name[] = "small";
 static const char *const file_names[] = {TS_GOLDEN_SUMS, TS_GOLDEN_PARAMS, TS_GOLDEN_PREVIEW, TS_GOLDEN_CHANGES};
 enum { N_FILES = sizeof file_names / sizeof *file_names };
@@ -128,7 +128,7 @@ static ts_status copy_file(const ts_golden_dir *from, const char *name, const ch
 {
 	char *data;
 	size_t bytes;
-	if (ts_golden_read_file(&data, &bytes, from, name, MOST_COPIED_BYTES) != TS_OK) return TS_ERROR;
+	if (ts_golden_read_file(&data, &bytes, from, name, TS_GOLDEN_FILE_BYTES) != TS_OK) return TS_ERROR;
 	const char *path = ts_folder_file(to);
 	ts_status status = path != NULL ? ts_file_write(path, data, bytes) : TS_ERROR;
 	free(data);

@@ -24,7 +24,7 @@ for i in 1 2 3; do
 	echo "case-$i: mvr dining:triangles=10000 --size 24x16 --reflectors 0 --set seed=$i --small"
 done > goldens/cases.txt
 run golden new --reference-dir goldens
-for i in 1 2 3; do mv "goldens/case-$i.new" "goldens/case-$i"; done
+accepts goldens case-{1,2,3}
 golden=(golden check --reference-dir goldens)
 change goldens/case-2/small/*-image.radiance.npy 4 7 0 0000803f
 

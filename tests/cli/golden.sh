@@ -183,6 +183,72 @@ with 'mv none ..; ln -s ../none none'
 fails 'cannot open the folder' check none
 rm -rf "$scratch/none"
 
+# The picture and the reasons.
+# paint FILE WIDTH [X Y]: a PNG of the pixels of few's picture, so wide, all rows by another filter; that pixel one off.
+paint() {
+	python3 - "$ref/few/small/20-image.srgb.npy" "$@" <<'PY'
+import struct, sys, zlib
+width, pixels = int(sys.argv[3]), bytearray(open(sys.argv[1], "rb").read()[128:])
+if len(sys.argv) > 4:
+	pixels[3 * (int(sys.argv[5]) * width + int(sys.argv[4])) + 1] ^= 1
+rows = [pixels[i:i + 3 * width] for i in range(0, len(pixels), 3 * width)]
+above, packed = bytes(3 * width), b""
+for y, row in enumerate(rows):
+	packed += bytes([y % 5])
+	for i, value in enumerate(row):
+		a, b, c = (row[i - 3], above[i], above[i - 3]) if i >= 3 else (0, above[i], 0)
+		nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+		packed += bytes([(value - (0, a, b, (a + b) // 2, nearest)[y % 5]) % 256])
+	above = row
+chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+open(sys.argv[2], "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, len(rows), 8, 2, 0, 0, 0)) +
+                              chunk(b"IDAT", zlib.compress(packed, 1)) + chunk(b"IEND", b""))
+PY
+}
+with 'paint few/preview.png 24'
+golden check few
+says 0 '^same ' 'another file of the same pixels is the same preview'
+with 'paint few/preview.png 24 7 3'
+golden check few
+says 1 '^different  few  preview.png: pixel \[3, 7\]: golden [0-9]+ [0-9]+ [0-9]+ here [0-9]+ [0-9]+ [0-9]+$' \
+	'a changed pixel of the preview is found'
+with 'paint few/preview.png 12'
+golden check few
+says 1 '^different  few  preview.png: golden 12 by 32 pixels here 24 by 16$' 'a preview of another size is found'
+with 'cp none/preview.png few/preview.png'
+golden check few
+says 1 '^different  few  preview.png: pixel' "another case's preview is found"
+with 'rm few/preview.png'
+fails 'few/preview.png: there is no such file' check few
+with 'truncate -s -20 few/preview.png'
+fails 'few/preview.png: damaged: ' check few
+with 'poke few/preview.png 45'
+fails 'few/preview.png: damaged: ' check few
+with ': > few/preview.png'
+fails 'few/preview.png: not a PNG' check few
+with 'poke few/preview.png 16'
+fails 'few/preview.png: 16777240 by 16 pixels; at most 1048576 are right' check few
+with 'poke few/preview.png 24'
+fails 'few/preview.png: not a PNG of 8-bit RGB' check few
+with 'truncate -s 9M few/preview.png'
+fails 'few/preview.png: 9437184 bytes; at most 8388608 are right' check few
+with 'rm few/CHANGES'
+fails 'few/CHANGES: there is no such file' check few
+with ': > few/CHANGES'
+fails 'few/CHANGES: not lines of text' check few
+with 'printf unended >> few/CHANGES'
+fails 'few/CHANGES: not lines of text' check few
+with 'printf "a\0b\n" >> few/CHANGES'
+fails 'few/CHANGES: not lines of text' check few
+with 'echo >> few/CHANGES'
+fails 'few/CHANGES: line 3: no reason' check few
+with 'printf "\033[2J\n" >> few/CHANGES'
+fails 'few/CHANGES: line 3: a reason is one line, without control' check few
+with 'printf "%401s\n" x >> few/CHANGES'
+fails 'few/CHANGES: line 3: a reason has at most 400 bytes' check few
+with 'rm few/CHANGES; mkdir few/CHANGES'
+fails 'few/CHANGES: not a regular file' check few
+
 # line PATTERN TEXT: a cases.txt of that line is refused.
 line() {
 	with true
@@ -240,6 +306,9 @@ fails 'lookup.bounces=2, but cases.txt makes it 1' bless few --reason other
 golden new few
 rm "$ref/few.new/preview.png"
 fails 'no preview.png in' bless few --reason unseen
+golden new few
+paint "$ref/few.new/preview.png" 24 0 0
+fails 'computes something else: preview.png: pixel \[0, 0\]' bless few --reason painted
 with "sed -i 's/--reflectors 0/--reflectors 0 --set image.exposure=1024 --set light.ambient=1000000/' cases.txt"
 golden new none
 fails 'the image is of one colour' bless none --reason white

@@ -26,7 +26,7 @@ for i in 1 2 3; do
 	echo "case-$i: mvr dining:triangles=10000 --size 24x16 --reflectors 0 --set seed=$i"
 done > reference/cases.txt
 touchstone golden new > made
-for i in 1 2 3; do mv "reference/case-$i.new" "reference/case-$i"; done
+accepts reference case-{1,2,3}
 sed -i '3s/^./g/;3s/^g/0/' reference/case-2/SHA256SUMS
 sed -i '3{s/^0/1/;t;s/^./0/}' reference/case-2/SHA256SUMS
 touchstone golden check --junit whole.xml > whole

@@ -69,10 +69,10 @@ mkdir goldens
 echo "few: mvr dining:triangles=10000 --size 24x16 --reflectors 0 --small" > goldens/cases.txt
 echo "none: mvr dining:triangles=10000 --size 24x16 --reflectors 0" >> goldens/cases.txt
 run golden new --reference-dir goldens
-mv goldens/few.new goldens/few
+accepts goldens few
 golden=(golden check --reference-dir goldens)
 keep missing "${golden[@]}"
-mv goldens/none.new goldens/none
+accepts goldens none
 keep same "${golden[@]}" few
 wrong goldens/few/small/*-image.srgb.npy 7
 for i in 1 2; do run "${golden[@]}" --shard $i/2 -o g-$i; done

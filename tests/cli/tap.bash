@@ -49,6 +49,15 @@ prints() {
 	verdict $? "printed by: $*"
 }
 
+# accepts FOLDER CASE...: what `golden new` proposed there becomes the golden, as if it was blessed.
+accepts() {
+	local folder=$1 case
+	shift
+	for case; do
+		mv "$folder/$case.new" "$folder/$case" && echo accepted > "$folder/$case/CHANGES"
+	done
+}
+
 finish() {
 	echo "1..$tests"
 	[ "$failures" -eq 0 ]

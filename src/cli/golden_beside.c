@@ -1,0 +1,83 @@
+/* What a golden has beside its buffers: a picture to look at, and the reasons for which it was blessed. */
+#include <stdio.h>
+#include <stdlib.h>
+#include "golden.h"
+
+ts_status ts_reason_check(const char *reason)
+{
+	char clean[TS_REASON_BYTES + 1];
+	if (reason[strspn(reason, " \t")] == 0) return ts_fail("no reason");
+	if (strlen(reason) > TS_REASON_BYTES) return ts_fail("a reason has at most %d bytes", TS_REASON_BYTES);
+	strcpy(clean, reason);
+	ts_line_clean(clean);
+	if (strcmp(clean, reason) == 0) return TS_OK;
+	return ts_fail("a reason is one line, without control characters");
+}
+
+ts_status ts_case_check_changes(const ts_golden_dir *dir)
+{
+	char *text, *end;
+	size_t bytes;
+	u32 number = 0;
+	if (ts_golden_read_file(&text, &bytes, dir, TS_GOLDEN_CHANGES, TS_REASONS_BYTES) != TS_OK) return TS_ERROR;
+	ts_status status = TS_OK;
+	if (bytes == 0 || strlen(text) != bytes || text[bytes - 1] != '\n') status = ts_fail("not lines of text");
+	for (char *line = text; status == TS_OK && (end = strchr(line, '\n')) != NULL; line = end + 1) {
+		*end = 0;
+		number++;
+		status = ts_reason_check(line);
+		if (status != TS_OK) ts_fail("line %u: %s", (unsigned)number, ts_error_message());
+	}
+	free(text);
+	return status == TS_OK ? TS_OK : ts_fail("%s/%s: %s", dir->path, TS_GOLDEN_CHANGES, ts_error_message());
+}
+
+typedef struct {
+	u32 width, height;
+	const u8 *rgb;
+} picture;
+
+static ts_status compare_pictures(char *text, const picture *stored, const picture *computed)
+{
+	const u8 *s = stored->rgb, *c = computed->rgb;
+	if (stored->width != computed->width || stored->height != computed->height) {
+		snprintf(text, TS_CASE_TEXT, "%s: golden %u by %u pixels here %u by %u", TS_GOLDEN_PREVIEW,
+		         (unsigned)stored->width, (unsigned)stored->height, (unsigned)computed->width,
+		         (unsigned)computed->height);
+		return TS_DIFFERENT;
+	}
+	u64 n = (u64)stored->width * stored->height, i = 0;
+	while (i < n && memcmp(s + 3 * i, c + 3 * i, 3) == 0) i++;
+	if (i == n) return TS_OK;
+	s += 3 * i;
+	c += 3 * i;
+	snprintf(text, TS_CASE_TEXT, "%s: pixel [%u, %u]: golden %u %u %u here %u %u %u", TS_GOLDEN_PREVIEW,
+	         (unsigned)(i / stored->width), (unsigned)(i % stored->width), s[0], s[1], s[2], c[0], c[1], c[2]);
+	return TS_DIFFERENT;
+}
+
+static ts_status check_preview(char *text, const ts_golden_dir *dir, const ts_golden *computed)
+{
+	picture stored, here = {.rgb = NULL};
+	char *file, path[TS_GOLDEN_PATH + sizeof TS_GOLDEN_PREVIEW];
+	size_t bytes;
+	u8 *rgb;
+	here.rgb = ts_golden_image(computed, &here.width, &here.height);
+	if (here.rgb == NULL || ts_golden_preview.read == NULL) return TS_OK;
+	ts_status status = ts_golden_read_file(&file, &bytes, dir, TS_GOLDEN_PREVIEW, TS_GOLDEN_FILE_BYTES);
+	if (status != TS_OK) return status;
+	snprintf(path, sizeof path, "%s/%s", dir->path, TS_GOLDEN_PREVIEW);
+	status = ts_golden_preview.read(&rgb, &stored.width, &stored.height, file, bytes, TS_CASE_PIXELS, path);
+	stored.rgb = rgb;
+	if (status == TS_OK) status = compare_pictures(text, &stored, &here);
+	free(rgb);
+	free(file);
+	return status;
+}
+
+ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir, const ts_golden *stored,
+                          const ts_golden *computed)
+{
+	ts_status status = ts_golden_compare(text, TS_CASE_TEXT, stored, computed, c->pipeline, c->small);
+	return status == TS_OK ? check_preview(text, dir, computed) : status;
+}
