@@ -112,7 +112,8 @@ static ts_status take_chunks(png *image, const uint8_t *file, size_t file_bytes)
 		uint32_t n = number(p);
 		if (n > file_bytes - at - FRAME) break;
 		if (crc32(0, p + 4, n + 4) != number(p + 8 + n)) return damaged(image, "a checksum is wrong");
-		if (memcmp(p + 4, "IEND", 4) == 0 && image->n_data != 0) return TS_OK;
+		bool end = memcmp(p + 4, "IEND", 4) == 0;
+		if (end && image->width != 0) return image->n_data != 0 ? TS_OK : damaged(image, "it has no pixels");
 		if (take_chunk(image, p + 4, p + 8, n) != TS_OK) return TS_ERROR;
 		at += FRAME + (size_t)n;
 	}
