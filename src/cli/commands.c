@@ -1,6 +1,5 @@
 /* The command `touchstone`: its table of commands. */
 #include <touchstone/image.h>
-#include "../image/png.h"
 #include "golden.h"
 
 #define WHERE \
@@ -16,7 +15,7 @@ static ts_status write_preview(const char *path, const u8 *srgb, u32 width, u32 
 {
 	return ts_image_write_png(path, srgb, width, height, channels, NULL);
 }
-const ts_preview ts_golden_preview = {write_preview, ts_png_rgb};
+const ts_preview ts_golden_preview = {write_preview, ts_image_decode};
 
 const ts_command ts_command_table[] = {
 	{"render",

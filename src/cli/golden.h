@@ -98,7 +98,7 @@ ts_status ts_golden_bless_action(const ts_goldens *goldens);
 /* Write and read previews; NULL in a program that cannot. Each program has its own. */
 typedef struct {
 	ts_status (*write)(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels);
-	ts_status (*read)(u8 **rgb, u32 *width, u32 *height, const void *file, size_t bytes, u64 most_pixels,
+	ts_status (*read)(u8 **rgba, u32 *width, u32 *height, const void *file, size_t bytes, u64 most_pixels,
 	                  const char *what);
 } ts_preview;
 extern const ts_preview ts_golden_preview;

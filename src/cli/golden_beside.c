@@ -33,13 +33,13 @@ ts_status ts_case_check_changes(const ts_golden_dir *dir)
 }
 
 typedef struct {
-	u32 width, height;
-	const u8 *rgb;
+	u32 width, height, channels;
+	const u8 *pixels;
 } picture;
 
 static ts_status compare_pictures(char *text, const picture *stored, const picture *computed)
 {
-	const u8 *s = stored->rgb, *c = computed->rgb;
+	const u8 *s = stored->pixels, *c = computed->pixels;
 	if (stored->width != computed->width || stored->height != computed->height) {
 		snprintf(text, TS_CASE_TEXT, "%s: golden %u by %u pixels here %u by %u", TS_GOLDEN_PREVIEW,
 		         (unsigned)stored->width, (unsigned)stored->height, (unsigned)computed->width,
@@ -47,10 +47,11 @@ static ts_status compare_pictures(char *text, const picture *stored, const pictu
 		return TS_DIFFERENT;
 	}
 	u64 n = (u64)stored->width * stored->height, i = 0;
-	while (i < n && memcmp(s + 3 * i, c + 3 * i, 3) == 0) i++;
+	for (; i < n && memcmp(s, c, 3) == 0; i++) {
+		s += stored->channels;
+		c += computed->channels;
+	}
 	if (i == n) return TS_OK;
-	s += 3 * i;
-	c += 3 * i;
 	snprintf(text, TS_CASE_TEXT, "%s: pixel [%u, %u]: golden %u %u %u here %u %u %u", TS_GOLDEN_PREVIEW,
 	         (unsigned)(i / stored->width), (unsigned)(i % stored->width), s[0], s[1], s[2], c[0], c[1], c[2]);
 	return TS_DIFFERENT;
@@ -58,19 +59,19 @@ static ts_status compare_pictures(char *text, const picture *stored, const pictu
 
 static ts_status check_preview(char *text, const ts_golden_dir *dir, const ts_golden *computed)
 {
-	picture stored, here = {.rgb = NULL};
+	picture stored = {.channels = 4}, here = {.channels = 3};
 	char *file, path[TS_GOLDEN_PATH + sizeof TS_GOLDEN_PREVIEW];
 	size_t bytes;
-	u8 *rgb;
-	here.rgb = ts_golden_image(computed, &here.width, &here.height);
-	if (here.rgb == NULL || ts_golden_preview.read == NULL) return TS_OK;
+	u8 *rgba;
+	here.pixels = ts_golden_image(computed, &here.width, &here.height);
+	if (here.pixels == NULL || ts_golden_preview.read == NULL) return TS_OK;
 	ts_status status = ts_golden_read_file(&file, &bytes, dir, TS_GOLDEN_PREVIEW, TS_GOLDEN_FILE_BYTES);
 	if (status != TS_OK) return status;
 	snprintf(path, sizeof path, "%s/%s", dir->path, TS_GOLDEN_PREVIEW);
-	status = ts_golden_preview.read(&rgb, &stored.width, &stored.height, file, bytes, TS_CASE_PIXELS, path);
-	stored.rgb = rgb;
+	status = ts_golden_preview.read(&rgba, &stored.width, &stored.height, file, bytes, TS_CASE_PIXELS, path);
+	stored.pixels = rgba;
 	if (status == TS_OK) status = compare_pictures(text, &stored, &here);
-	free(rgb);
+	free(rgba);
 	free(file);
 	return status;
 }

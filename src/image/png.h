@@ -14,11 +14,6 @@ extern "C" {
  * message begins with `what`. `file` must begin with the PNG signature. */
 ts_status ts_png_clean(uint8_t **clean, size_t *clean_bytes, const uint8_t *file, size_t file_bytes, const char *what);
 
-/* The pixels of a PNG of 8-bit RGB without interlacing, as we write them: width * height * 3 bytes, by free(). Needs no
- * module. On failure *rgb is NULL, and the message begins with `what`. */
-ts_status ts_png_rgb(uint8_t **rgb, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
-                     uint64_t most_pixels, const char *what);
-
 #ifdef __cplusplus
 }
 #endif
