@@ -10,19 +10,25 @@ enum { SIDE = 2 };
 static const ts_paper_picture pictures[] = { { 0, "first" }, { 1, "second" }, { 0 } };
 /* clang-format on */
 static const ts_paper_table table = {.effect = "reflections", .pictures = pictures};
+static const ts_bench_variant variants[] = {{.method = "epr", .set = ""}, {.method = "mvr", .set = "seed=5"}};
 
 /* Writes the pictures of a case that has the first or not. */
 static void check(u8 *first, const char *const *wanted)
 {
 	u8 second[SIDE * SIDE * 3] = {9, 8, 7};
 	const ts_paper_line line = {.scene = "a"};
+	char name[] = "a";
+	ts_scene scene = {.name = name};
 	ts_bench_case *c = calloc(1, sizeof *c);
 	assert_non_null(c);
 	ts_params_default(&c->params);
 	TS_PARAM_SET(&c->params, width, SIDE);
 	TS_PARAM_SET(&c->params, height, SIDE);
-	c->images[0].srgb = first;
-	c->images[1].srgb = second;
+	c->scene = &scene;
+	c->effect = table.effect;
+	c->variants = variants;
+	c->images[0] = (ts_picture){.name = "epr", .srgb = first};
+	c->images[1] = (ts_picture){.name = "mvr", .srgb = second};
 	assert_int_equal(ts_results_begin(scratch_path("results"), false), TS_OK);
 	assert_int_equal(ts_paper_pictures(&table, c, &line, 1), TS_OK);
 	size_t n = 0;
