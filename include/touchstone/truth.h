@@ -15,23 +15,24 @@ extern "C" {
 /* A truth, as `touchstone list truths` has it. */
 typedef struct {
 	const char *name;
-	const char *effects; /* whose truth it is, separated by blanks */
+	const char *effects; /* that it judges, separated by blanks */
 	const char *doc;
 } ts_truth_info;
 
-/* Truth i of all, from 0; NULL behind the last. */
+/* Truth number i, counted from 0; NULL if there are no more than i. */
 TS_API const ts_truth_info *ts_truth_at(size_t i);
 
 /* A picture by rays. */
 typedef struct {
 	uint32_t width, height;
 	const float *radiance; /* height rows of width pixels, linear RGB, from the top */
-	const uint8_t *srgb;   /* the same as displayed */
-	int estimated;         /* not 0: by fewer rays than there are, the parameter truth.rays */
+	const uint8_t *srgb;   /* the same pixels as displayed, RGB */
+	int estimated;         /* not 0: the parameter truth.rays left out some of the rays */
 } ts_truth_image;
 
-/* Renders a truth of an effect. The result does not depend on threads. Release by ts_truth_image_free; NULL on failure:
- * no such truth of the effect, a scene that has none, or no memory. */
+/* Renders a truth of an effect. The result does not depend on threads.
+ * Out: *image is to be released by ts_truth_image_free; NULL on failure.
+ * Fails if the effect has no such truth, the scene lacks what the truth shows, or memory ends. */
 TS_API ts_status ts_truth_render(ts_context *context, ts_truth_image **image, const ts_scene *scene,
                                  const ts_params *params, const char *effect, const char *truth);
 

@@ -1,5 +1,5 @@
-/* How near culling was to the other answer: the distance of each random number from its threshold. A second pass over
- * what cull.h decided, which changes nothing of it (PORTING 7). */
+/* Margins of culling: the distance of each random number from its threshold (PORTING 7). This second pass changes no
+ * decision of cull.h. */
 #ifndef TS_KERNELS_CULL_MARGIN_H
 #define TS_KERNELS_CULL_MARGIN_H
 #include "../base/args.h"
@@ -10,7 +10,7 @@
 	ARG(OUT, f32, margin, cull_margin)
 TS_ARGS(ts_cull_margin_args);
 
-/* map over pieces: the random number's distance from its threshold, of 1; 1 where nothing is left to chance */
+/* map over pieces: the random number's distance from its threshold, both from 0 to 1; 1 where chance does not decide */
 TS_FN void ts_k_cull_margin_item(const ts_cull_margin_args *args, u64 i)
 {
 	i32 threshold = ts_k_cull_threshold(ts_k_cull_pixels(&args->cull, i));

@@ -71,10 +71,10 @@ typedef struct {
 	ts_v3 centre;
 	f32 length;
 	u32 flags;
-	bool at_centre; /* of its texel, not at its own place */
+	bool at_centre; /* the point is moved to the centre of its texel */
 } ts_flight;
 
-/* What all points of a piece have in common; the rest is ts_k_flight_start's. */
+/* Sets what all points of a piece have in common; ts_k_flight_start sets the rest. */
 TS_FN ts_flight ts_k_flight_of_piece(const ts_points_args *args, u64 piece)
 {
 	ts_flight r;

@@ -60,7 +60,8 @@ TS_FN ts_box ts_k_extent_box(ts_v2 lo, ts_v2 hi)
 	return r;
 }
 
-/* The texels of the box of the projected square c +- (l/2) u +- (l/2) v, near-clipped; empty if it is behind. */
+/* The box of texels around the projected square c +- (l/2) u +- (l/2) v, after clipping at the near plane; empty if the
+ * square lies behind that plane. */
 TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, ts_v3 c, ts_v3 u, ts_v3 v, f32 length)
 {
 	f32 half_length = length * 0.5f;
@@ -90,8 +91,8 @@ TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, ts_v3 c, ts_v3 u, ts_v3 v, 
 	return ts_k_box_meet(ts_k_extent_box(lo, hi), ts_k_view_box(view));
 }
 
-/* Distance at which the ray through a texel's centre meets the piece's plane, kept within a tile of the point's own,
- * which also stands in where the ray does not meet it. */
+/* Distance at which the ray through a texel's centre meets the piece's plane, at most a tile's length from the distance
+ * of the point. Where the ray does not meet the plane, the distance is that of the point. */
 TS_FN f32 ts_k_plane_distance(const ts_camera_k *view, ts_v3 n, ts_v3 c, f32 distance, f32 length, i32 i, i32 j)
 {
 	f32 x = ((f32)i + 0.5f) - (f32)view->width * 0.5f;
@@ -103,7 +104,7 @@ TS_FN f32 ts_k_plane_distance(const ts_camera_k *view, ts_v3 n, ts_v3 c, f32 dis
 	return met > 0.0f ? ts_clamp(met, distance - length, distance + length) : distance;
 }
 
-/* The least key wins a texel; afterwards, whoever lost by its index alone marks a tie. */
+/* The least key wins a texel. A later pass marks a tie where a key lost by its index alone. */
 TS_FN void ts_k_splat_offer(const ts_splat_args *args, u64 texel, u64 key)
 {
 	TS_GLOBAL u64 *least = ts_at(args->texels, texel);

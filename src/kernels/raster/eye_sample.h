@@ -2,8 +2,8 @@
  * a column of 4 x 4, so that an edge that is nearly level or upright passes them one by one (Akenine-Moller and Strom,
  * "Graphics for the Masses", 2003). Places and order are the standard sample locations of Vulkan and Direct3D 11.
  *
- * Buffers of the eye have eye_rows rows: a picture of each sample, one below the other. A sample's view is the eye's,
- * its image moved so that the sample is where the middle of the pixel was. Snapped corners move by whole 1/256 pixels,
+ * Buffers of the eye have eye_rows rows: one picture per sample, one below the other. A sample's view is the eye's view
+ * with the image shifted, so that the sample lies where the middle of the pixel was. Snapped corners move by whole 1/256 pixels,
  * so all samples see the same edges. */
 #ifndef TS_KERNELS_EYE_SAMPLE_H
 #define TS_KERNELS_EYE_SAMPLE_H
@@ -11,10 +11,10 @@
 
 #define TS_N_EYE_SAMPLES 4u
 
-/* In 1/256 pixel from the upper left corner. */
+/* Places of the samples, in 1/256 pixel from the upper left corner. */
 TS_CONSTANT i32 ts_eye_sample[TS_N_EYE_SAMPLES][2] = {{96, 32}, {224, 96}, {32, 160}, {160, 224}};
 
-/* samples: TS_N_EYE_SAMPLES, or one. */
+/* The view of a sample. samples: TS_N_EYE_SAMPLES, or 1. */
 TS_FN ts_camera_k ts_k_eye_view(TS_GLOBAL const ts_view *eye, u32 samples, u32 sample)
 {
 	ts_camera_k r = ts_k_view(eye);

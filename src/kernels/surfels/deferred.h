@@ -1,6 +1,6 @@
-/* Deferred shaders over a G-buffer (NV40: Phong Shading, NV40: NPR Shading; METHODS 16): once a pixel, whatever
- * overlaps there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32; NPR paints in three tones
- * without a highlight, and outlines in black where the surface ends before what is farther or the sky. */
+/* Deferred shaders over a G-buffer (NV40: Phong Shading, NV40: NPR Shading; METHODS 16): once per pixel,
+ * however many surfels overlap there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32; NPR paints in three tones
+ * without a highlight, and draws a black outline where the surface ends in front of a farther one or the sky. */
 #ifndef TS_KERNELS_DEFERRED_H
 #define TS_KERNELS_DEFERRED_H
 #include "../base/args.h"
@@ -11,10 +11,10 @@
 #define TS_SHADER_IS_PHONG 0u
 #define TS_SHADER_IS_NPR 1u
 
-#define TS_HIGHLIGHT 0.25f /* of the radiance of a diffuse white surface */
+#define TS_HIGHLIGHT 0.25f /* relative to the radiance of a diffuse white surface */
 #define TS_TONES 3.0f
-#define TS_OUTLINE_STEP 0.03125f   /* of the depth */
-#define TS_OUTLINE_DROP 0.0078125f /* below the surface's plane, of the distance to the eye */
+#define TS_OUTLINE_STEP 0.03125f   /* relative to the depth */
+#define TS_OUTLINE_DROP 0.0078125f /* below the surface's plane, relative to the distance to the eye */
 #define TS_PER_PI 0.3183098733425140380859375f
 
 #define TS_ROWS_ts_deferred_args(ARG) \
@@ -32,7 +32,7 @@
 	ARG(VALUE, f32, exposure, none)
 TS_ARGS(ts_deferred_args);
 
-/* The cosine in equal tones. */
+/* The cosine, rounded up to one of TS_TONES equal tones. */
 TS_FN f32 ts_k_tone(f32 cosine) { return ts_min(ts_floor(cosine * TS_TONES + 1.0f), TS_TONES) / TS_TONES; }
 
 TS_FN f32 ts_k_highlight(ts_v3 n, ts_v3 v, ts_v3 l)
@@ -42,7 +42,7 @@ TS_FN f32 ts_k_highlight(ts_v3 n, ts_v3 v, ts_v3 l)
 	return TS_HIGHLIGHT * x;
 }
 
-/* Lambert's law and the highlight, of a share of one light. */
+/* What a share of one light adds to the radiance, by Lambert's law and the highlight. */
 TS_FN ts_v3 ts_k_shade_by(TS_GLOBAL const ts_light *light, f32 share, u32 shader, ts_v3 p, ts_v3 n, ts_v3 v,
                           ts_v3 albedo)
 {

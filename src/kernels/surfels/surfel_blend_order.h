@@ -62,7 +62,7 @@ TS_FN f32 ts_k_blend_number(u32 accumulation, u32 k, f32 sum, f32 weight)
 	return level / 255.0f;
 }
 
-/* A pixel of the target. */
+/* One pixel of the target that fragments are blended into. */
 typedef struct {
 	f32 sum[TS_BLEND_WEIGHT + 1u];
 } ts_blend_target;
@@ -74,7 +74,7 @@ TS_FN ts_blend_target ts_k_blend_none(void)
 	return r;
 }
 
-/* One more fragment. */
+/* Blends one more fragment into the target. */
 TS_FN void ts_k_blend_next(u32 accumulation, ts_blend_target *target, const ts_attributes *attributes, f32 weight)
 {
 	bool moved = accumulation == TS_ACCUMULATION_IS_8BIT;
@@ -86,7 +86,7 @@ TS_FN void ts_k_blend_next(u32 accumulation, ts_blend_target *target, const ts_a
 	target->sum[TS_BLEND_WEIGHT] = ts_k_blended(accumulation, target->sum[TS_BLEND_WEIGHT], weight);
 }
 
-/* What comes of n of them. */
+/* Stores the sums after n fragments. */
 TS_FN void ts_k_blend_end(u32 accumulation, const ts_blend_target *target, u32 n, TS_GLOBAL i64 *sums)
 {
 	f32 weight = target->sum[TS_BLEND_WEIGHT];

@@ -122,10 +122,10 @@ TS_FN bool ts_k_pair_splits_view(const ts_ball *s, const ts_ball *v)
 	return s->leaf || (!v->leaf && child < v->r);
 }
 
-/* From the nearest place in one ball to that in the other; at most 0 where they touch. */
+/* Distance between the surfaces of two balls; at most 0 where the balls touch. */
 TS_FN f32 ts_k_pair_gap(const ts_ball *s, const ts_ball *v) { return ts_length(ts_sub(s->p, v->p)) - (s->r + v->r); }
 
-/* Two leaves whose middles are nearer than so many radii of that of the scene. */
+/* True for two leaves whose middles are nearer than `apart` radii of the scene's leaf. */
 TS_FN bool ts_k_pair_is_near(const ts_ball *s, const ts_ball *v, f32 apart)
 {
 	return s->leaf && v->leaf && ts_length(ts_sub(s->p, v->p)) < apart * s->r;
