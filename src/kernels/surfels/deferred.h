@@ -1,6 +1,7 @@
-/* Deferred shaders over a G-buffer (NV40: Phong Shading, NV40: NPR Shading; METHODS 16): once per pixel,
- * however many surfels overlap there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32; NPR paints in three tones
- * without a highlight, and draws a black outline where the surface ends in front of a farther one or the sky. */
+/* Deferred shaders over a G-buffer (NV40: Phong Shading, NV40: NPR Shading; METHODS 16): once per
+ * pixel, however many surfels overlap there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32. NPR
+ * paints in three tones without a highlight, and draws a black outline where the surface ends in front of a farther one
+ * or the sky. */
 #ifndef TS_KERNELS_DEFERRED_H
 #define TS_KERNELS_DEFERRED_H
 #include "../base/args.h"
