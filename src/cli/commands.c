@@ -10,12 +10,7 @@
 #define BACKEND TS_OPT(BACKEND), TS_OPT(DEVICE), TS_OPT(WORK_GROUP), TS_OPT(BUILD), TS_OPT(INEXACT), TS_OPT(REQUIRE)
 
 const char *const ts_program = "touchstone";
-
-static ts_status write_preview(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels)
-{
-	return ts_image_write_png(path, srgb, width, height, channels, NULL);
-}
-const ts_preview ts_golden_preview = {write_preview, ts_image_decode};
+const ts_preview ts_golden_preview = {ts_image_write_png, ts_image_decode};
 
 const ts_command ts_command_table[] = {
 	{"render",

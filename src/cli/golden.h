@@ -1,6 +1,7 @@
 /* Goldens as a command: reference/cases.txt says what is run, reference/<case>/ what came of it. Part of the core. */
 #ifndef TS_CLI_GOLDEN_H
 #define TS_CLI_GOLDEN_H
+#include <touchstone/image.h>
 #include "../golden/golden.h"
 #include "baseline.h"
 #include "cli.h"
@@ -97,7 +98,8 @@ ts_status ts_golden_bless_action(const ts_goldens *goldens);
 
 /* Write and read previews; NULL in a program that cannot. Each program has its own. */
 typedef struct {
-	ts_status (*write)(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels);
+	ts_status (*write)(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels,
+	                   const ts_image_text *texts);
 	ts_status (*read)(u8 **rgba, u32 *width, u32 *height, const void *file, size_t bytes, u64 most_pixels,
 	                  const char *what);
 } ts_preview;

@@ -10,7 +10,7 @@ static ts_status write_preview(const ts_golden *golden)
 	const u8 *srgb = ts_golden_image(golden, &width, &height);
 	if (ts_golden_preview.write == NULL || srgb == NULL) return TS_OK;
 	const char *path = ts_folder_file(TS_GOLDEN_PREVIEW);
-	return path != NULL ? ts_golden_preview.write(path, srgb, width, height, 3) : TS_ERROR;
+	return path != NULL ? ts_golden_preview.write(path, srgb, width, height, 3, NULL) : TS_ERROR;
 }
 
 static ts_status write_all(const ts_golden *golden, const ts_case *c)

@@ -31,7 +31,6 @@ static void load_and_tell(const char *path, int to)
 	ts_scene *scene;
 	outcome o = {.end = REFUSED};
 	ts_params_default(&params);
-	alarm(10);
 	if (ts_scene_load(&scene, path, &params, NULL) == TS_OK) o.end = LOADED;
 	if (o.end == LOADED) o.triangles = (u32)scene->n_triangles_file;
 	if (o.end == REFUSED) snprintf(o.text, sizeof o.text, "%s", ts_error_message());
@@ -43,6 +42,7 @@ static void load_and_tell(const char *path, int to)
 static void begin_child(FILE *printed)
 {
 	struct rlimit limit = {(rlim_t)4 << 30, (rlim_t)4 << 30};
+	alarm(10);
 	if (!TS_TEST_SANITIZED) setrlimit(RLIMIT_AS, &limit);
 	if (dup2(fileno(printed), 1) < 0 || dup2(fileno(printed), 2) < 0) _exit(1);
 }
