@@ -23,42 +23,60 @@ export TOUCHSTONE=$folder/lists
 scripts/docs-check | sed 's/^/# /'
 result "${PIPESTATUS[0]}" "the documents"
 
-# sees REASON FILE SED-SCRIPT: the check names the damage that the script does to a copy.
-sees() {
+# plant REASON FILE SED-SCRIPT: damages a copy of the documents.
+plant() {
+	sed -i "$3" "$folder/$2"
+	reasons+=("$1") files+=("$2")
+}
+# planted: one check names each damage; then the copies are whole again.
+planted() {
+	local i rc
+	scripts/docs-check "$folder" > "$folder/out"
+	rc=$?
+	for i in "${!reasons[@]}"; do
+		[ $rc -eq 1 ] && grep -q "${files[i]}:[0-9]*: .*${reasons[i]}" "$folder/out"
+		result $? "the check sees: ${reasons[i]} (${files[i]})"
+	done
+	whole
+}
+whole() {
+	reasons=() files=()
 	cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md reference/VERDICTS.md reference/PERFORMANCE.md \
 		reference/PICTURES.md README.md CONTRIBUTING.md "$folder/"
-	sed -i "$3" "$folder/$2"
-	scripts/docs-check "$folder" > "$folder/out"
-	[ $? -eq 1 ] && grep -q "$2:[0-9]*: .*$1" "$folder/out"
-	result $? "the check sees: $1"
 }
-sees "there is no ts_k_spalt_item" METHODS.md '/^### `eye`/s/$/ `ts_k_spalt_item`/'
-sees "there is no file tests/kernels/nil.c" METHODS.md 's,tests/kernels/points/cull.c,tests/kernels/nil.c,'
-sees "tests/kernels/points/cull.c has no test_nil" METHODS.md 's/test_survivors/test_nil/'
-sees "there is no stage, buffer or parameter splat.nil" METHODS.md 's/`splat.depth_index`/`splat.nil`/'
-sees "visibility.test is one of" METHODS.md 's/`visibility.test=vertex`/`visibility.test=nil`/'
-sees "no stage, parameter, field or kernel knows rho_scael" METHODS.md 's/`density.scale`/`rho_scael`/'
-sees "parameter eye.fov is not described" METHODS.md 's,`eye.fov`/720,eye.fov/720,'
-sees "epr: the sections are" METHODS.md 's/^### `cull`/### `align`/'
-sees "stale" METHODS.md 's/^A scatter stage/A map stage/'
-sees "stale" METHODS.md '/generated: stage view_map.margin/,/end -->/s/^Writes: .*/Writes: nothing./'
-sees "stale" METHODS.md '/^| `seed` |/d'
-sees "columns, at most 120" METHODS.md '/^Whole pictures/s/.*/& &/'
-sees "no kernel has the constant 0x1.94aa36p-4" CONTRACT.md 's/`0x1.0001p-16`/`0x1.94aa36p-4`/'
-sees "ts_log2: its coefficients" CONTRACT.md 's/1.709a16p-3/1.8b4f7ap-3/'
-sees "ts_sincos_turn: its coefficients" CONTRACT.md 's/s \* 0x1.921fb6p+2/s/'
-sees "stale" CONTRACT.md '/^| `brdf` |/d'
-sees "not numbered" CONTRACT.md 's/^\*\*12\. /**13. /'
-sees "stale" METHODS.md '/^## 5\. /s/$/ and more/'
-sees "stale" VERDICTS.md '/^| SSAGH | figure 7 /s/holds/differs/'
-sees "surfels by gouraud has no golden" PICTURES.md '/^| `gouraud`/d'
-sees "effect particles has no pictures" PICTURES.md '/generated: pictures particles/d'
-sees "there is no method megaview" README.md 's/^| `megaviews`/| `megaview`/'
-sees "truth vpls is not in the table" README.md '/^| vpls |/d'
-sees "effect omni-shadows is not shown" README.md 's/render omni-shadows/render shadows/'
-sees "there is no table epr-4 of bench" README.md 's/bench epr-1 /bench epr-4 /'
-sees ".ci/run runs make golden" CONTRIBUTING.md 's/`make golden` and `make mutants`/`make mutants`/'
-sees ".ci/run does not run make test-long" CONTRIBUTING.md 's/runs both, `make golden`/runs both, `make test-long`, &/'
+whole
+plant "there is no ts_k_spalt_item" METHODS.md '/^### `eye`/s/$/ `ts_k_spalt_item`/'
+plant "there is no file tests/kernels/nil.c" METHODS.md 's,tests/kernels/points/cull.c,tests/kernels/nil.c,'
+plant "there is no stage, buffer or parameter splat.nil" METHODS.md 's/`splat.depth_index`/`splat.nil`/'
+plant "visibility.test is one of" METHODS.md 's/`visibility.test=vertex`/`visibility.test=nil`/'
+plant "no stage, parameter, field or kernel knows rho_scael" METHODS.md 's/`density.scale`/`rho_scael`/'
+plant "parameter eye.fov is not described" METHODS.md 's,`eye.fov`/720,eye.fov/720,'
+plant "epr: the sections are" METHODS.md 's/^### `cull`/### `align`/'
+plant "columns, at most 120" METHODS.md '/^Whole pictures/s/.*/& &/'
+plant "no kernel has the constant 0x1.94aa36p-4" CONTRACT.md 's/`0x1.0001p-16`/`0x1.94aa36p-4`/'
+plant "ts_log2: its coefficients" CONTRACT.md 's/1.709a16p-3/1.8b4f7ap-3/'
+plant "ts_sincos_turn: its coefficients" CONTRACT.md 's/s \* 0x1.921fb6p+2/s/'
+plant "not numbered" CONTRACT.md 's/^\*\*12\. /**13. /'
+plant "stale" VERDICTS.md '/^| SSAGH | figure 7 /s/holds/differs/'
+plant "surfels by gouraud has no golden" PICTURES.md '/^| `gouraud`/d'
+plant "effect particles has no pictures" PICTURES.md '/generated: pictures particles/d'
+plant "there is no method megaview" README.md 's/^| `megaviews`/| `megaview`/'
+plant "truth vpls is not in the table" README.md '/^| vpls |/d'
+plant "effect omni-shadows is not shown" README.md 's/render omni-shadows/render shadows/'
+plant "there is no table epr-4 of bench" README.md 's/bench epr-1 /bench epr-4 /'
+plant ".ci/run does not run make test-long" CONTRIBUTING.md 's/runs both, `make golden`/runs both, `make test-long`, &/'
+plant ".ci/run runs make golden" CONTRIBUTING.md 's/`make golden` and `make mutants`/`make mutants`/'
+planted
+plant "tests/kernels/points/cull.c has no test_nil" METHODS.md 's/test_survivors/test_nil/'
+plant "stale" METHODS.md 's/^A scatter stage/A map stage/'
+plant "stale" CONTRACT.md '/^| `brdf` |/d'
+planted
+plant "stale" METHODS.md '/generated: stage view_map.margin/,/end -->/s/^Writes: .*/Writes: nothing./'
+planted
+plant "stale" METHODS.md '/^| `seed` |/d'
+planted
+plant "stale" METHODS.md '/^## 5\. /s/$/ and more/'
+planted
 
 rm "$folder"/*.md
 cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md "$folder/"
