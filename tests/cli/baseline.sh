@@ -21,7 +21,7 @@ lists() { printf '%s\n' "$@" > list; }
 
 mkdir goldens
 for i in 1 2 3; do
-	echo "case-$i: mvr dining:triangles=10000 --size 24x16 --reflectors 0 --set seed=$i --small"
+	echo "case-$i: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --set seed=$i --small"
 done > goldens/cases.txt
 run golden new --reference-dir goldens
 accepts goldens case-{1,2,3}

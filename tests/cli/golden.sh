@@ -7,8 +7,8 @@ ref=$scratch/reference
 mkdir "$ref"
 cat > "$ref/cases.txt" <<'CASES'
 # The smallest that there are.
-few: epr atrium:triangles=10000 --size 24x16 --reflectors 1 --set reflectors.px=12 --set cube.max_px=16 --small # kept
-none: mvr dining:triangles=10000 --size 24x16 --reflectors 0
+few: epr atrium:triangles=10000:texels=32 --size 24x16 --reflectors 1 --set reflectors.px=12 --set cube.max_px=16 --small # kept
+none: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0
 CASES
 
 # as COMMIT: the command as if it was built from that commit.
@@ -116,13 +116,13 @@ all_of "$ref" | cmp -s - "$scratch/before"
 verdict $? 'check writes nothing'
 (cd "$ref/few/small" && sha256sum -c --ignore-missing --status ../SHA256SUMS)
 verdict $? 'sha256sum finds the small files right'
-run digest atrium:triangles=10000 --method epr --size 24x16 --reflectors 1 --set reflectors.px=12 --set cube.max_px=16
+run digest atrium:triangles=10000:texels=32 --method epr --size 24x16 --reflectors 1 --set reflectors.px=12 --set cube.max_px=16
 grep -v '^#' "$scratch/stdout" | cmp -s - "$ref/few/SHA256SUMS"
 verdict $? 'SHA256SUMS is what digest prints'
 # What EPR reads, without what scenes of files do and what its other choices would.
 "$touchstone" list params --effect reflections --method epr --json | sed -n 's/.*"name": "\(.*\)".*/\1/p' | sort > "$scratch/listed"
 sed 's/=.*//' "$ref/few/params.txt" | grep -vx 'effect\|method\|scene' | sort > "$scratch/held"
-grep -qx 'scene=atrium:triangles=10000' "$ref/few/params.txt" && grep -qx 'cube.max_px=16' "$ref/few/params.txt" &&
+grep -qx 'scene=atrium:triangles=10000:texels=32' "$ref/few/params.txt" && grep -qx 'cube.max_px=16' "$ref/few/params.txt" &&
 	[ "$(comm -13 "$scratch/listed" "$scratch/held")" = '' ] &&
 	[ "$(comm -23 "$scratch/listed" "$scratch/held" | tr '\n' ' ')" = 'scene.ground surfels.neighbours ' ]
 verdict $? 'params.txt holds the scene and every parameter that is read'
@@ -290,7 +290,7 @@ with 'rm cases.txt; mkfifo cases.txt'
 fails 'not a regular file' check
 with "sed -i '\$s/triangles=10000/triangles=9/' cases.txt"
 golden check none
-says 1 'params.txt: scene=dining:triangles=10000, but cases.txt makes it dining:triangles=9' 'another scene is found'
+says 1 'params.txt: scene=dining:triangles=10000:texels=32, but cases.txt makes it dining:triangles=9:texels=32' 'another scene is found'
 fails 'out of range' new none
 
 # What bless looks at: that this build computes what was proposed.

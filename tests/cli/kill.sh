@@ -73,7 +73,7 @@ unset TOUCHSTONE_FAULT_MOVES
 moved=0
 
 mkdir reference
-echo 'few: mvr dining:triangles=10000 --size 16x16 --reflectors 0 --small' > reference/cases.txt
+echo 'few: mvr dining:triangles=10000:texels=32 --size 16x16 --reflectors 0 --small' > reference/cases.txt
 kills 'golden new' 20 'rm -rf reference/few.new' reference/few.new golden new --no-worker --reference-dir reference
 cp -r reference/few.new proposed
 kills 'golden bless' 20 'rm -rf reference/few*; cp -r proposed reference/few.new' reference/few \

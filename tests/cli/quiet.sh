@@ -53,7 +53,7 @@ for i in 1 2; do run compare r/trace-epr c --shard $i/2 -o s-$i -q; done
 tells 3 '^different  image' merge s-1 s-2
 
 mkdir goldens
-for i in 1 2; do echo "case-$i: mvr dining:triangles=10000 --size 24x16 --reflectors 0 --set seed=$i --small"; done > goldens/cases.txt
+for i in 1 2; do echo "case-$i: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --set seed=$i --small"; done > goldens/cases.txt
 run golden new --reference-dir goldens
 accepts goldens case-{1,2}
 golden=(golden check --reference-dir goldens)

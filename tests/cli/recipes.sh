@@ -23,7 +23,7 @@ judged() {
 
 mkdir reference
 for i in 1 2 3; do
-	echo "case-$i: mvr dining:triangles=10000 --size 24x16 --reflectors 0 --set seed=$i"
+	echo "case-$i: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --set seed=$i"
 done > reference/cases.txt
 touchstone golden new > made
 accepts reference case-{1,2,3}

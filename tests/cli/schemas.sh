@@ -66,8 +66,8 @@ keep other "${wrong_images[@]}" --first 2
 suits compare_images 'compare of images' images.json other.json
 
 mkdir goldens
-echo "few: mvr dining:triangles=10000 --size 24x16 --reflectors 0 --small" > goldens/cases.txt
-echo "none: mvr dining:triangles=10000 --size 24x16 --reflectors 0" >> goldens/cases.txt
+echo "few: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --small" > goldens/cases.txt
+echo "none: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0" >> goldens/cases.txt
 run golden new --reference-dir goldens
 accepts goldens few
 golden=(golden check --reference-dir goldens)

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/../cli/tap.bash"
 . "$(dirname "$0")/ports.bash"
 find_numpy || exit 0
-trace room atrium:triangles=10000 --size 96x54 --reflectors 3 --set cube.max_px=64
+trace room atrium:triangles=10000:texels=32 --size 96x54 --reflectors 3 --set cube.max_px=64
 verdict $? 'a trace of atrium'
 reference=$scratch/room/trace-epr port=$scratch/port
 
