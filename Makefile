@@ -100,11 +100,11 @@ LINK_FLAGS = $(LDFLAGS) $(OPT) $(filter -fopenmp,$(THREADED))
 # The image module stands beside what is built; as RPATH, which also holds where a sanitizer opens it.
 FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN'
 
-# Libraries. Embree brings no pkg-config file.
+# Libraries. Embree and OpenCL are opened at run time. Embree brings no pkg-config file.
 EMBREE := $(shell for v in 4 3; do printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
 packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf zlib)
-LIBS := -lembree$(EMBREE) $(call packages,--libs,jansson libcrypto zlib OpenCL) $(call packages,--libs,tinygltf) -ldl -lm
+LIBS := $(call packages,--libs,jansson libcrypto zlib tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
 WITHOUT := core %/touchstone-core golden demo test check test-long dist fuzz matrix matrix-short distros distros-short mutants faults release-check style format deps-build deps-test uninstall clean help

@@ -39,16 +39,16 @@ static ts_status copy_triangles(ts_bare *bare, const ts_run *run)
 
 static ts_status grow_tree(ts_bare *bare, const ts_run *run)
 {
-	RTCGeometry geometry = rtcNewGeometry(bare->tree.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+	RTCGeometry geometry = ts_rtc.NewGeometry(bare->tree.device, RTC_GEOMETRY_TYPE_TRIANGLE);
 	if (geometry == NULL) return ts_tree_check(&bare->tree, "making a geometry");
-	rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, bare->position, 0,
-	                           3 * sizeof(f32), run->scene->n_vertices);
-	rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, bare->corner, 0, 3 * sizeof(u32),
-	                           run->scene->n_triangles);
-	rtcCommitGeometry(geometry);
-	rtcAttachGeometry(bare->tree.scene, geometry);
-	rtcReleaseGeometry(geometry);
-	rtcSetSceneFlags(bare->tree.scene, RTC_SCENE_FLAG_NONE);
+	ts_rtc.SetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, bare->position, 0,
+	                               3 * sizeof(f32), run->scene->n_vertices);
+	ts_rtc.SetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, bare->corner, 0,
+	                               3 * sizeof(u32), run->scene->n_triangles);
+	ts_rtc.CommitGeometry(geometry);
+	ts_rtc.AttachGeometry(bare->tree.scene, geometry);
+	ts_rtc.ReleaseGeometry(geometry);
+	ts_rtc.SetSceneFlags(bare->tree.scene, RTC_SCENE_FLAG_NONE);
 	return ts_tree_build(&bare->tree);
 }
 

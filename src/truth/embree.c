@@ -131,20 +131,21 @@ static ts_status copy_positions(ts_truth *truth)
 static ts_status attach(ts_truth *truth, u32 id)
 {
 	ts_truth_part *p = &truth->parts[id];
-	RTCGeometry geometry = rtcNewGeometry(truth->tree.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+	RTCGeometry geometry = ts_rtc.NewGeometry(truth->tree.device, RTC_GEOMETRY_TYPE_TRIANGLE);
 	if (geometry == NULL) return ts_tree_check(&truth->tree, "making a geometry");
-	rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, truth->position, 0,
-	                           3 * sizeof(f32), truth->n_vertices);
-	u32 *corner = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(u32), p->n);
+	ts_rtc.SetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, truth->position, 0,
+	                               3 * sizeof(f32), truth->n_vertices);
+	u32 *corner =
+		ts_rtc.SetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(u32), p->n);
 	if (corner != NULL) {
 		for (u32 i = 0; i < p->n; i++)
 			memcpy(&corner[(size_t)i * 3], truth->scene.triangles[p->triangle[i]].vertex, 3 * sizeof(u32));
-		rtcSetGeometryUserData(geometry, p);
-		if (p->facet != NULL) rtcSetGeometryIntersectFilterFunction(geometry, filter);
-		rtcCommitGeometry(geometry);
-		rtcAttachGeometryByID(truth->tree.scene, geometry, id);
+		ts_rtc.SetGeometryUserData(geometry, p);
+		if (p->facet != NULL) ts_rtc.SetGeometryIntersectFilterFunction(geometry, filter);
+		ts_rtc.CommitGeometry(geometry);
+		ts_rtc.AttachGeometryByID(truth->tree.scene, geometry, id);
 	}
-	rtcReleaseGeometry(geometry);
+	ts_rtc.ReleaseGeometry(geometry);
 	return ts_tree_check(&truth->tree, "copying the triangles");
 }
 

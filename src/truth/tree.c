@@ -25,7 +25,7 @@ static bool on_memory(void *user, ssize_t bytes, bool post)
 
 ts_status ts_tree_check(ts_tree *tree, const char *doing)
 {
-	enum RTCError code = rtcGetDeviceError(tree->device);
+	enum RTCError code = ts_rtc.GetDeviceError(tree->device);
 	const char *error = ts_first_error_text(&tree->error);
 	if (tree->device != NULL && code == RTC_ERROR_NONE && error == NULL) return TS_OK;
 	if (error == NULL) error = code == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : "no reason given";
@@ -40,26 +40,27 @@ ts_status ts_tree_begin(ts_tree *tree, u32 threads)
 	*tree = (ts_tree){.device = NULL};
 	ts_first_error_begin(&tree->error);
 	__atomic_store_n(&tree->bytes_left, (i64)ts_memory_limit(), __ATOMIC_RELEASE);
-	tree->device = rtcNewDevice(options);
+	if (ts_rtc_open() != TS_OK) return TS_ERROR;
+	tree->device = ts_rtc.NewDevice(options);
 	if (tree->device == NULL) return ts_tree_check(tree, "starting");
-	rtcSetDeviceErrorFunction(tree->device, on_error, tree);
-	rtcSetDeviceMemoryMonitorFunction(tree->device, on_memory, tree);
-	tree->scene = rtcNewScene(tree->device);
+	ts_rtc.SetDeviceErrorFunction(tree->device, on_error, tree);
+	ts_rtc.SetDeviceMemoryMonitorFunction(tree->device, on_memory, tree);
+	tree->scene = ts_rtc.NewScene(tree->device);
 	if (tree->scene == NULL) return ts_tree_check(tree, "making a scene");
-	rtcSetSceneFlags(tree->scene, RTC_SCENE_FLAG_ROBUST | FILTER_OF_QUERY);
+	ts_rtc.SetSceneFlags(tree->scene, RTC_SCENE_FLAG_ROBUST | FILTER_OF_QUERY);
 	return TS_OK;
 }
 
 ts_status ts_tree_build(ts_tree *tree)
 {
-	rtcCommitScene(tree->scene);
+	ts_rtc.CommitScene(tree->scene);
 	return ts_tree_check(tree, "building its tree") == TS_OK ? ts_selftest_require() : TS_ERROR;
 }
 
 void ts_tree_end(ts_tree *tree)
 {
-	if (tree->scene != NULL) rtcReleaseScene(tree->scene);
-	if (tree->device != NULL) rtcReleaseDevice(tree->device);
+	if (tree->scene != NULL) ts_rtc.ReleaseScene(tree->scene);
+	if (tree->device != NULL) ts_rtc.ReleaseDevice(tree->device);
 	ts_first_error_end(&tree->error);
 }
 
@@ -70,10 +71,10 @@ void ts_tree_cast(const ts_tree *tree, struct RTCRayHit *ray, ts_tree_context *c
 	rtcInitIntersectArguments(&arguments);
 	rtcInitRayQueryContext(context);
 	arguments.context = context;
-	rtcIntersect1(tree->scene, ray, &arguments);
+	ts_rtc.Intersect1(tree->scene, ray, &arguments);
 #else
 	rtcInitIntersectContext(context);
-	rtcIntersect1(tree->scene, context, ray);
+	ts_rtc.Intersect1(tree->scene, context, ray);
 #endif
 }
 
@@ -88,11 +89,11 @@ void ts_tree_cast_16(const ts_tree *tree, const int *valid, struct RTCRayHit16 *
 	arguments.filter = filter;
 	arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
 	if (filter != NULL) arguments.flags |= RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
-	rtcIntersect16(valid, tree->scene, rays, &arguments);
+	ts_rtc.Intersect16(valid, tree->scene, rays, &arguments);
 #else
 	rtcInitIntersectContext(context);
 	context->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
 	context->filter = filter;
-	rtcIntersect16(valid, tree->scene, context, rays);
+	ts_rtc.Intersect16(valid, tree->scene, context, rays);
 #endif
 }

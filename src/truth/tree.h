@@ -3,11 +3,10 @@
 #define TS_TRUTH_TREE_H
 #include "../methods/stages.h"
 #include "first_error.h"
+#include "rtc.h"
 #if TS_EMBREE == 4
-#include <embree4/rtcore.h>
 typedef struct RTCRayQueryContext ts_tree_context;
 #else
-#include <embree3/rtcore.h>
 typedef struct RTCIntersectContext ts_tree_context;
 #endif
 

@@ -2,6 +2,7 @@
 #include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
+#include "../../model/library.h"
 #include "cu.h"
 
 static ts_status no_device(void)
@@ -12,15 +13,10 @@ static ts_status no_device(void)
 
 static bool find_calls(void *library, ts_cu_calls *call)
 {
-	bool all = true;
-	void *symbol;
-#define CALL(name, in_library, parameters) \
-	symbol = dlsym(library, #in_library); \
-	memcpy(&call->name, &symbol, sizeof symbol); \
-	all = all && symbol != NULL;
-	TS_CU_CALLS(CALL)
-#undef CALL
-	return all;
+#define NAME(name, in_library, parameters) #in_library,
+	static const char *const names[] = {TS_CU_CALLS(NAME)};
+#undef NAME
+	return ts_library_find(call, names, sizeof names / sizeof *names, library);
 }
 
 /* The driver's calls, once: it stays as long as the process. */

@@ -1,10 +1,29 @@
 /* The kernels on OpenCL 1.2 devices with 64-bit atomics, shared by the files of this folder, the only one that names
- * OpenCL. The loader finds the drivers. */
+ * OpenCL. The loader is opened at run time, and finds the drivers. */
 #ifndef TS_BACKENDS_OPENCL_CL_H
 #define TS_BACKENDS_OPENCL_CL_H
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
 #include "../device.h"
+
+/* What is called. */
+/* clang-format off */
+#define TS_CL_CALLS(CALL) \
+	CALL(GetPlatformIDs) CALL(GetPlatformInfo) CALL(GetDeviceIDs) CALL(GetDeviceInfo) CALL(CreateContext) \
+	CALL(ReleaseContext) CALL(CreateCommandQueue) CALL(ReleaseCommandQueue) CALL(CreateProgramWithSource) \
+	CALL(BuildProgram) CALL(GetProgramBuildInfo) CALL(ReleaseProgram) CALL(CreateKernel) CALL(ReleaseKernel) \
+	CALL(SetKernelArg) CALL(CreateBuffer) CALL(ReleaseMemObject) CALL(EnqueueReadBuffer) CALL(EnqueueWriteBuffer) \
+	CALL(EnqueueFillBuffer) CALL(EnqueueMapBuffer) CALL(EnqueueUnmapMemObject) CALL(EnqueueNDRangeKernel) \
+	CALL(Finish)
+/* clang-format on */
+#define TS_CL_CALL(name) __typeof__(&cl##name) name;
+typedef struct {
+	TS_CL_CALLS(TS_CL_CALL)
+} ts_cl_calls;
+#undef TS_CL_CALL
+
+/* Valid where there are devices. */
+extern ts_cl_calls ts_cl_call;
 
 enum { TS_CL_PROGRAMS = 32 };
 

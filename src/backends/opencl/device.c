@@ -1,21 +1,36 @@
 /* Which devices there are, and what they can do. */
+#define _GNU_SOURCE
+#include <dlfcn.h>
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include "../../model/library.h"
 #include "cl.h"
 
 enum { PLATFORMS = 16 };
+
+ts_cl_calls ts_cl_call;
+
+/* The program's own OpenCL comes first, where it has one. */
+static bool find_calls(void)
+{
+#define NAME(name) "cl" #name,
+	static const char *const names[] = {TS_CL_CALLS(NAME)};
+#undef NAME
+	return dlopen("libOpenCL.so.1", RTLD_NOW | RTLD_GLOBAL) != NULL &&
+	       ts_library_find(&ts_cl_call, names, sizeof names / sizeof *names, RTLD_DEFAULT);
+}
 
 static u32 all_devices(cl_device_id devices[TS_MAX_DEVICES])
 {
 	cl_platform_id platforms[PLATFORMS];
 	cl_uint n_platforms = 0, n = 0;
-	if (clGetPlatformIDs(PLATFORMS, platforms, &n_platforms) != CL_SUCCESS) return 0;
+	if (ts_cl_call.GetPlatformIDs(PLATFORMS, platforms, &n_platforms) != CL_SUCCESS) return 0;
 	for (cl_uint p = 0; p < n_platforms && p < PLATFORMS; p++) {
 		cl_uint more = 0, room = TS_MAX_DEVICES - n;
-		if (clGetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, room, devices + n, &more) != CL_SUCCESS) continue;
+		if (ts_cl_call.GetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, room, devices + n, &more) != CL_SUCCESS) continue;
 		n += more < room ? more : room;
 		if (n == TS_MAX_DEVICES) break;
 	}
@@ -27,6 +42,8 @@ static ts_status ask(void)
 {
 	static bool known, there;
 	if (known) return there ? TS_OK : TS_SKIPPED;
+	known = !find_calls();
+	if (known) return TS_SKIPPED;
 	fflush(NULL);
 	pid_t child = fork();
 	if (child < 0) return ts_fail("backend opencl: no process to ask for devices: %s", strerror(errno));
@@ -44,7 +61,7 @@ static ts_status ask(void)
 static void text(char *to, size_t bytes, cl_device_id device, cl_device_info what)
 {
 	char long_text[1024] = "";
-	clGetDeviceInfo(device, what, sizeof long_text - 1, long_text, NULL);
+	ts_cl_call.GetDeviceInfo(device, what, sizeof long_text - 1, long_text, NULL);
 	snprintf(to, bytes, "%.*s", (int)bytes - 1, long_text);
 	ts_line_clean(to);
 }
@@ -53,7 +70,7 @@ static bool has(cl_device_id device, const char *extension)
 {
 	static char all[1 << 16];
 	memset(all, 0, sizeof all);
-	if (clGetDeviceInfo(device, CL_DEVICE_EXTENSIONS, sizeof all - 1, all, NULL) != CL_SUCCESS) return false;
+	if (ts_cl_call.GetDeviceInfo(device, CL_DEVICE_EXTENSIONS, sizeof all - 1, all, NULL) != CL_SUCCESS) return false;
 	size_t length = strlen(extension);
 	for (const char *at = all; (at = strstr(at, extension)) != NULL; at += length) {
 		if ((at == all || at[-1] == ' ') && (at[length] == 0 || at[length] == ' ')) return true;
@@ -70,14 +87,14 @@ static ts_device describe(cl_device_id device)
 	cl_ulong memory = 0, most = 0;
 	text(d.name, sizeof d.name, device, CL_DEVICE_NAME);
 	text(d.driver, sizeof d.driver, device, CL_DRIVER_VERSION);
-	clGetDeviceInfo(device, CL_DEVICE_PLATFORM, sizeof platform, &platform, NULL);
-	clGetPlatformInfo(platform, CL_PLATFORM_NAME, sizeof d.platform - 1, d.platform, NULL);
+	ts_cl_call.GetDeviceInfo(device, CL_DEVICE_PLATFORM, sizeof platform, &platform, NULL);
+	ts_cl_call.GetPlatformInfo(platform, CL_PLATFORM_NAME, sizeof d.platform - 1, d.platform, NULL);
 	ts_line_clean(d.platform);
-	clGetDeviceInfo(device, CL_DEVICE_SINGLE_FP_CONFIG, sizeof floats, &floats, NULL);
-	clGetDeviceInfo(device, CL_DEVICE_HOST_UNIFIED_MEMORY, sizeof unified, &unified, NULL);
-	clGetDeviceInfo(device, CL_DEVICE_ENDIAN_LITTLE, sizeof little, &little, NULL);
-	clGetDeviceInfo(device, CL_DEVICE_GLOBAL_MEM_SIZE, sizeof memory, &memory, NULL);
-	clGetDeviceInfo(device, CL_DEVICE_MAX_MEM_ALLOC_SIZE, sizeof most, &most, NULL);
+	ts_cl_call.GetDeviceInfo(device, CL_DEVICE_SINGLE_FP_CONFIG, sizeof floats, &floats, NULL);
+	ts_cl_call.GetDeviceInfo(device, CL_DEVICE_HOST_UNIFIED_MEMORY, sizeof unified, &unified, NULL);
+	ts_cl_call.GetDeviceInfo(device, CL_DEVICE_ENDIAN_LITTLE, sizeof little, &little, NULL);
+	ts_cl_call.GetDeviceInfo(device, CL_DEVICE_GLOBAL_MEM_SIZE, sizeof memory, &memory, NULL);
+	ts_cl_call.GetDeviceInfo(device, CL_DEVICE_MAX_MEM_ALLOC_SIZE, sizeof most, &most, NULL);
 	d.rounded = (floats & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
 	d.denormals = (floats & CL_FP_DENORM) != 0;
 	d.atomics = has(device, "cl_khr_int64_base_atomics") && has(device, "cl_khr_int64_extended_atomics");

@@ -8,7 +8,7 @@ static void *make(ts_store *store, void *data, u64 bytes)
 {
 	cl_mem_flags flags = CL_MEM_READ_WRITE | (store->unified ? CL_MEM_USE_HOST_PTR : 0);
 	cl_int status;
-	cl_mem part = clCreateBuffer(of(store)->context, flags, bytes, store->unified ? data : NULL, &status);
+	cl_mem part = ts_cl_call.CreateBuffer(of(store)->context, flags, bytes, store->unified ? data : NULL, &status);
 	if (status == CL_SUCCESS) return part;
 	ts_cl_failed("device memory", status);
 	return NULL;
@@ -17,7 +17,7 @@ static void *make(ts_store *store, void *data, u64 bytes)
 static void release(ts_store *store, void *part)
 {
 	(void)store;
-	clReleaseMemObject(part);
+	ts_cl_call.ReleaseMemObject(part);
 }
 
 static ts_status to_device(cl_int status)
@@ -27,12 +27,12 @@ static ts_status to_device(cl_int status)
 
 static ts_status upload(ts_store *store, void *part, const void *data, u64 bytes)
 {
-	return to_device(clEnqueueWriteBuffer(of(store)->queue, part, CL_FALSE, 0, bytes, data, 0, NULL, NULL));
+	return to_device(ts_cl_call.EnqueueWriteBuffer(of(store)->queue, part, CL_FALSE, 0, bytes, data, 0, NULL, NULL));
 }
 
 static ts_status unmap(ts_store *store, void *part, void *data)
 {
-	return to_device(clEnqueueUnmapMemObject(of(store)->queue, part, data, 0, NULL, NULL));
+	return to_device(ts_cl_call.EnqueueUnmapMemObject(of(store)->queue, part, data, 0, NULL, NULL));
 }
 
 static ts_status download(ts_store *store, void *part, void *data, u64 bytes)
@@ -40,16 +40,16 @@ static ts_status download(ts_store *store, void *part, void *data, u64 bytes)
 	cl_command_queue queue = of(store)->queue;
 	cl_int status;
 	if (store->unified)
-		clEnqueueMapBuffer(queue, part, CL_TRUE, CL_MAP_READ, 0, bytes, 0, NULL, NULL, &status);
+		ts_cl_call.EnqueueMapBuffer(queue, part, CL_TRUE, CL_MAP_READ, 0, bytes, 0, NULL, NULL, &status);
 	else
-		status = clEnqueueReadBuffer(queue, part, CL_TRUE, 0, bytes, data, 0, NULL, NULL);
+		status = ts_cl_call.EnqueueReadBuffer(queue, part, CL_TRUE, 0, bytes, data, 0, NULL, NULL);
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a transfer from the device", status);
 }
 
 /* A driver takes what follows in order, so waiting is only needed where the host looks. */
 static ts_status wait(ts_store *store)
 {
-	cl_int status = clFinish(of(store)->queue);
+	cl_int status = ts_cl_call.Finish(of(store)->queue);
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("kernels", status);
 }
 

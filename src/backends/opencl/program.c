@@ -12,10 +12,10 @@
 static bool show_log(const ts_cl *cl, cl_program program)
 {
 	size_t bytes = 0;
-	clGetProgramBuildInfo(program, cl->device, CL_PROGRAM_BUILD_LOG, 0, NULL, &bytes);
+	ts_cl_call.GetProgramBuildInfo(program, cl->device, CL_PROGRAM_BUILD_LOG, 0, NULL, &bytes);
 	char *log = calloc(bytes + 1, 1);
 	if (log == NULL) return false;
-	clGetProgramBuildInfo(program, cl->device, CL_PROGRAM_BUILD_LOG, bytes, log, NULL);
+	ts_cl_call.GetProgramBuildInfo(program, cl->device, CL_PROGRAM_BUILD_LOG, bytes, log, NULL);
 	size_t length = strlen(log);
 	while (length > 0 && strchr(" \n", log[length - 1]) != NULL) log[--length] = 0;
 	for (char *line = log, *end; *line != 0; line = end) {
@@ -43,11 +43,11 @@ ts_status ts_cl_put_flags(ts_cl *cl)
 void ts_cl_forget_programs(ts_cl *cl)
 {
 	for (u32 i = 0; i < TS_N_KERNELS; i++) {
-		if (cl->kernels[i] != NULL) clReleaseKernel(cl->kernels[i]);
+		if (cl->kernels[i] != NULL) ts_cl_call.ReleaseKernel(cl->kernels[i]);
 		cl->kernels[i] = NULL;
 	}
 	for (u32 i = 0; i < TS_CL_PROGRAMS; i++) {
-		if (cl->programs[i] != NULL) clReleaseProgram(cl->programs[i]);
+		if (cl->programs[i] != NULL) ts_cl_call.ReleaseProgram(cl->programs[i]);
 		cl->programs[i] = NULL;
 	}
 }
@@ -60,11 +60,11 @@ static ts_status build(ts_cl *cl, u32 index)
 	cl_int status;
 	snprintf(flags, sizeof flags, "%s -DTS_PROGRAM=%u", cl->flags, index);
 	if (entries == NULL) return ts_fail("out of memory for the text of kernels");
-	cl_program program = clCreateProgramWithSource(cl->context, 2, text, NULL, &status);
+	cl_program program = ts_cl_call.CreateProgramWithSource(cl->context, 2, text, NULL, &status);
 	free(entries);
 	if (status != CL_SUCCESS) return ts_cl_failed("a program", status);
 	cl->programs[index] = program;
-	status = clBuildProgram(program, 1, &cl->device, flags, NULL, NULL);
+	status = ts_cl_call.BuildProgram(program, 1, &cl->device, flags, NULL, NULL);
 	if (status == CL_SUCCESS) return TS_OK;
 	bool told = show_log(cl, program);
 	return ts_cl_failed(told ? "building the kernels, whose log stands above" : "building the kernels", status);
@@ -77,6 +77,6 @@ ts_status ts_cl_make_kernel(ts_cl *cl, ts_kernel kernel)
 	cl_int status;
 	if (cl->kernels[kernel] != NULL) return TS_OK;
 	if (cl->programs[program] == NULL && build(cl, program) != TS_OK) return TS_ERROR;
-	cl->kernels[kernel] = clCreateKernel(cl->programs[program], name, &status);
+	cl->kernels[kernel] = ts_cl_call.CreateKernel(cl->programs[program], name, &status);
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(name, status);
 }

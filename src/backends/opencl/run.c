@@ -28,7 +28,7 @@ ts_status ts_cl_failed(const char *what, cl_int status)
 
 static ts_status set(cl_kernel kernel, u32 index, size_t bytes, const void *value)
 {
-	cl_int status = clSetKernelArg(kernel, index, bytes, value);
+	cl_int status = ts_cl_call.SetKernelArg(kernel, index, bytes, value);
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a kernel's argument", status);
 }
 
@@ -84,7 +84,7 @@ static ts_status enqueue(ts_backend *backend, ts_frame *frame, const ts_launch *
 	size_t items = group != 0 ? (n + group - 1) / group * group : n;
 	const size_t *local = group != 0 ? &group : NULL;
 	cl_kernel kernel = cl->kernels[launch->kernel];
-	cl_int status = clEnqueueNDRangeKernel(cl->queue, kernel, 1, NULL, &items, local, 0, NULL, NULL);
+	cl_int status = ts_cl_call.EnqueueNDRangeKernel(cl->queue, kernel, 1, NULL, &items, local, 0, NULL, NULL);
 	cl->store.busy = true;
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(ts_kernel_name(launch->kernel), status);
 }
@@ -109,7 +109,7 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 
 		u64 left = buffer->bytes - i * part_bytes, bytes = part_bytes != 0 && part_bytes < left ? part_bytes : left;
 		u64 pattern = byte * 0x0101010101010101u;
 		size_t width = bytes % 8 == 0 ? 8 : bytes % 4 == 0 ? 4 : 1;
-		status = clEnqueueFillBuffer(cl->queue, parts[i], &pattern, width, 0, bytes, 0, NULL, NULL);
+		status = ts_cl_call.EnqueueFillBuffer(cl->queue, parts[i], &pattern, width, 0, bytes, 0, NULL, NULL);
 	}
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a fill", status);
 }
@@ -120,8 +120,8 @@ static void end(ts_backend *backend)
 {
 	ts_cl *cl = (ts_cl *)backend;
 	ts_cl_forget_programs(cl);
-	if (cl->queue != NULL) clReleaseCommandQueue(cl->queue);
-	if (cl->context != NULL) clReleaseContext(cl->context);
+	if (cl->queue != NULL) ts_cl_call.ReleaseCommandQueue(cl->queue);
+	if (cl->context != NULL) ts_cl_call.ReleaseContext(cl->context);
 	free(cl);
 }
 
@@ -141,9 +141,9 @@ static ts_status begin(ts_cl *cl, const ts_backend_options *options)
 	if (found != TS_OK) return found;
 	if (suffices(&cl->about, options->inexact) != TS_OK) return TS_ERROR;
 	cl_int status;
-	cl->context = clCreateContext(NULL, 1, &cl->device, NULL, NULL, &status);
+	cl->context = ts_cl_call.CreateContext(NULL, 1, &cl->device, NULL, NULL, &status);
 	if (status != CL_SUCCESS) return ts_cl_failed("a context", status);
-	cl->queue = clCreateCommandQueue(cl->context, cl->device, 0, &status);
+	cl->queue = ts_cl_call.CreateCommandQueue(cl->context, cl->device, 0, &status);
 	if (status != CL_SUCCESS) return ts_cl_failed("a queue", status);
 	cl->options = options->build;
 	cl->part_bytes = options->part_bytes;

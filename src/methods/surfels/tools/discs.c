@@ -90,15 +90,15 @@ static void bounds(const struct RTCBoundsFunctionArguments *arguments)
 
 static ts_status attach(ts_discs *discs, u32 n)
 {
-	RTCGeometry geometry = rtcNewGeometry(discs->tree.device, RTC_GEOMETRY_TYPE_USER);
+	RTCGeometry geometry = ts_rtc.NewGeometry(discs->tree.device, RTC_GEOMETRY_TYPE_USER);
 	if (geometry == NULL) return ts_tree_check(&discs->tree, "making a geometry");
-	rtcSetGeometryUserPrimitiveCount(geometry, n);
-	rtcSetGeometryUserData(geometry, discs);
-	rtcSetGeometryBoundsFunction(geometry, bounds, NULL);
-	rtcSetGeometryIntersectFunction(geometry, intersect);
-	rtcCommitGeometry(geometry);
-	rtcAttachGeometry(discs->tree.scene, geometry);
-	rtcReleaseGeometry(geometry);
+	ts_rtc.SetGeometryUserPrimitiveCount(geometry, n);
+	ts_rtc.SetGeometryUserData(geometry, discs);
+	ts_rtc.SetGeometryBoundsFunction(geometry, bounds, NULL);
+	ts_rtc.SetGeometryIntersectFunction(geometry, intersect);
+	ts_rtc.CommitGeometry(geometry);
+	ts_rtc.AttachGeometry(discs->tree.scene, geometry);
+	ts_rtc.ReleaseGeometry(geometry);
 	return ts_tree_check(&discs->tree, "taking the surfels");
 }
 
