@@ -8,6 +8,20 @@
 #include "../study/job.h"
 #include "../study/words.h"
 
+/* Groups of options, in the order of `help`. */
+typedef enum {
+	TS_GROUP_METHODS,
+	TS_GROUP_EYE,
+	TS_GROUP_SCENE,
+	TS_GROUP_PLACE,
+	TS_GROUP_JUDGE,
+	TS_GROUP_RUN,
+	TS_GROUP_GOLDENS,
+	TS_GROUP_OUTPUT,
+	TS_GROUP_PROCESS,
+	TS_N_GROUPS,
+} ts_group;
+
 /* Options: their places in the table, and how the row of a command says that it takes one. */
 enum {
 #define OPTION(id, ...) TS_OPTION_##id,
@@ -79,8 +93,7 @@ typedef struct {
 typedef struct {
 	const char *name;
 	const char *arguments; /* as in the usage line */
-	const char *doc;       /* one line */
-	const char *details;   /* for `help NAME`, may be empty */
+	const char *doc;       /* one line; help.def has the rest of `help NAME` */
 	u32 min_arguments, max_arguments;
 	bool options[TS_N_OPTIONS]; /* those it takes */
 	ts_status (*run)(ts_cli *cli);
@@ -90,15 +103,17 @@ typedef struct {
 
 typedef struct ts_option ts_option;
 struct ts_option {
+	ts_group group;
 	const char *name;
 	char letter;          /* its short form; 0: none */
 	const char *argument; /* "" none, "[...]" optional */
+	const char *standard; /* the default as `help` has it; "" none */
 	ts_status (*take)(void *to, const ts_option *option, const char *text);
 	size_t at;         /* of `to` in ts_cli */
 	u32 min, max;      /* of a count */
 	const char *param; /* that is set */
-	const char *help;  /* lines */
-	const char *list;  /* `list` tells more of its values; "" no */
+	const char *help;
+	const char *list; /* `list` has its values; "" no */
 };
 
 /* Each program's own table, ended by a row without a name. */
@@ -147,5 +162,15 @@ ts_status ts_replay_command(ts_cli *cli);
 ts_status ts_explain_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
+
+/* A row of a table of `help`. */
+typedef struct {
+	const char *left, *text;
+} ts_help_row;
+
+/* Prints a titled table, its texts beside each other and within 80 columns; none if n is 0. */
+void ts_help_table(const char *title, const ts_help_row *rows, u32 n);
+/* Prints a row whose text stands below. */
+void ts_help_item(const char *left, const char *text);
 
 #endif

@@ -9,12 +9,6 @@
 enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_CASE_TEXT = 512, TS_CASE_PIXELS = 1 << 20 };
 enum { TS_REASON_BYTES = 400, TS_REASONS_BYTES = 1 << 20 }; /* one; all that CHANGES holds */
 
-/* For `help golden`. */
-#define TS_GOLDEN_DETAILS \
-	"check runs the cases of cases.txt again and says for each: same; different, and the first buffer that is; or\n" \
-	"missing. new writes what it computes beside the goldens, as CASE.new; bless CASE --reason TEXT puts that in\n" \
-	"their place, and the reason into its CHANGES."
-
 /* A line of cases.txt. */
 typedef struct {
 	char name[TS_CASE_NAME];   /* of a-z, 0-9 and -: also its folder */

@@ -11,7 +11,7 @@ enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100, MOST_FRAME = 1000 };
 
 /* A line after its name is a command line of its own. */
 static const ts_command line_command = {
-	"golden",    "[EFFECT/]METHOD SCENE [OPTION...]", "", "", 2, 2, TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS),
+	"golden",    "[EFFECT/]METHOD SCENE [OPTION...]", "", 2, 2, TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS),
 	TS_OPT(SET),
 };
 

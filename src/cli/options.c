@@ -227,7 +227,8 @@ static ts_status take_assignment(void *to, const ts_option *option, const char *
 #define DISTANCE(field) take_distance, AT(double, field), 0, 0, NULL
 #define PARAM(name) take_param, AT(ts_params, job.params), 0, 0, name
 #define BY(function) function, 0, 0, 0, NULL
-#define OPTION(id, name, letter, argument, sets, help, list) {name, letter, argument, sets, help, list},
+#define OPTION(id, group, name, letter, argument, standard, sets, help, list) \
+	{TS_GROUP_##group, name, letter, argument, standard, sets, help, list},
 
 const ts_option ts_option_table[TS_N_OPTIONS] = {
 #include "options.def"

@@ -196,14 +196,16 @@ ts_status ts_probe_command(ts_cli *cli)
 void ts_probe_help(void)
 {
 	const ts_probe_part *part;
-	char methods[TS_PROBE_TEXT];
+	char methods[TS_PROBE_TEXT], tells[TS_PROBE_TEXT];
 	for (u32 subject = 0; subject < TS_N_PROBE_SUBJECTS; subject++) {
-		printf("%s\n", ts_probe_option(subject));
+		printf("\nWhat %s also shows:\n", ts_probe_option(subject));
 		for (u32 i = 0; (part = ts_probe_part_at(i)) != NULL; i++) {
 			if (part->subject != subject) continue;
 			ts_probe_methods(methods, part);
-			printf("  %s\n    %s%s%s%s\n", methods, part->view != NULL ? "VIEW " : "",
-			       part->view != NULL ? part->view->form : "", part->view != NULL ? ": " : "", part->tells);
+			const char *form = part->view != NULL ? part->view->form : "";
+			snprintf(tells, sizeof tells, "%s%s%s%s", form[0] != 0 ? "VIEW " : "", form, form[0] != 0 ? ": " : "",
+			         part->tells);
+			ts_help_item(methods, tells);
 		}
 	}
 }

@@ -78,12 +78,14 @@ static ts_status work_in_folder(ts_render *render, void *user)
 
 void ts_render_help(void)
 {
+	ts_help_row rows[TS_MAX_METHODS];
 	const ts_effect *last = NULL;
-	printf("Effects:\n");
+	u32 n = 0;
 	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
-		if ((*at)->effect != last) printf("  %-22s %s\n", (*at)->effect->name, (*at)->effect->doc);
+		if ((*at)->effect != last) rows[n++] = (ts_help_row){(*at)->effect->name, (*at)->effect->doc};
 		last = (*at)->effect;
 	}
+	ts_help_table("Effects", rows, n);
 }
 
 static bool is_read(const ts_job *job, const ts_pipeline *const *methods, u32 n_methods, const char *param)

@@ -79,7 +79,7 @@ refuses 'trace.json' probe /nonexistent --pixel 0,0
 for method in ivir megaviews; do says 'bits agree with shade.radiance' probe cubes/trace-$method --pixel 16,16; done
 for view in 0.front 1.back node0.front; do says 'bits agree with view_map.depth_node' probe cubes/trace-megaviews --pixel 8,9 --view $view; done
 prints 'omni-shadows by ivir, vir, epr, mvr$' help probe
-prints 'VIEW REFLECTOR.FACE, for instance 3.+X or 3.0: the triangles that competed' help probe
+prints 'VIEW REFLECTOR.FACE, for instance 3.+X or 3.0: the triangles that' help probe
 
 # Shadows: each sample's question, and what adds up to the picture.
 shadows=(atrium:triangles=10000:texels=32 --size 64x64 --set lamp.views=4 --set lamp.cubes=2 --set depth_map.px=64 --no-images --trace)

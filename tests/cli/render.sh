@@ -99,7 +99,7 @@ name=$'sc\xe9ne\e[31m.gltf'
 python3 - "$name" <<'PY'
 import base64, json, os, struct, sys
 points = struct.pack("<9f", -1, 0, -3, 1, 0, -3, 0, 2, -3)
-json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "name": "Pot"}],
 	"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
 	"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, 0, -3], "max": [1, 2, -3]}],
 	"bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36,
@@ -108,6 +108,10 @@ PY
 run render reflections "$name" "${small[@]:3}" --method epr -o work/odd
 [ "$status" -eq 0 ] && ! grep -q $'\e' stdout && python3 -c 'import json; assert "\\xe9" in json.load(open("work/odd/report.json"))["scene"]'
 verdict $? 'a name of any bytes is reported'
+run info "$name"
+[ "$status" -eq 0 ] && [ "$(sed -n 's/^  node .*triangles: //p' stdout)" = Pot ] && run info "$name" --reflectors 0 --reflector Pot &&
+	grep -q '^  reflectors  *1$' stdout
+verdict $? 'info lists the nodes that --reflector takes'
 
 refuses "mounted" "${small[@]}" -o /proc
 

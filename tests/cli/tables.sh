@@ -1,10 +1,7 @@
 #!/bin/bash
-# Help and lists come from the program's own tables, as text and as JSON.
+# Lists come from the program's own tables, as text and as JSON.
 . "$(dirname "$0")/tap.bash"
 
-prints 'render EFFECT' help
-prints '--truth' help render
-prints '--truth' render --help
 prints '^touchstone [0-9]' --version
 prints '^splat ' list stages
 prints '^points.record .*ts_point' list buffers
@@ -13,34 +10,14 @@ prints '^eye.distance  *far ' list params
 prints '^epr .*reflections' list methods
 prints '^atrium ' list scenes
 prints '^c  *0  *[a-z]' list backends
-prints 'see: list backends' help render
 prints 'triangles' info atrium:triangles=10000 --reflectors 1
 
 for what in 'list stages' 'list buffers' 'list sizes' 'list params' 'list methods' 'list truths' 'list scenes' \
-	'list backends' 'list benches' help 'help render' 'help bench' 'info atrium:triangles=10000'; do
+	'list backends' 'list benches' 'info atrium:triangles=10000'; do
 	run $what
 	[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
 	verdict $? "fits 120 columns: $what"
 done
-
-# What `help` says of effects and scenes is all of them.
-names() {
-	"$touchstone" list "$1" --json | python3 -c 'import json, sys
-print(*{row[sys.argv[2]] for row in json.load(sys.stdin)[sys.argv[1]]})' "$1" "$2"
-}
-run help render
-for name in $(names methods effect) $(names scenes name); do
-	sed -n '/^EFFECT:/,/^$/p' "$scratch/stdout" | grep -qw -- "$name"
-	verdict $? "help render says what $name is"
-done
-
-# The commands take every option, and no other.
-for command in $("$touchstone" help | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
-	"$touchstone" help "$command"
-done | sed -n 's/^  --\([a-z-]*\).*/\1/p' | sort -u > "$scratch/taken"
-sed -n 's/^OPTION([A-Z_]*, "\([a-z-]*\)".*/\1/p' src/cli/options.def | sort > "$scratch/options"
-[ -s "$scratch/options" ] && diff "$scratch/options" "$scratch/taken"
-verdict $? 'every option is taken by a command'
 
 # What wraps loses no word: the columns of a table, taken from their place under the heads.
 run list params --json
@@ -61,9 +38,6 @@ verdict $? 'wrapping loses nothing'
 run list ''
 lists=$(sed 's/.*there are //; s/,//g; s/ and / /' "$scratch/stderr")
 for what in $lists; do
-	run help list
-	grep -q "^  .*\b$what\b.* benches\|^  .* $what$" "$scratch/stdout"
-	verdict $? "help names the list $what"
 	run list $what --json
 	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; assert all(r["name"] for r in rows) and rows' \
 		"$scratch/stdout" $what
@@ -77,7 +51,6 @@ import json, subprocess, sys
 rows = json.load(open(sys.argv[2]))["params"]
 arguments = [a for r in rows for a in ("--set", f'{r["name"]}={r["default"]}')]
 choices = [a for r in rows if "|" in r["range"] for c in r["range"].split("|") for a in ("--set", f'{r["name"]}={c}')]
-subprocess.run([sys.argv[1], "help", "list"], check=True, stdout=subprocess.DEVNULL)
 subprocess.run([sys.argv[1], "info", "atrium:triangles=10000", *arguments, *choices], check=True, stdout=subprocess.DEVNULL)
 PY
 verdict $? 'every parameter takes its default and every choice'
