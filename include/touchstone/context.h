@@ -13,10 +13,10 @@ typedef struct ts_context ts_context;
 /* Options of a context. Only `bytes` must be set; 0 is the default of each other member. */
 typedef struct {
 	size_t bytes;        /* sizeof(ts_context_options) */
-	const char *backend; /* a name of ts_backend_at; NULL: "c", the reference */
+	const char *backend; /* a name of ts_backend_at; NULL: "c" */
 	uint32_t device;     /* of that backend, from 0 */
 	uint32_t threads;    /* of the backend "c", at most 1024; 0: one a processor. They never change a result */
-	int reference;       /* not 0: the backend "c" takes no fast paths, which never change a result either */
+	int no_fast_paths;   /* not 0: the backend "c" takes none; they never change a result either */
 	void *user;          /* handed to the calls below, which may be NULL and must not call the library */
 	void (*say)(void *user, const char *line); /* a line without its end, beside results and failures */
 	void (*progress)(void *user, const char *label, uint64_t done, uint64_t total); /* ends with done == total */

@@ -92,7 +92,7 @@ static ts_status open_context(ts_context *context, const ts_context_options *opt
 	ts_listen(&context->listener);
 	context->how.threads = options->threads > 0 ? ts_threads_ready(options->threads) : ts_threads_all();
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
-	context->how.reference = options->reference != 0;
+	context->how.no_fast_paths = options->no_fast_paths != 0;
 	ts_status status = open_backend(&context->how, kind, options->device);
 	ts_api_leave();
 	return status;

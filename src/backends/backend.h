@@ -68,25 +68,25 @@ typedef struct {
 	/* Describes at most TS_MAX_DEVICES and returns their number; 0 where there is no driver. */
 	u32 (*devices)(ts_device devices[TS_MAX_DEVICES]);
 	/* TS_SKIPPED if there is no device; TS_ERROR if not this one, or it lacks what the contract needs and inexact is
-	 * not set, or its compiler fails: what that said goes to standard error. NULL: the reference, which every run
+	 * not set, or its compiler fails: what that said goes to standard error. NULL: the one in C, which every run
 	 * brings. */
 	ts_status (*open)(ts_backend **backend, const ts_backend_options *options);
 } ts_backend_kind;
 extern const ts_backend_kind ts_c_kind, ts_opencl_kind, ts_vulkan_kind, ts_cuda_kind;
-/* Those that the library, or the core, has: the reference first, ended by NULL. */
+/* Those that the library, or the core, has: the one in C first, ended by NULL. */
 extern const ts_backend_kind *const ts_backend_kinds[];
 /* The one of that name among `kinds`, ended by NULL; TS_ERROR, with a message that names those. */
 ts_status ts_backend_find(const ts_backend_kind **kind, const ts_backend_kind *const *kinds, const char *name);
 
-/* The reference, in C: threads of OpenMP. */
+/* The backend in C: threads of OpenMP. */
 typedef struct {
 	ts_backend backend;
-	u32 threads;    /* never changes a result */
-	bool reference; /* no fast paths */
+	u32 threads; /* never changes a result */
+	bool no_fast_paths;
 } ts_c_backend;
 void ts_c_begin(ts_c_backend *backend, u32 threads);
 
-/* Items [begin, end) of a kernel, in their order, by the reference. */
+/* Items [begin, end) of a kernel, in their order, without fast paths. */
 void ts_c_items(ts_kernel kernel, const void *args, u64 begin, u64 end);
 /* The reference's loop over the items of a kernel, for arguments that are in no frame. */
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads);

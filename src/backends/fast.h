@@ -1,5 +1,5 @@
-/* The fast paths of the reference: ts_c_fast_<kernel>(args, n, threads) runs all items, with the same bits as launching
- * the kernel. False if it does not for these arguments, or there is no memory: then nothing was done. */
+/* The fast paths of the backend in C: ts_c_fast_<kernel>(args, n, threads) runs all items, with the same bits as
+ * launching the kernel. False if it does not for these arguments, or there is no memory: then nothing was done. */
 #ifndef TS_BACKENDS_FAST_H
 #define TS_BACKENDS_FAST_H
 #include "backend.h"

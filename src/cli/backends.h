@@ -3,7 +3,7 @@
 #define TS_CLI_BACKENDS_H
 #include "../study/job.h"
 
-/* Opens the job's backend into job->how, if it is not the reference; a device that breaks the numeric contract
+/* Opens the job's backend into job->how, if it is not that in C; a device that breaks the numeric contract
  * is refused, unless it may. */
 ts_status ts_backend_open(ts_job *job);
 

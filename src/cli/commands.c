@@ -6,7 +6,7 @@
 	TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS), TS_OPT(REFLECTOR), TS_OPT(ANIMATION), TS_OPT(FROM_MESH), \
 		TS_OPT(CAMERA), TS_OPT(EYE), TS_OPT(TARGET), TS_OPT(PATH), TS_OPT(FOV), TS_OPT(MIRROR), TS_OPT(LAMP), \
 		TS_OPT(SET)
-#define HOW TS_OPT(THREADS), TS_OPT(REFERENCE), BACKEND
+#define HOW TS_OPT(THREADS), TS_OPT(NO_FAST_PATHS), BACKEND
 #define BACKEND TS_OPT(BACKEND), TS_OPT(DEVICE), TS_OPT(WORK_GROUP), TS_OPT(BUILD), TS_OPT(INEXACT), TS_OPT(REQUIRE)
 
 const char *const ts_program = "touchstone";
@@ -109,7 +109,7 @@ const ts_command ts_command_table[] = {
      TS_OPT(METHOD), TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS), TS_OPT(SET), HOW, TS_OPT(FLUSH_DENORMALS),
      .run = ts_digest_command},
 	{"golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/", 1, 2, HOW, TS_OPT(SHARD),
-     TS_OPT(BASELINE), TS_OPT(SKIP), TS_OPT(REASON), TS_OPT(REFERENCE_DIR), TS_OPT(JUNIT), TS_OPT(TAP), TS_OPT(OUTPUT),
+     TS_OPT(BASELINE), TS_OPT(SKIP), TS_OPT(REASON), TS_OPT(GOLDENS), TS_OPT(JUNIT), TS_OPT(TAP), TS_OPT(OUTPUT),
      TS_OPT(FORCE), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_golden_command, .failed = ts_golden_failed},
 	{"merge", "DIR...", "results of shards, put together", 1, TS_MAX_ARGUMENTS, TS_OPT(JUNIT), TS_OPT(TAP),
      TS_OPT(OUTPUT), TS_OPT(FORCE), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_merge_command},

@@ -6,7 +6,7 @@
 #include "../output/folder.h"
 #include "golden.h"
 
-/* Only what a known state of the source computed by the reference is accepted. */
+/* Only what a known state of the source computed in C is accepted. */
 static ts_status check_build(const ts_job *job)
 {
 	const char *commit = ts_commit();
@@ -18,7 +18,8 @@ static ts_status check_build(const ts_job *job)
 		               commit);
 	}
 	if (job->backend == ts_backend_kinds[0]) return TS_OK;
-	return ts_fail("golden bless: backend %s is not the reference, %s", job->backend->name, ts_backend_kinds[0]->name);
+	return ts_fail("golden bless: goldens are not made by the backend %s, but by %s", job->backend->name,
+	               ts_backend_kinds[0]->name);
 }
 
 static ts_status check_values(const ts_case *c, const ts_golden *golden)
@@ -43,7 +44,7 @@ static ts_status check_proposal(const ts_goldens *goldens, const ts_case *c, con
 		ts_golden_free(&proposed);
 		return TS_ERROR;
 	}
-	ts_how plain = {.threads = goldens->cli->job.how.threads, .reference = true};
+	ts_how plain = {.threads = goldens->cli->job.how.threads, .no_fast_paths = true};
 	status = ts_case_compute(&computed, c, &plain);
 	if (status == TS_OK) status = ts_case_compare(text, c, dir, &proposed, &computed);
 	if (status == TS_DIFFERENT) {

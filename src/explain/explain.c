@@ -111,7 +111,7 @@ static ts_status run(explainer *x, const ts_stage *stage, bool seeks)
 	ts_run *run = &x->explanation->load->run;
 	x->seeks = seeks;
 	x->launch = 0;
-	run->c.reference = true;
+	run->c.no_fast_paths = true;
 	run->c.backend.launch = launch;
 	explaining = x;
 	ts_told_to(&x->explanation->telling);

@@ -35,7 +35,7 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 void ts_run_how(ts_run *run, const ts_how *how)
 {
 	ts_c_begin(&run->c, how->threads);
-	run->c.reference = how->reference;
+	run->c.no_fast_paths = how->no_fast_paths;
 	run->backend = how->backend;
 	run->arrival = how->arrival;
 }

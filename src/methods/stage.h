@@ -28,7 +28,7 @@ typedef struct {
 /* What computes a run. Only `arrival` changes a result: the order of the points and, where they tie, what is seen. */
 typedef struct {
 	u32 threads;         /* of the C backend */
-	bool reference;      /* it takes no fast paths */
+	bool no_fast_paths;  /* it takes none */
 	ts_backend *backend; /* NULL: the C backend; else outlives the run */
 	bool arrival;        /* points are appended as they come, not in the order of the pieces */
 } ts_how;

@@ -1,8 +1,9 @@
-/* Names of buffers, stages, parameters and sizes that were changed (renamed.def): the old ones work until 0.2. */
+/* Names of buffers, stages, parameters and sizes that were changed (renamed.def): the old ones work until 0.2. An
+ * option's old name is refused, by a line with the new one. */
 #ifndef TS_MODEL_RENAMED_H
 #define TS_MODEL_RENAMED_H
 
-typedef enum { TS_NAME_buffer, TS_NAME_stage, TS_NAME_param, TS_NAME_size } ts_name_kind;
+typedef enum { TS_NAME_buffer, TS_NAME_stage, TS_NAME_param, TS_NAME_size, TS_NAME_option } ts_name_kind;
 
 /* A row of the table: an old name, and what it is now. */
 typedef struct {

@@ -23,9 +23,9 @@ mkdir goldens
 for i in 1 2 3; do
 	echo "case-$i: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --set seed=$i --small"
 done > goldens/cases.txt
-run golden new --reference-dir goldens
+run golden new --goldens goldens
 accepts goldens case-{1,2,3}
-golden=(golden check --reference-dir goldens)
+golden=(golden check --goldens goldens)
 change goldens/case-2/small/*-image.radiance.npy 4 7 0 0000803f
 
 lists '# what is known' '' 'case-2 image image.radiance our driver rounds, issue #12'
@@ -70,7 +70,7 @@ ends 2 'touchstone: list:2: case-2 again; line 1 has it' 'twice' "${golden[@]}" 
 printf 'case-2 image image.radiance a\0b\n' > list
 ends 2 'touchstone: list: a byte that is no text' 'a byte 0' "${golden[@]}" --baseline list
 ends 2 'touchstone: nowhere: .*' 'no file' "${golden[@]}" --baseline nowhere
-ends 2 'touchstone: golden new: --baseline is for check; leave it out' 'not of new' golden new --reference-dir goldens --baseline list
+ends 2 'touchstone: golden new: --baseline is for check; leave it out' 'not of new' golden new --goldens goldens --baseline list
 
 # Skips.
 lists 'case-2 takes too long' 'case-3 of another machine'
@@ -98,7 +98,7 @@ int SHA256_Final(unsigned char *digest, void *context)
 C
 lists "case-1 scene scene.vertex why"
 if [[ ${BUILD:-} != *san ]] && ${CC:-gcc} -shared -fPIC moody.c -o moody.so -ldl; then
-	LD_PRELOAD=$scratch/moody.so timeout 300 "$touchstone" "${golden[@]:0:2}" case-1 --reference-dir goldens --baseline list > stdout 2> stderr
+	LD_PRELOAD=$scratch/moody.so timeout 300 "$touchstone" "${golden[@]:0:2}" case-1 --goldens goldens --baseline list > stdout 2> stderr
 	status=$?
 	[ "$status" -eq 1 ] && grep -q '^different  case-1  list:1: the case differs elsewhere: two equal runs differ: ' stdout
 	verdict $? 'two equal runs that differ fail, known or not'

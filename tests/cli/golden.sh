@@ -18,7 +18,7 @@ as() {
 }
 
 # golden ARGUMENT...: on the small folder.
-golden() { run golden "$@" --reference-dir "$ref"; }
+golden() { run golden "$@" --goldens "$ref"; }
 # fails PATTERN ARGUMENT...: exit code 2 and one line on stderr that matches; stdout may hold verdicts.
 fails() {
 	local pattern=$1
@@ -106,7 +106,7 @@ rm -r "$ref/few/mine" "$ref/few.new"
 all_of "$ref" > "$scratch/before"
 golden check
 says 0 '^2 passed, 0 failed, 0 skipped$' 'what was blessed is the same'
-golden check few --threads 3 --reference
+golden check few --threads 3 --no-fast-paths
 says 0 '^1 passed, 0 failed, 0 skipped$' 'one case, by the kernels alone'
 touchstone=$(realpath "${BUILD:-build/release}/touchstone-core")
 golden check
@@ -312,10 +312,10 @@ golden new none
 fails 'the image is of one colour' bless none --reason white
 
 ref=$scratch/reference
-refuses 'the nearest is check' golden chekc --reference-dir "$ref"
-refuses 'no case "fewer" in .*; the nearest is few' golden check fewer --reference-dir "$ref"
-refuses 'no case "../few"' golden check ../few --reference-dir "$ref"
+refuses 'the nearest is check' golden chekc --goldens "$ref"
+refuses 'no case "fewer" in .*; the nearest is few' golden check fewer --goldens "$ref"
+refuses 'no case "../few"' golden check ../few --goldens "$ref"
 refuses 'too few arguments' golden
-refuses 'cannot open the folder' golden check --reference-dir "$scratch/absent"
+refuses 'cannot open the folder' golden check --goldens "$scratch/absent"
 
 finish

@@ -74,15 +74,15 @@ moved=0
 
 mkdir reference
 echo 'few: mvr dining:triangles=10000:texels=32 --size 16x16 --reflectors 0 --small' > reference/cases.txt
-kills 'golden new' 20 'rm -rf reference/few.new' reference/few.new golden new --no-worker --reference-dir reference
+kills 'golden new' 20 'rm -rf reference/few.new' reference/few.new golden new --no-worker --goldens reference
 cp -r reference/few.new proposed
 kills 'golden bless' 20 'rm -rf reference/few*; cp -r proposed reference/few.new' reference/few \
-	golden bless few --reason first --no-worker --reference-dir reference
+	golden bless few --reason first --no-worker --goldens reference
 mv reference/few blessed
 mv blessed/CHANGES changes
 { echo earlier; cat changes; } > blessed/CHANGES
 kills 'golden bless of another' 12 'rm -rf reference/few*; cp -r blessed reference/few; cp -r proposed reference/few.new' \
-	reference/few golden bless few --reason second --no-worker --reference-dir reference
+	reference/few golden bless few --reason second --no-worker --goldens reference
 
 # The worker is killed: its parent clears up and says so.
 rm -rf new

@@ -54,9 +54,9 @@ tells 3 '^different  image' merge s-1 s-2
 
 mkdir goldens
 for i in 1 2; do echo "case-$i: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --set seed=$i --small"; done > goldens/cases.txt
-run golden new --reference-dir goldens
+run golden new --goldens goldens
 accepts goldens case-{1,2}
-golden=(golden check --reference-dir goldens)
+golden=(golden check --goldens goldens)
 silent "${golden[@]}"
 wrong goldens/case-2/small/*-image.srgb.npy 7
 tells 1 '^different  case-2  ' "${golden[@]}"

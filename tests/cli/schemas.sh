@@ -68,9 +68,9 @@ suits compare_images 'compare of images' images.json other.json
 mkdir goldens
 echo "few: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --small" > goldens/cases.txt
 echo "none: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0" >> goldens/cases.txt
-run golden new --reference-dir goldens
+run golden new --goldens goldens
 accepts goldens few
-golden=(golden check --reference-dir goldens)
+golden=(golden check --goldens goldens)
 keep missing "${golden[@]}"
 accepts goldens none
 keep same "${golden[@]}" few

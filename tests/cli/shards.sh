@@ -52,9 +52,9 @@ mkdir goldens
 for i in 1 2 3 4 5; do
 	echo "case-$i: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --set seed=$i --small"
 done > goldens/cases.txt
-run golden new --reference-dir goldens
+run golden new --goldens goldens
 accepts goldens case-{1,2,3,4,5}
-golden=(golden check --reference-dir goldens)
+golden=(golden check --goldens goldens)
 whole_and_shards 0 3 'goldens that are the same' "${golden[@]}"
 change goldens/case-2/small/*-image.radiance.npy 4 7 0 0000803f
 change goldens/case-5/small/*-image.srgb.npy 1 7 0 aa

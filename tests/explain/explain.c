@@ -27,7 +27,7 @@ static void test_same_bits(void **state)
 			ts_load *load;
 			assert_int_equal(ts_replay_load(&load, stage, traces[m], NULL, 1), TS_OK);
 			load->run.c.backend.launch = told_launch;
-			load->run.c.reference = true;
+			load->run.c.no_fast_paths = true;
 			assert_int_equal(ts_replay_stage(&load->run, stage), TS_OK);
 			for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
 				ts_judged judged;

@@ -4,12 +4,13 @@
 #include "../../src/trace/sums.h"
 
 /* Name and digest of every buffer, a line each; by free(). */
-static char *digests_of(const ts_scene *scene, const ts_params *params, const char *method, u32 threads, bool reference)
+static char *digests_of(const ts_scene *scene, const ts_params *params, const char *method, u32 threads,
+                        bool no_fast_paths)
 {
 	ts_sums sums;
 	const ts_pipeline *pipeline = ts_pipeline_find("reflections", method);
 	ts_status status =
-		ts_sums_of(&sums, pipeline, scene, params, &(ts_how){.threads = threads, .reference = reference});
+		ts_sums_of(&sums, pipeline, scene, params, &(ts_how){.threads = threads, .no_fast_paths = no_fast_paths});
 	if (status != TS_OK) fail_msg("%s: %s", method, ts_error_message());
 	char *text = calloc(TS_N_BUFFERS, 128);
 	assert_non_null(text);

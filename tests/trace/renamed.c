@@ -123,7 +123,8 @@ static bool is_name(ts_name_kind kind, const char *name)
 	return is;
 }
 
-/* Every row of the real table leads from a name that there is no more to one that there is. */
+/* Every row of the real table leads from a name that there is no more to one that there is. Options are those of the
+ * command, which tests/cli/errors.sh asks. */
 static void test_table(void **state)
 {
 	(void)state;
@@ -133,6 +134,7 @@ static void test_table(void **state)
 		{0},
 	};
 	for (const ts_renamed *row = rows; row->old != NULL; row++) {
+		if (row->kind == TS_NAME_option) continue;
 		if (is_name(row->kind, row->old) || !is_name(row->kind, row->now)) fail_msg("%s, %s", row->old, row->now);
 	}
 }

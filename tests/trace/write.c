@@ -71,7 +71,7 @@ static void traced(const char *name, const char *method, const ts_params *p, ts_
 	char dir[SCRATCH_PATH];
 	snprintf(dir, sizeof dir, "%s", scratch_path("%s", name));
 	small_trace(dir, method, scene, p, options);
-	ts_how how = {.threads = 1, .reference = true};
+	ts_how how = {.threads = 1, .no_fast_paths = true};
 	assert_int_equal(ts_sums_of(&sums, ts_pipeline_find("reflections", method), scene, p, &how), TS_OK);
 	bool cropped = options.crop[2] != 0;
 	assert_true(check_digests(dir, cropped ? NULL : &sums) >= least);

@@ -78,7 +78,7 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *l
 {
 	(void)frame;
 	const ts_c_backend *c = (const ts_c_backend *)backend;
-	ts_fast_path *fast = c->reference ? NULL : paths[launch->kernel];
+	ts_fast_path *fast = c->no_fast_paths ? NULL : paths[launch->kernel];
 	if (fast == NULL || !fast(args, n, c->threads)) ts_c_launch(launch->kernel, args, n, c->threads);
 	return TS_OK;
 }
@@ -86,7 +86,7 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *l
 static bool at_once(ts_backend *backend, ts_kernel kernel, const void *source, const void *args, u64 n)
 {
 	const ts_c_backend *c = (const ts_c_backend *)backend;
-	ts_at_once *shortcut = c->reference ? NULL : shortcuts[kernel];
+	ts_at_once *shortcut = c->no_fast_paths ? NULL : shortcuts[kernel];
 	return shortcut != NULL && shortcut(source, args, n, c->threads);
 }
 

@@ -41,7 +41,7 @@ static ts_status put(ts_run *run, const ts_launch *launch, ts_splat_args *args, 
 /* The look-ups of the first bounce alone read the texels, and only the fast path leaves any out. */
 static bool leaves_out(const ts_run *run)
 {
-	bool fast = run->backend == NULL && !run->c.reference && !run->arrival;
+	bool fast = run->backend == NULL && !run->c.no_fast_paths && !run->arrival;
 	return fast && ts_launch_spares(run, &asked, "texels") && TS_PARAM(&run->params, lookup_bounces) < 2;
 }
 

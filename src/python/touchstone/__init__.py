@@ -158,7 +158,7 @@ class Context:
 	"""What computes. backend: one of backends(). say(line), progress(label, done, total) and cancelled(), which ends what
 	runs where it returns true, are called meanwhile."""
 
-	def __init__(self, backend=None, device=0, threads=0, reference=False, say=None, progress=None, cancelled=None):
+	def __init__(self, backend=None, device=0, threads=0, no_fast_paths=False, say=None, progress=None, cancelled=None):
 		self._callbacks = {
 			"say": say and ffi.callback("void(void *, const char *)", lambda _, line: say(_text(line))),
 			"progress": progress and ffi.callback("void(void *, const char *, uint64_t, uint64_t)",
@@ -166,7 +166,7 @@ class Context:
 			"cancelled": cancelled and ffi.callback("int(void *)", lambda _: bool(cancelled())),
 		}
 		options, kept = _options("ts_context_options", backend=backend, device=device, threads=threads,
-		                         reference=int(reference), **self._callbacks)
+		                         no_fast_paths=int(no_fast_paths), **self._callbacks)
 		self._handle, _ = _made("ts_context", lib.ts_context_close, lib.ts_context_open, _made, options)
 
 	def open_scene(self, spec, params=None, **options):

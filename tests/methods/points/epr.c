@@ -77,7 +77,7 @@ static void test_bufferless(void **state)
 		ts_scene *scene = scene_of(&settings[i], &params);
 		ts_sums epr = sums_of(scene, &params, "epr", (ts_how){.threads = 2});
 		ts_sums fast = sums_of(scene, &params, "epr-bufferless", (ts_how){.threads = 2});
-		ts_sums plain = sums_of(scene, &params, "epr-bufferless", (ts_how){.threads = 3, .reference = true});
+		ts_sums plain = sums_of(scene, &params, "epr-bufferless", (ts_how){.threads = 3, .no_fast_paths = true});
 		ts_sums arrival = sums_of(scene, &params, "epr-bufferless", (ts_how){.threads = 2, .arrival = true});
 		assert_same(&epr, &fast, settings[i].scene);
 		assert_same(&epr, &plain, "without fast paths");
@@ -200,7 +200,7 @@ static void test_forward_order(void **state)
 	ts_params params = params_of(&settings[5]);
 	ts_scene *scene = scene_of(&settings[5], &params);
 	ts_sums ordered = sums_of(scene, &params, "epr-forward", (ts_how){.threads = 2});
-	ts_sums plain = sums_of(scene, &params, "epr-forward", (ts_how){.threads = 1, .reference = true});
+	ts_sums plain = sums_of(scene, &params, "epr-forward", (ts_how){.threads = 1, .no_fast_paths = true});
 	ts_sums arrival = sums_of(scene, &params, "epr-forward", (ts_how){.threads = 3, .arrival = true});
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) assert_string_equal(ordered.hex[id], plain.hex[id]);
 	for (const ts_buffer_id *id = free_of_order; *id != TS_N_BUFFERS; id++) {

@@ -56,7 +56,7 @@ static void test_threads(void **state)
 		const char *effect = methods[m][0], *method = methods[m][1];
 		ts_sums two = sums_of(scene, &params, effect, method, (ts_how){.threads = 2});
 		ts_sums seven = sums_of(scene, &params, effect, method, (ts_how){.threads = 7});
-		ts_sums reference = sums_of(scene, &params, effect, method, (ts_how){.threads = 1, .reference = true});
+		ts_sums reference = sums_of(scene, &params, effect, method, (ts_how){.threads = 1, .no_fast_paths = true});
 		assert_true(assert_same(&two, &seven, method) >= 6);
 		assert_same(&two, &reference, "one thread without fast paths");
 	}
