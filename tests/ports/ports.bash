@@ -24,3 +24,17 @@ find_numpy() {
 	echo '1..0 # skip no python3 with numpy'
 	return 1
 }
+
+# answered FOLDER: the words behind each "Answered" in its QUESTIONS.md stand in the document that is named there.
+answered() {
+	python3 - "$1/QUESTIONS.md" <<'PY'
+import re, sys
+text = open(sys.argv[1], encoding="utf-8").read()
+answers = re.findall(r"\*Answered\* (\w+\.md): ([^\n]+(?:\n   (?!\*)[^\n]+)*)", text)
+assert len(answers) == len(re.findall(r"^\d+\. ", text, re.M)) > 5, len(answers)
+for document, words in answers:
+	held = " ".join(open("reference/" + document, encoding="utf-8").read().split())
+	assert " ".join(words.split()) in held, f"{document}: {words}"
+PY
+	verdict $? "$1: each question has its answer"
+}

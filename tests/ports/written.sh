@@ -27,20 +27,6 @@ catches() {
 	verdict $? "$1: stage $4 differs with $5"
 }
 
-# answered FOLDER: the words behind each "Answered" stand in the document that is named there.
-answered() {
-	python3 - "tests/ports/$1/QUESTIONS.md" <<'PY'
-import re, sys
-text = open(sys.argv[1], encoding="utf-8").read()
-answers = re.findall(r"\*Answered\* (\w+\.md): ([^\n]+(?:\n   (?!\*)[^\n]+)*)", text)
-assert len(answers) == len(re.findall(r"^\d+\. ", text, re.M)) > 5, len(answers)
-for document, words in answers:
-	held = " ".join(open("reference/" + document, encoding="utf-8").read().split())
-	assert " ".join(words.split()) in held, f"{document}: {words}"
-PY
-	verdict $? "$1: each question has its answer"
-}
-
 same surfels 3 surfels checkerboard:surfels=10000 --method deferred
 same surfels 3 surfels atrium:triangles=10000:texels=32 --from-mesh 12000 --method deferred --set surfels.radius=20 --eye 0,2,0
 same surfels 3 surfels checkerboard:surfels=10000 --method ewa
@@ -48,7 +34,7 @@ same surfels 3 surfels checkerboard:surfels=10000 --method deferred --set surfel
 catches surfels port.py 's|((f [*] (\(.*\))) / z) / z)|(f * (\1)) / (z * z))|' surfel_setup 'one division in J'
 catches surfels port.py "s|disc\['depth'\] [*] by|disc['depth'] / w|" surfel_depth 'a division for a product'
 catches surfels port.py 's|(f32(1) + qx [*] qx) + qy [*] qy|(qx * qx + qy * qy) + f32(1)|' surfel_depth '|q| summed as a length'
-answered surfels
+answered tests/ports/surfels
 same hulls 2 indirect atrium:triangles=10000:texels=32 --method hulls
 same hulls 2 indirect atrium:triangles=10000:texels=32 --method hulls --set hull.corners=rectangle --set hull.sharpness=vmf --eye 9,6,3 \
 	--target 2,1,-1
@@ -56,7 +42,7 @@ catches hulls port.py 's|moved = (.*|moved = np.ones(seen.shape, bool)|' corner 
 catches hulls port.py 's|pixel_of(x, .*, side), |np.minimum(x, 63), |' corner 'the texel for the pixel that it shows'
 catches hulls port.py "s|== 'vmf'|!= 'vmf'|" corner.lobes 'the other sharpness'
 same hulls 2 area-light atrium:triangles=10000:texels=32 --method hulls
-answered hulls
+answered tests/ports/hulls
 views="--set octree.levels=3 --set vpl.paths=20"
 same megaviews 2 indirect atrium:triangles=10000:texels=32 --method megaviews $views --set view_map.px=4
 catches megaviews pairs.py 's|size(vs, d, d - rv|size(vs, d - rv, d - rv|' traverse "d' for d in cos α"
@@ -65,5 +51,5 @@ same megaviews 2 indirect atrium:triangles=10000:texels=32 --method megaviews $v
 catches megaviews maps.py 's|for w in ends.1.|for w in ends[1][:1]|' view_map 'two of the four corners of a coarse texel'
 same megaviews 2 indirect dining:triangles=10000:texels=32 --method megaviews $views --set view_map.px=8 --set view_map.multipixel=texels \
 	--set view_map.fill=0.3
-answered megaviews
+answered tests/ports/megaviews
 finish
