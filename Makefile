@@ -103,8 +103,8 @@ FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN'
 # Libraries. Embree and OpenCL are opened at run time. Embree brings no pkg-config file.
 EMBREE := $(shell for v in 4 3; do printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
 packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
-CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf zlib)
-LIBS := $(call packages,--libs,jansson libcrypto zlib tinygltf) -ldl -lm
+CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf zlib libzstd)
+LIBS := $(call packages,--libs,jansson libcrypto zlib libzstd tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
 WITHOUT := core %/touchstone-core golden demo test check test-long dist fuzz matrix matrix-short distros distros-short mutants faults release-check style format deps-build deps-test uninstall clean help
