@@ -39,7 +39,7 @@ TS_API ts_status ts_trace_run(ts_context *context, ts_trace **trace, const ts_sc
                               const char *effect, const char *method, const ts_run_options *options);
 
 /* Opens the trace in a folder by its trace.json. Files are untrusted: all is checked, and nothing outside the folder is
- * opened. The files must stay as they are until ts_trace_close. */
+ * opened but files of the folder "scene" beside it. The files must stay as they are until ts_trace_close. */
 TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folder);
 
 /* Makes a candidate without buffers, of the method and the parameters of `reference`. arrival not 0: its points stand

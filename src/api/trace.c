@@ -168,6 +168,10 @@ int ts_trace_has(const ts_trace *trace, const char *name)
 static ts_status bring(ts_trace_item *item, ts_buffer_id id)
 {
 	if (item->memory != NULL) return TS_OK;
+	if (item->unpacked != NULL) {
+		item->memory = ts_item_unpack(item, id);
+		return item->memory != NULL ? TS_OK : TS_ERROR;
+	}
 	void *data = ts_alloc((size_t)item->npy.n, ts_buffer_table[id].element_bytes, ts_buffer_table[id].name);
 	if (data == NULL || ts_trace_copy(data, item, id) != TS_OK) {
 		free(data);

@@ -33,6 +33,8 @@ const ts_command ts_command_table[] = {
      TS_OPT(TRACE_ONLY),
      TS_OPT(CROP),
      TS_OPT(MARGINS),
+     TS_OPT(SELF_CONTAINED),
+     TS_OPT(COMPRESS),
      TS_OPT(VIEWER),
      TS_OPT(REPORT),
      TS_OPT(QUIET),

@@ -25,7 +25,7 @@ static kind kind_of(const char *path)
 	for (u32 i = 0; i < sizeof images / sizeof *images; i++) {
 		if (ends_in(path, images[i])) return IMAGES;
 	}
-	return ends_in(path, ".npy") ? BUFFERS : TRACES;
+	return ends_in(path, ".npy") || ends_in(path, ".npy.zst") ? BUFFERS : TRACES;
 }
 
 /* No option is passed over in silence. */

@@ -15,6 +15,7 @@ static ts_status prepare_traces(ts_render *render)
 	if (!ts_render_traces(job)) return TS_OK;
 	for (u32 i = 0; i < render->n_methods; i++) {
 		if (ts_tracing_make(&render->tracings[i], job, render->methods[i]) != TS_OK) return TS_ERROR;
+		if (render->n_methods > 1 && !job->output.self_contained) render->tracings[i].options.shared = &render->shared;
 	}
 	return ts_tracing_check(render->tracings, render->methods, render->n_methods, render->scene, &job->params,
 	                        ts_render_output(job));

@@ -35,6 +35,7 @@ typedef struct {
 	ts_measure measures[TS_MAX_METHODS];
 	ts_stage_pictures stages[TS_MAX_METHODS];
 	ts_tracing tracings[TS_MAX_METHODS];
+	ts_trace_shared shared;               /* by the traces */
 	ts_history histories[TS_MAX_METHODS]; /* of a sequence of frames */
 	ts_picture pictures[TS_MAX_METHODS];  /* as methods */
 	ts_picture truths[TS_MAX_TRUTHS];     /* as that table; those not asked for are empty */

@@ -8,8 +8,9 @@
 
 bool ts_render_traces(const ts_job *job)
 {
-	return job->output.trace || job->output.trace_only != NULL || job->output.crop != NULL || job->output.margins ||
-	       job->output.viewer;
+	const ts_output *output = &job->output;
+	return output->trace || output->trace_only != NULL || output->crop != NULL || output->margins ||
+	       output->self_contained || output->compress || output->viewer;
 }
 
 bool ts_render_writes(const ts_job *job) { return ts_render_traces(job) || !job->output.no_images; }

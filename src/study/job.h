@@ -32,6 +32,7 @@ typedef struct {
 	bool json;  /* one object instead of text */
 	bool quiet; /* only failures are told, as text */
 	bool trace, margins, viewer;
+	bool self_contained, compress; /* traces, too */
 	const char *trace_only, *crop; /* NULL: all; either is a trace, too */
 	const char *report;            /* a page; NULL: none */
 } ts_output;

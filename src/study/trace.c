@@ -9,6 +9,8 @@
 static const char *place(void *user, const char *name)
 {
 	const ts_tracing *tracing = user;
+	const size_t up = sizeof "../" - 1;
+	if (strncmp(name, "../", up) == 0) return ts_folder_file(name + up);
 	char path[sizeof tracing->folder + TS_EMIT_NAME];
 	snprintf(path, sizeof path, "%s/%s", tracing->folder, name);
 	return ts_folder_file(path);
@@ -66,6 +68,7 @@ ts_status ts_tracing_make(ts_tracing *tracing, const ts_job *job, const ts_pipel
 	snprintf(tracing->viewer, sizeof tracing->viewer, "view-%s", method->name);
 	ts_trace_options *options = &tracing->options;
 	options->margins = job->output.margins;
+	options->compress = job->output.compress;
 	const ts_output *output = &job->output;
 	if (output->trace_only != NULL && keep_only(options, method, output->trace_only) != TS_OK) return TS_ERROR;
 	return output->crop != NULL ? read_crop(options->crop, &job->params, output->crop) : TS_OK;
@@ -92,7 +95,14 @@ ts_status ts_tracing_check(const ts_tracing *tracings, const ts_pipeline *const 
                            const ts_params *params, const char *dir)
 {
 	u64 need = 0, room = room_at(dir);
-	for (u32 i = 0; i < n; i++) need += ts_trace_estimate(methods[i], scene, params, &tracings[i].options);
+	for (u32 i = 0; i < n; i++) {
+		ts_trace_options options = tracings[i].options;
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+			options.without[id] |= i > 0 && options.shared != NULL && ts_emit_is_scene((ts_buffer_id)id);
+		}
+		/* How small compressed files are, only writing shows; a disk that fills leaves nothing behind. */
+		if (!options.compress) need += ts_trace_estimate(methods[i], scene, params, &options);
+	}
 	if (need <= room) return TS_OK;
 	return ts_fail(
 		"%s: the traces need about %.1f GB, and the disk has %.1f GB; choose --trace-only STAGE,..., --crop, "

@@ -81,9 +81,9 @@ static json_t *buffer_of(const ts_trace_about *about, ts_buffer_id id)
 	json_t *shape = json_array(), *sizes = json_array();
 	for (u32 i = 0; i < file->n_dims; i++) json_array_append_new(shape, json_integer((json_int_t)file->shape[i]));
 	json_t *root = json_pack("{s:s, s:o, s:s, s:s, s:o, s:s, s:s, s:s, s:s, s:s}", "name", info->name, "file",
-	                         file->path != NULL ? json_string(file->name) : json_null(), "element", info->element,
-	                         "dtype", file->descr, "shape", shape, "sizes", info->shape, "order", info->order, "key",
-	                         info->key, "doc", info->doc, "sha256", file->sha256);
+	                         file->has_file ? json_string(file->name) : json_null(), "element", info->element, "dtype",
+	                         file->descr, "shape", shape, "sizes", info->shape, "order", info->order, "key", info->key,
+	                         "doc", info->doc, "sha256", file->sha256);
 	for (u32 i = 0; file->cropped && i < 4; i++) json_array_append_new(sizes, json_integer(about->crop[i]));
 	if (file->cropped) json_object_set(root, "crop", sizes);
 	json_decref(sizes);
@@ -145,8 +145,8 @@ json_t *ts_trace_describe(const ts_trace_about *about)
 	const ts_pipeline *p = about->pipeline;
 	const char *order = about->run->arrival ? "arrival" : "canonical";
 	return json_pack("{s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:{s:o, s:o}, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}",
-	                 "format", "touchstone-trace", "version", TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION,
-	                 "order", order, "pipeline", p->name, "effect", p->effect->name, "paper", p->paper, "scene", "name",
+	                 "format", "touchstone-trace", "version", about->version, "contract", TS_CONTRACT_VERSION, "order",
+	                 order, "pipeline", p->name, "effect", p->effect->name, "paper", p->paper, "scene", "name",
 	                 ts_text_json(about->run->scene->name), "sha256", chain(about, scene), "producer",
 	                 ts_producer(about->run), "arithmetic", ts_arithmetic(about->run), "conventions", conventions(),
 	                 "params", ts_trace_params(&about->run->params), "plan", plan_of(&about->run->plan), "stages",

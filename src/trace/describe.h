@@ -5,13 +5,21 @@
 #include "../model/digest.h"
 #include "emit.h"
 
-enum { TS_TRACE_VERSION = 1 };
+/* Files of a trace of version 1 are plain .npy files of its folder. In version 2 they may also be those of the scene
+ * that the traces of one run share, or compressed. */
+enum { TS_TRACE_VERSION = 1, TS_TRACE_VERSION_SHARED = 2 };
+
+/* The folder of the shared files, as traces name it. */
+#define TS_TRACE_SCENE "../scene/"
+
+enum { TS_TRACE_NAME = TS_EMIT_NAME + 16 };
 
 /* A buffer of a trace. */
 typedef struct {
 	bool made;
-	const char *path; /* NULL: no file was written */
-	char name[TS_EMIT_NAME];
+	bool has_file; /* else it is digested only */
+	bool shared;   /* the file is in TS_TRACE_SCENE */
+	char name[TS_TRACE_NAME];
 	char descr[TS_NPY_DESCR];
 	u32 n_dims;
 	u64 shape[TS_MAX_DIMS];
@@ -24,6 +32,7 @@ typedef struct {
 	const ts_run *run;
 	const ts_trace_file *files; /* TS_N_BUFFERS */
 	const u32 *crop;
+	int version;
 } ts_trace_about;
 
 /* A new reference, or NULL without memory. The same run gives the same text. */

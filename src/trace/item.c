@@ -3,27 +3,48 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "describe.h"
 #include "field.h"
+#include "packed.h"
 
-ts_status ts_item_path(char path[TS_PATH], const char *dir, const char *name)
+static bool is_plain(const char *name) { return name[0] != 0 && name[0] != '.' && strchr(name, '/') == NULL; }
+
+/* The folder that traces of one run share must be one, for a link would lead out of it. */
+static ts_status check_scene(const char *dir)
 {
-	if (name[0] == 0 || name[0] == '.' || strchr(name, '/') != NULL) {
-		return ts_fail("%s: file \"%s\": not the name of a file in that folder", dir, name);
-	}
+	char path[TS_PATH];
+	struct stat info;
+	snprintf(path, sizeof path, "%s/" TS_TRACE_SCENE, dir);
+	path[strlen(path) - 1] = 0;
+	if (lstat(path, &info) == 0) return S_ISDIR(info.st_mode) ? TS_OK : ts_fail("%s: not a folder", path);
+	if (errno != ENOENT) return ts_fail("%s: %s", path, strerror(errno));
+	return ts_fail("%s: no such folder; traces of one run share it, so they are moved together, or written with "
+	               "--self-contained",
+	               path);
+}
+
+ts_status ts_item_path(char path[TS_PATH], const char *dir, const char *name, ts_trust trust)
+{
+	size_t scene = trust == TS_OF_RUN && strncmp(name, TS_TRACE_SCENE, sizeof TS_TRACE_SCENE - 1) == 0
+	                   ? sizeof TS_TRACE_SCENE - 1
+	                   : 0;
+	if (!is_plain(name + scene)) return ts_fail("%s: file \"%s\": not the name of a file in that folder", dir, name);
 	int n = snprintf(path, TS_PATH, "%s/%s", dir, name);
-	return n > 0 && n < TS_PATH ? TS_OK : ts_fail("%s: its name is too long", dir);
+	if (n <= 0 || n >= TS_PATH) return ts_fail("%s: its name is too long", dir);
+	return scene > 0 ? check_scene(dir) : TS_OK;
 }
 
 int ts_item_open(const char *path, ts_trust trust, u64 *bytes)
 {
 	struct stat info;
-	int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | (trust == TS_IN_FOLDER ? O_NOFOLLOW : 0));
+	int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | (trust != TS_TYPED ? O_NOFOLLOW : 0));
 	if (file < 0) {
-		bool link = errno == ELOOP && trust == TS_IN_FOLDER;
+		bool link = errno == ELOOP && trust != TS_TYPED;
 		ts_fail("%s: %s", path,
 		        link ? "is a link, which could lead out of the folder; the file itself would be right"
 		             : strerror(errno));
@@ -38,17 +59,28 @@ int ts_item_open(const char *path, ts_trust trust, u64 *bytes)
 	return file;
 }
 
+/* Whether a compressed file is one by its name: names of version 1 say nothing. */
+static bool is_packed(const char *path, ts_trust trust) { return trust != TS_IN_FOLDER && ts_packed_is(path); }
+
 static ts_status read_header(ts_npy *npy, const char *path, ts_buffer_id id, ts_trust trust)
 {
 	char head[TS_NPY_HEADER], descr[TS_NPY_DESCR];
 	u64 bytes;
+	size_t n = sizeof head;
+	ts_status status = TS_OK;
 	int file = ts_item_open(path, trust, &bytes);
 	if (file < 0) return TS_ERROR;
-	ssize_t n = pread(file, head, sizeof head, 0);
+	if (is_packed(path, trust)) {
+		status = ts_packed_head(head, &n, &bytes, file, path);
+	} else {
+		ssize_t got = pread(file, head, sizeof head, 0);
+		if (got < 0) status = ts_fail("%s: %s", path, strerror(errno));
+		n = got > 0 ? (size_t)got : 0;
+	}
 	close(file);
-	if (n < 0) return ts_fail("%s: %s", path, strerror(errno));
 	ts_npy_descr(descr, id);
-	return ts_npy_parse(npy, path, head, (size_t)n, bytes, descr, ts_buffer_table[id].element_bytes);
+	if (status != TS_OK) return status;
+	return ts_npy_parse(npy, path, head, n, bytes, descr, ts_buffer_table[id].element_bytes);
 }
 
 /* As many dimensions as the shape of records.def has, and where that holds a number, that number. */
@@ -67,10 +99,14 @@ ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_tru
 	ts_trace_item *item = &trace->item[id];
 	const ts_buffer_info *info = &ts_buffer_table[id];
 	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, info->name);
-	if (ts_item_path(path, trace->dir, name) != TS_OK || read_header(&item->npy, path, id, trust) != TS_OK)
+	if (ts_item_path(path, trace->dir, name, trust) != TS_OK || read_header(&item->npy, path, id, trust) != TS_OK)
 		return TS_ERROR;
 	if (!fits(id, &item->npy)) {
 		return ts_fail("%s: its shape is none of %s, which is %s", path, info->name, info->shape);
+	}
+	if (is_packed(path, trust)) {
+		item->unpacked = ts_alloc_zero(1, sizeof *item->unpacked, path);
+		if (item->unpacked == NULL) return TS_ERROR;
 	}
 	item->path = strdup(path);
 	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
@@ -82,7 +118,7 @@ ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, co
 	u64 bytes, row = ts_buffer_table[id].element_bytes;
 	ts_trace_item *item = &trace->item[id];
 	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, ts_buffer_table[id].name);
-	if (ts_item_path(path, trace->dir, name) != TS_OK) return TS_ERROR;
+	if (ts_item_path(path, trace->dir, name, TS_IN_FOLDER) != TS_OK) return TS_ERROR;
 	int file = ts_item_open(path, TS_IN_FOLDER, &bytes);
 	if (file < 0) return TS_ERROR;
 	close(file);
@@ -96,6 +132,30 @@ ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, co
 	item->npy.n = bytes / ts_buffer_table[id].element_bytes;
 	item->path = strdup(path);
 	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
+}
+
+static void *unpack(const ts_trace_item *item, ts_buffer_id id)
+{
+	size_t bytes = (size_t)item->npy.n * ts_buffer_table[id].element_bytes;
+	if (bytes > ts_memory_limit()) {
+		ts_fail("%s: unpacked it has %.1f GB; a run may use %.1f GB", item->path, (double)bytes / 1e9,
+		        (double)ts_memory_limit() / 1e9);
+		return NULL;
+	}
+	void *data = ts_alloc(bytes, 1, item->path);
+	if (data != NULL && ts_packed_read(data, (size_t)item->npy.data_at, bytes, item->path) == TS_OK) return data;
+	free(data);
+	return NULL;
+}
+
+const void *ts_item_unpack(const ts_trace_item *item, ts_buffer_id id)
+{
+	static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER; /* threads may share a trace */
+	pthread_mutex_lock(&one);
+	if (item->unpacked->data == NULL) item->unpacked->data = unpack(item, id);
+	const void *data = item->unpacked->data;
+	pthread_mutex_unlock(&one);
+	return data;
 }
 
 /* Kernels read numbers where they stand. */
@@ -118,8 +178,7 @@ ts_status ts_item_put(ts_trace *trace, ts_buffer_id id, const ts_npy *shape, con
 	}
 	char *path = strdup(info->name);
 	if (path == NULL) return ts_fail("%s: out of memory", info->name);
-	free(item->path);
-	free(item->owned);
+	ts_item_clear(item);
 	*item = (ts_trace_item){.path = path, .memory = shape->n > 0 ? data : &nothing, .npy = *shape};
 	return TS_OK;
 }
@@ -136,6 +195,15 @@ ts_status ts_item_keep(ts_trace *trace, ts_buffer_id id, const ts_npy *shape, co
 	trace->item[id].owned = memory;
 	if (data != NULL) memcpy(memory, data, (size_t)shape->n * bytes);
 	return TS_OK;
+}
+
+void ts_item_clear(ts_trace_item *item)
+{
+	free(item->path);
+	free(item->owned);
+	if (item->unpacked != NULL) free(item->unpacked->data);
+	free(item->unpacked);
+	*item = (ts_trace_item){.path = NULL};
 }
 
 /* The first dimension follows from what was computed, not from the scene and the parameters. */

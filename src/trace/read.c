@@ -8,6 +8,7 @@
 #include "../model/renamed.h"
 #include "describe.h"
 #include "item.h"
+#include "packed.h"
 
 enum { MAX_JSON_BYTES = 1 << 24 };
 
@@ -52,7 +53,8 @@ static ts_status add_crop(ts_trace *trace, ts_buffer_id id, const char *path, co
 	return right ? TS_OK : ts_fail("%s: its shape is not that of its crop", path);
 }
 
-static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *entry, bool listed[TS_N_BUFFERS])
+static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *entry, ts_trust trust,
+                            bool listed[TS_N_BUFFERS])
 {
 	ts_buffer_id id;
 	char shown[64];
@@ -66,7 +68,7 @@ static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *ent
 	listed[id] = true;
 	if (file == NULL || json_is_null(file)) return TS_OK;
 	const char *in = json_is_string(file) ? json_string_value(file) : "";
-	if (ts_item_add(trace, id, in, TS_IN_FOLDER) != TS_OK) return TS_ERROR;
+	if (ts_item_add(trace, id, in, trust) != TS_OK) return TS_ERROR;
 	return add_crop(trace, id, path, json_object_get(entry, "crop"));
 }
 
@@ -86,12 +88,15 @@ static ts_status add_params(ts_trace *trace, const char *path, json_t *params)
 	return TS_OK;
 }
 
-static ts_status check_version(const char *path, const json_t *root, const char *key, int version)
+static ts_status check_version(const char *path, const json_t *root, const char *key, int first, int last)
 {
 	const json_t *value = json_object_get(root, key);
-	if (json_is_integer(value) && json_integer_value(value) == version) return TS_OK;
+	json_int_t n = json_is_integer(value) ? json_integer_value(value) : 0;
+	if (n >= first && n <= last) return TS_OK;
 	char *text = value != NULL ? json_dumps(value, JSON_ENCODE_ANY) : NULL;
-	ts_fail("%s: %s %.40s; this program reads %s %d", path, key, text != NULL ? text : "is missing", key, version);
+	char right[64];
+	snprintf(right, sizeof right, first < last ? "%s %d to %d" : "%s %d", key, first, last);
+	ts_fail("%s: %s %.40s; this program reads %s", path, key, text != NULL ? text : "is missing", right);
 	free(text);
 	return TS_ERROR;
 }
@@ -125,8 +130,8 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 	if (strcmp(text_of(root, "format"), "touchstone-trace") != 0) {
 		return ts_fail("%s: format is not \"touchstone-trace\"", path);
 	}
-	if (check_version(path, root, "version", TS_TRACE_VERSION) != TS_OK) return TS_ERROR;
-	if (check_version(path, root, "contract", TS_CONTRACT_VERSION) != TS_OK) return TS_ERROR;
+	if (check_version(path, root, "version", TS_TRACE_VERSION, TS_TRACE_VERSION_SHARED) != TS_OK) return TS_ERROR;
+	if (check_version(path, root, "contract", TS_CONTRACT_VERSION, TS_CONTRACT_VERSION) != TS_OK) return TS_ERROR;
 	const char *order = text_of(root, "order");
 	trace->arrival = strcmp(order, "arrival") == 0;
 	if (!trace->arrival && strcmp(order, "canonical") != 0) {
@@ -137,9 +142,11 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 	const json_t *producer = json_object_get(root, "producer"), *buffers = json_object_get(root, "buffers");
 	snprintf(trace->producer, sizeof trace->producer, "%s %s", text_of(producer, "name"), text_of(producer, "version"));
 	ts_line_clean(trace->producer);
+	bool plain = json_integer_value(json_object_get(root, "version")) == TS_TRACE_VERSION;
 	if (!json_is_array(buffers)) return ts_fail("%s: buffers is not an array", path);
 	for (size_t i = 0; i < json_array_size(buffers); i++) {
-		if (add_buffer(trace, path, json_array_get(buffers, i), listed) != TS_OK) return TS_ERROR;
+		const json_t *entry = json_array_get(buffers, i);
+		if (add_buffer(trace, path, entry, plain ? TS_IN_FOLDER : TS_OF_RUN, listed) != TS_OK) return TS_ERROR;
 	}
 	return add_params(trace, path, json_object_get(root, "params"));
 }
@@ -168,7 +175,7 @@ static ts_status read_json(ts_trace *trace)
 {
 	char path[TS_PATH];
 	size_t n;
-	if (ts_item_path(path, trace->dir, "trace.json") != TS_OK) return TS_ERROR;
+	if (ts_item_path(path, trace->dir, "trace.json", TS_IN_FOLDER) != TS_OK) return TS_ERROR;
 	char *text = read_text(path, &n);
 	if (text == NULL) return TS_ERROR;
 	json_error_t error;
@@ -267,9 +274,9 @@ ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *i
 	*trace = NULL;
 	const char *stem = file + strspn(file, "0123456789");
 	stem = stem > file && *stem == '-' ? stem + 1 : file;
-	size_t n = strlen(stem);
+	size_t n = strlen(stem) - (ts_packed_is(stem) ? sizeof TS_PACKED_SUFFIX - 1 : 0);
 	snprintf(name, sizeof name, "%.*s", n > 4 && n < sizeof name ? (int)n - 4 : 0, stem);
-	if (n < 5 || strcmp(stem + n - 4, ".npy") != 0 || !ts_trace_find(id, name)) {
+	if (n < 5 || strncmp(stem + n - 4, ".npy", 4) != 0 || !ts_trace_find(id, name)) {
 		return ts_fail("%s: its name does not say which buffer it holds; NAME.npy of touchstone list buffers would",
 		               path);
 	}
@@ -289,8 +296,10 @@ ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *i
 ts_reader *ts_trace_read(const ts_trace_item *item, ts_buffer_id id)
 {
 	size_t bytes = ts_buffer_table[id].element_bytes;
-	return item->memory != NULL ? ts_reader_memory(item->memory, item->npy.n, bytes)
-	                            : ts_reader_open(item->path, item->npy.data_at, item->npy.n, bytes);
+	bool packed = item->memory == NULL && item->unpacked != NULL;
+	const void *memory = packed ? ts_item_unpack(item, id) : item->memory;
+	if (memory != NULL) return ts_reader_memory(memory, item->npy.n, bytes);
+	return packed ? NULL : ts_reader_open(item->path, item->npy.data_at, item->npy.n, bytes);
 }
 
 ts_status ts_trace_copy(void *to, const ts_trace_item *item, ts_buffer_id id)
@@ -310,10 +319,7 @@ ts_status ts_trace_copy(void *to, const ts_trace_item *item, ts_buffer_id id)
 void ts_trace_close(ts_trace *trace)
 {
 	if (trace == NULL) return;
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		free(trace->item[id].path);
-		free(trace->item[id].owned);
-	}
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) ts_item_clear(&trace->item[id]);
 	free(trace->dir);
 	free(trace);
 }

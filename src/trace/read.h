@@ -1,5 +1,6 @@
 /* Opening a trace, ours or a port's. Everything in it is untrusted: names, counts, types and sizes are checked before
- * anything is read, and no file outside the folder is opened. */
+ * anything is read, and no file is opened but those of the folder and, where trace.json is of version 2, of the folder
+ * "scene" beside it. */
 #ifndef TS_TRACE_READ_H
 #define TS_TRACE_READ_H
 #include "../methods/pipeline.h"
@@ -7,11 +8,17 @@
 #include "npy.h"
 #include "reader.h"
 
+/* All elements of a compressed file, once they were asked for. */
+typedef struct {
+	void *data; /* NULL: not yet */
+} ts_unpacked;
+
 /* A buffer's file. */
 typedef struct {
-	char *path;         /* NULL: the trace has no such file */
-	const void *memory; /* where the elements are if not in that file, which may not be there then */
-	void *owned;        /* the same, if the trace releases it */
+	char *path;            /* NULL: the trace has no such file */
+	const void *memory;    /* where the elements are if not in that file, which may not be there then */
+	void *owned;           /* the same, if the trace releases it */
+	ts_unpacked *unpacked; /* of a compressed file; else NULL. Copies of the item share it */
 	ts_npy npy;
 	bool cropped;
 	u32 crop[4]; /* x, y, width, height */

@@ -14,7 +14,7 @@ ends() {
 	verdict $? "$name"
 }
 
-run "${frame[@]:0:${#frame[@]}-1}" --method epr,mvr --trace -o r
+run "${frame[@]:0:${#frame[@]}-1}" --method epr,mvr --self-contained -o r
 rm r/trace-*/00-scene.texel.npy
 python3 - r/trace-epr r/trace-mvr <<'PY'
 import json, sys

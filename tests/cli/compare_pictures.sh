@@ -58,7 +58,7 @@ def white(path):
 	return (len(rows[0]), len(rows)), {(x, y) for y, row in enumerate(rows) for x, v in enumerate(row) if v}
 PY
 
-run "${frame[@]}" --method epr,mvr --trace --margins -o r
+run "${frame[@]}" --method epr,mvr --self-contained --margins -o r
 verdict "$status" 'two traces'
 
 # Texels of two cubes of EPR, in corners and within.

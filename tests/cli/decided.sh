@@ -151,7 +151,7 @@ PY
 done
 
 # Of surfels: the same; margins of two words are of pairs of f32 bits. An outline of which nothing is undecided is made so.
-run render surfels checkerboard:surfels=20000 --size 96x54 --no-images --set deferred.shader=npr --margins -o ref
+run render surfels checkerboard:surfels=20000 --size 96x54 --no-images --set deferred.shader=npr --margins --self-contained -o ref
 for words in 'surfel_depth.surfel surfel_depth.margin 8 1 2' 'surfel_blend.sum surfel_blend.margin 8 8 2' 'surfel_blend.heaviest surfel_blend.margin 8 1 2' \
 	'image.radiance deferred.margin 4 3 1'; do
 	read -r buffer margin bytes each pair <<< "$words"

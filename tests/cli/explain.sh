@@ -4,7 +4,7 @@
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 cd "$scratch" || exit 2
-"$touchstone" "${frame[@]}" --method epr,mvr --trace -o out > /dev/null || { echo "Bail out! no trace"; exit 1; }
+"$touchstone" "${frame[@]}" --method epr,mvr --self-contained -o out > /dev/null || { echo "Bail out! no trace"; exit 1; }
 epr=out/trace-epr
 
 prints '^launch 1 of 2, kernel split_count of [0-9]* items$' explain $epr --stage split

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
 "$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflectors.px=24 --set cube.max_px=16 \
-	--set lookup.bounces=2 --no-images --trace -o out > /dev/null || { echo "Bail out! no trace"; exit 1; }
+	--set lookup.bounces=2 --no-images --self-contained -o out > /dev/null || { echo "Bail out! no trace"; exit 1; }
 epr=out/trace-epr mvr=out/trace-mvr
 
 # u32 FILE ELEMENT: a number behind the header of a .npy file.

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
 run render reflections atrium:triangles=10000:texels=32 --method epr,mvr --size 64x48 --reflectors 2 --set reflectors.px=24 --set cube.max_px=32 \
-	--set lookup.bounces=3 --trace -o out
+	--set lookup.bounces=3 --self-contained -o out
 [ "$status" -eq 0 ] || cat stderr
 epr=out/trace-epr
 

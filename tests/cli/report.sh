@@ -16,7 +16,7 @@ holds() {
 	[ ! -s judged ] || sed 's/^/# /' judged | tail -3
 }
 
-run "${frame[@]:0:${#frame[@]}-1}" --method epr,mvr --truth=A --trace -o r --report rendered.html
+run "${frame[@]:0:${#frame[@]}-1}" --method epr,mvr --truth=A --self-contained -o r --report rendered.html
 [ "$status" -eq 0 ] && [ -s rendered.html ] && [ ! -e rendered.html.partial ]
 verdict $? 'render --report'
 holds 'a rendered folder' folder rendered.html r

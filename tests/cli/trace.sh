@@ -7,12 +7,60 @@ cd "$scratch" || exit 2
 run "${frame[@]}" --method epr,mvr --trace -o a
 [ "$status" -eq 0 ] && digests_hold a/trace-epr && digests_hold a/trace-mvr
 verdict $? 'a trace a method, and its digests hold'
+[ "$(ls a/scene/*.npy | wc -l)" -eq "$(grep -c '"file": "../scene/' a/trace-mvr/trace.json)" ] && ! compgen -G 'a/trace-*/00-*' > /dev/null
+verdict $? 'the scene is there once, and each trace names it'
+run "${frame[@]}" --method epr,mvr --self-contained -o alone
+[ "$status" -eq 0 ] && [ ! -e alone/scene ] && digests_hold alone/trace-mvr && grep -q '"version": 1,' alone/trace-mvr/trace.json &&
+	diff <(sed 's,\.\./scene/,,; s/"version": 2/"version": 1/' a/trace-mvr/trace.json) alone/trace-mvr/trace.json
+verdict $? '--self-contained: the layout of version 1, and otherwise the same trace'
+run compare a/trace-epr alone/trace-epr
+[ "$status" -eq 0 ] && grep -q ' 0 different, 0 missing' stdout
+verdict $? 'it is the same for compare'
 run "${frame[@]}" --method epr,mvr --trace --threads 1 --no-fast-paths -o b
 [ "$status" -eq 0 ] && diff -r a/trace-epr b/trace-epr && diff -r a/trace-mvr b/trace-mvr
 verdict $? 'a second run gives the same bytes, with other threads and without fast paths'
 
+run "${frame[@]}" --method epr,mvr --compress -o packed
+[ "$status" -eq 0 ] && ls packed/scene packed/trace-* | grep -q '\.npy\.zst$' && ! compgen -G 'packed/*/*.npy' > /dev/null &&
+	diff <(sed 's,\.npy\.zst,.npy,' packed/trace-epr/trace.json) a/trace-epr/trace.json && [ "$(du -s packed | cut -f1)" -lt "$(du -s a | cut -f1)" ]
+verdict $? '--compress: smaller files, of the same digests'
+run compare a/trace-epr packed/trace-epr
+[ "$status" -eq 0 ] && grep -q ' 0 different, 0 missing' stdout
+verdict $? 'compare reads them'
+run compare a/trace-epr/12-splat.depth_index.npy packed/trace-epr/12-splat.depth_index.npy.zst
+verdict $status 'and one file of them'
+for folder in a packed; do
+	"$touchstone" replay $folder/trace-epr > $folder.replay
+	"$touchstone" probe $folder/trace-epr --pixel 40,20 > $folder.probe
+	"$touchstone" explain $folder/trace-mvr --stage image --item 401 > $folder.explain
+	"$touchstone" report $folder/trace-mvr -o $folder.html
+done
+for what in replay probe explain html; do
+	[ -s a.$what ] && diff <(sed 's,a/trace,packed/trace,g' a.$what) packed.$what > differ
+	verdict $? "$what: the same of compressed files"
+done
+if command -v zstd > /dev/null; then
+	zstd -dc packed/scene/00-scene.texel.npy.zst | cmp - a/scene/00-scene.texel.npy
+	verdict $? 'zstd unpacks a file'
+else
+	verdict 0 'zstd unpacks a file # SKIP there is no zstd'
+fi
+
+# Files of the scene that are not what they should be.
+for damage in 'rm $file' 'truncate -s -9 $file' 'echo >> $file' 'mv $file $file.npy; ln -s ${file##*/}.npy $file' \
+	'mv b/scene b/other; ln -s other b/scene' 'rm -r b/scene' 'printf "\377" | dd of=$file bs=1 seek=300 conv=notrunc 2> /dev/null'; do
+	for from in a packed; do
+		[[ $from$damage != aprintf* ]] || continue # a plain file of the right size is taken as it is
+		rm -rf b && cp -r $from b
+		file=$(ls b/scene/00-scene.texel.npy*)
+		eval "$damage"
+		refuses 'b/trace-mvr/../scene' replay b/trace-mvr --stage illuminate
+	done
+done
+rm -r b
+
 built_in=(atrium:triangles=10000:texels=32 --size 64x36 --reflectors 1 --set cube.max_px=32)
-run render reflections "${built_in[@]}" --no-images --trace -o built-in
+run render reflections "${built_in[@]}" --no-images --self-contained -o built-in
 for method in epr mvr; do
 	"$touchstone" digest "${built_in[@]}" --method $method 2> stderr | grep -v '^#' > sums
 	[ -s sums ] && (cd built-in/trace-$method && sha256sum --quiet -c ../../sums > /dev/null) &&

@@ -109,6 +109,10 @@ class Schema:
 			elif rule is not True:
 				yield from self.check(rule, value[key], f"{at}.{key}")
 
+	def check_allOf(self, rule, value, at, _):
+		for part in rule:
+			yield from self.check(part, value, at)
+
 	def check_if(self, rule, value, at, schema):
 		if not any(self.check(rule, value, at)):
 			yield from self.check(schema["then"], value, at)
@@ -183,7 +187,13 @@ def main():
 	for key in schema.root["required"]:
 		tap.result(schema.faults(damaged(small, [key], None)), f"refused: a candidate without {key}")
 	tap.result(not schema.faults(damaged(small, ["producer"], None)), "a candidate without producer")
-	for path, new in ((["version"], 2), (["contract"], True), (["order"], "any"), (["pipeline"], "nil"),
+	names = damaged(small, ["version"], 2)
+	for name in ("bits.npy.zst", "../scene/00-scene.texel.npy"):
+		faults = schema.faults(damaged(names, ["buffers", 0, "file"], name))
+		tap.result(not faults, f"version 2 with a file {name}", faults)
+	for name in ("../scenes/a.npy", "../scene/.a.npy", "../scene/a/b.npy", "../../scene/a.npy", "../scene/", "/scene/a.npy"):
+		tap.result(schema.faults(damaged(names, ["buffers", 0, "file"], name)), f"refused: version 2 with a file {name}")
+	for path, new in ((["version"], 3), (["buffers", 0, "file"], "../scene/a.npy"), (["contract"], True), (["order"], "any"), (["pipeline"], "nil"),
 	                  (["buffers", 0, "file"], "../bits.npy"), (["buffers", 0, "file"], 7),
 	                  (["buffers", 0, "name"], "bits"), (["buffers", 0, "crop"], [0, 0, 8]), (["params"], {"width": 240})):
 		tap.result(schema.faults(damaged(small, path, new)), f"refused: a candidate with {path[-1]} {new!r}")

@@ -35,7 +35,7 @@ run compare "$from" "$scratch/minimal"
 [ "$status" -eq 0 ] && grep -q '^4 buffers judged, 0 different' "$scratch/stdout"
 verdict $? 'the minimal candidate can be compared'
 
-for damage in 's/"version": 1/"version": 2/' 's/"contract": 1/"contract": 2/' 's/"arrival"/"any"/' 's/"epr"/"pcss"/' \
+for damage in 's/"version": 1/"version": 3/' 's/"contract": 1/"contract": 2/' 's/"arrival"/"any"/' 's/"epr"/"pcss"/' \
 	's/bits.npy/..\/bits.npy/' 's/keys.npy/bits.npy/' 's/visibility.bits/visibility.words/' '/"buffers"/,$d'; do
 	mkdir -p "$scratch/damaged"
 	cp "$scratch"/minimal/* "$scratch/damaged/"

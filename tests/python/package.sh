@@ -15,7 +15,9 @@ done
 
 run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x36 --reflectors 2 --set cube.max_px=16 --trace -o "$scratch/out"
 verdict "$status" 'a trace to read'
-TRACED=$scratch/out/trace-epr $python -m pytest -q -p no:cacheprovider tests/python > "$scratch/tests" 2>&1
+run render reflections atrium:triangles=10000:texels=32 --method epr,mvr --size 64x36 --reflectors 2 --set cube.max_px=16 --compress --no-images -o "$scratch/packed"
+verdict "$status" 'and one with shared and compressed files'
+TRACED=$scratch/out/trace-epr PACKED=$scratch/packed/trace-epr $python -m pytest -q -p no:cacheprovider tests/python > "$scratch/tests" 2>&1
 good=$?
 sed 's/^/# /' "$scratch/tests"
 verdict $good 'tests of the package'

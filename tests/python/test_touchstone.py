@@ -47,8 +47,9 @@ def test_arrays_are_views(context, scene):
 		image[0, 0, 0] = 1
 
 
-def test_folder_and_memory_are_the_same(context, reference):
-	traced = os.environ["TRACED"]  # by the command, of the same run
+@pytest.mark.parametrize("which", ["TRACED", "PACKED"])
+def test_folder_and_memory_are_the_same(context, reference, which):
+	traced = os.environ[which]  # by the command, of the same run
 	stored = context.open(traced)
 	assert list(stored) == list(reference)
 	assert all(np.array_equal(stored[name], reference[name]) for name in stored)

@@ -70,7 +70,8 @@ static const wrong values[] = {
 	{"format", "3", "format is not"},
 	{"format", "\"other\"", "format is not"},
 	{"version", NULL, "version is missing"},
-	{"version", "2", "version 2; this program reads version 1"},
+	{"version", "0", "version 0; this program reads version 1 to 2"},
+	{"version", "3", "version 3; this program reads version 1 to 2"},
 	{"version", "\"1\"", "version \"1\""},
 	{"version", "1.0", "version 1.0"},
 	{"version", "-1", "version -1"},
@@ -103,6 +104,7 @@ static const wrong values[] = {
 	{"B.file", "7", "file \"\": not the name"},
 	{"B.file", "\"\"", "not the name"},
 	{"B.file", "\"../good/k.npy\"", "not the name"},
+	{"B.file", "\"../scene/k.npy\"", "not the name"},
 	{"B.file", "\"/etc/passwd\"", "not the name"},
 	{"B.file", "\"..\"", "not the name"},
 	{"B.file", "\".\"", "not the name"},
@@ -148,6 +150,85 @@ static void test_values(void **state)
 		small_edit(bad, change, &values[i]);
 		refused(values[i].says);
 	}
+}
+
+/* A name in a trace.json of version 2. */
+static void change_name(json_t *root, const void *user)
+{
+	json_object_set_new(root, "version", json_integer(2));
+	json_object_set_new(json_array_get(json_object_get(root, "buffers"), 0), "file", json_string(user));
+}
+
+static const wrong shared[] = {
+	{"../scene/", NULL, "not the name"},
+	{"../scene", NULL, "not the name"},
+	{"../scene/.k.npy", NULL, "not the name"},
+	{"../scene/..", NULL, "not the name"},
+	{"../scene/../good/k.npy", NULL, "not the name"},
+	{"../scene/sub/k.npy", NULL, "not the name"},
+	{"../scene//k.npy", NULL, "not the name"},
+	{"../scenes/k.npy", NULL, "not the name"},
+	{"./../scene/k.npy", NULL, "not the name"},
+	{"../bad/../scene/k.npy", NULL, "not the name"},
+	{"../../scene/k.npy", NULL, "not the name"},
+	{"scene/k.npy", NULL, "not the name"},
+	{"/etc/passwd", NULL, "not the name"},
+	{"../good/k.npy", NULL, "not the name"},
+	{"../scene/none.npy", NULL, "none.npy: No such file"},
+	{"../scene/link.npy", NULL, "link.npy: is a link"},
+	{"../scene/sub", NULL, "sub: not a regular file"},
+	{"../scene/short.npy", NULL, "16 bytes of data; its shape needs 24"},
+	{"../scene/long.npy", NULL, "25 bytes of data; its shape needs 24"},
+	{"../scene/other.npy", NULL, "dtype '|u1'; '<u8' would be right"},
+	{"../scene/k.npy.zst", NULL, "k.npy.zst: not a file of zstd"},
+	{"plain.npy.zst", NULL, "plain.npy.zst: not a file of zstd"},
+};
+
+static void taken(const char *name)
+{
+	ts_trace *t;
+	small_edit(bad, change_name, name);
+	if (ts_trace_open_folder(&t, bad) != TS_OK) fail_msg("%s", ts_error_message());
+	assert_int_equal(t->item[TS_B_points_key].npy.n, 3);
+	ts_trace_close(t);
+}
+
+/* The folder of the scene beside a trace: its plain files, by that one way, and only for version 2. */
+static void test_shared(void **state)
+{
+	(void)state;
+	char zero[32] = {0};
+	small_copy(bad, good);
+	file_write(scratch_path("bad/plain.npy.zst"), zero, 32);
+	small_edit(bad, change_name, "../scene/k.npy");
+	refused("scene: no such folder; traces of one run share it");
+	file_write(scratch_path("scene"), zero, 1);
+	refused("scene: not a folder");
+	unlink(scratch_path("scene"));
+	assert_int_equal(symlink("good", scratch_path("scene")), 0);
+	refused("scene: not a folder");
+	unlink(scratch_path("scene"));
+	small_copy(scratch_path("scene"), good);
+	assert_int_equal(mkdir(scratch_path("scene/sub"), 0777), 0);
+	assert_int_equal(symlink("k.npy", scratch_path("scene/link.npy")), 0);
+	npy_write(scratch_path("scene/short.npy"), "'<u8'", "(3,)", zero, 16);
+	npy_write(scratch_path("scene/long.npy"), "'<u8'", "(3,)", zero, 25);
+	npy_write(scratch_path("scene/other.npy"), "'|u1'", "(3,)", zero, 3);
+	npy_write(scratch_path("scene/k.npy.zst"), "'<u8'", "(3,)", zero, 24);
+	npy_write(scratch_path("bad/12.npy.zst"), "'<u8'", "(3,)", zero, 24);
+	taken("../scene/k.npy");
+	taken("k.npy");
+	for (u32 i = 0; i < sizeof shared / sizeof *shared; i++) {
+		small_edit(bad, change_name, shared[i].key);
+		refused(shared[i].says);
+	}
+	/* In version 1 the end of a name says nothing. */
+	ts_trace *t;
+	small_edit(bad, change, &(wrong){"B.file", "\"12.npy.zst\"", NULL});
+	small_edit(bad, change, &(wrong){"version", "1", NULL});
+	if (ts_trace_open_folder(&t, bad) != TS_OK) fail_msg("%s", ts_error_message());
+	assert_null(t->item[TS_B_points_key].unpacked);
+	ts_trace_close(t);
 }
 
 static void put(const char *text, size_t bytes) { file_write(scratch_path("bad/trace.json"), text, bytes); }
@@ -250,8 +331,8 @@ static void test_file(void **state)
 int main(void)
 {
 	const struct CMUnitTest read[] = {
-		cmocka_unit_test(test_good),   cmocka_unit_test(test_values), cmocka_unit_test(test_text),
-		cmocka_unit_test(test_layout), cmocka_unit_test(test_file),
+		cmocka_unit_test(test_good), cmocka_unit_test(test_values), cmocka_unit_test(test_shared),
+		cmocka_unit_test(test_text), cmocka_unit_test(test_layout), cmocka_unit_test(test_file),
 	};
 	return cmocka_run_group_tests(read, begin, scratch_remove);
 }

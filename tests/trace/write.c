@@ -157,6 +157,102 @@ static void test_crop(void **state)
 	ts_trace_close(part);
 }
 
+static const char *file_of(json_t *buffers, const char *name)
+{
+	json_t *entry;
+	size_t i;
+	json_array_foreach (buffers, i, entry) {
+		if (strcmp(json_string_value(json_object_get(entry, "name")), name) == 0) {
+			return json_string_value(json_object_get(entry, "file"));
+		}
+	}
+	return NULL;
+}
+
+static json_int_t version_of(const json_t *root) { return json_integer_value(json_object_get(root, "version")); }
+
+/* Traces of one run name what the first of them wrote, but for a buffer of the scene that is another. */
+static void test_shared(void **state)
+{
+	(void)state;
+	static const char *const methods[] = {"epr", "ivir", "mvr"}, *const folders[] = {"run/1", "run/2", "run/3"};
+	static ts_trace_shared shared;
+	ts_trace_options options = {.shared = &shared};
+	assert_int_equal(mkdir(scratch_path("run"), 0777), 0);
+	assert_int_equal(mkdir(scratch_path("run/scene"), 0777), 0);
+	ts_material first = scene->materials[0];
+	for (u32 i = 0; i < 3; i++) {
+		char dir[SCRATCH_PATH];
+		json_t *root;
+		snprintf(dir, sizeof dir, "%s", scratch_path("%s", folders[i]));
+		scene->materials[0].emissive[0] += i == 1 ? 1 : 0;
+		small_trace(dir, methods[i], scene, &params, options);
+		scene->materials[0] = first;
+		json_t *buffers = buffers_of(&root, dir);
+		assert_int_equal(version_of(root), 2);
+		assert_string_equal(file_of(buffers, "scene.texel"), "../scene/00-scene.texel.npy");
+		assert_string_equal(file_of(buffers, "scene.material"),
+		                    i == 1 ? "00-scene.material.npy" : "../scene/00-scene.material.npy");
+		assert_string_equal(file_of(buffers, "eye.view"), "01-eye.view.npy");
+		json_decref(root);
+		assert_true(access(scratch_path("%s/00-scene.texel.npy", folders[i]), F_OK) != 0);
+		assert_true(check_digests(dir, NULL) >= 20);
+		ts_trace *trace;
+		if (ts_trace_open_folder(&trace, dir) != TS_OK) fail_msg("%s", ts_error_message());
+		ts_trace_close(trace);
+	}
+}
+
+/* The whole of an item, by free(). */
+static void *copy_of(const ts_trace_item *item, ts_buffer_id id)
+{
+	void *data = malloc((size_t)item->npy.n * ts_buffer_table[id].element_bytes + 1);
+	assert_non_null(data);
+	if (ts_trace_copy(data, item, id) != TS_OK) fail_msg("%s", ts_error_message());
+	return data;
+}
+
+/* Compressed, cropped and in batches: what is read is what plain files hold, and the digests are theirs. */
+static void compressed(const char *name, const char *method, ts_trace_options options)
+{
+	ts_trace *plain, *packed;
+	json_t *roots[2];
+	small_trace(scratch_path("%s-plain", name), method, scene, &params, options);
+	options.compress = true;
+	small_trace(scratch_path("%s-packed", name), method, scene, &params, options);
+	json_t *a = buffers_of(&roots[0], scratch_path("%s-plain", name));
+	json_t *b = buffers_of(&roots[1], scratch_path("%s-packed", name)), *entry;
+	assert_true(version_of(roots[0]) == 1 && version_of(roots[1]) == 2);
+	size_t i;
+	json_array_foreach (a, i, entry) {
+		const char *text = json_string_value(json_object_get(entry, "sha256"));
+		assert_string_equal(text, json_string_value(json_object_get(json_array_get(b, i), "sha256")));
+	}
+	assert_int_equal(ts_trace_open_folder(&plain, scratch_path("%s-plain", name)), TS_OK);
+	if (ts_trace_open_folder(&packed, scratch_path("%s-packed", name)) != TS_OK) fail_msg("%s", ts_error_message());
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_trace_item *in = &plain->item[id], *out = &packed->item[id];
+		assert_true((in->path != NULL) == (out->path != NULL));
+		if (in->path == NULL) continue;
+		assert_true(in->npy.n == out->npy.n && out->unpacked != NULL && in->unpacked == NULL);
+		void *x = copy_of(in, (ts_buffer_id)id), *y = copy_of(out, (ts_buffer_id)id);
+		assert_memory_equal(x, y, (size_t)in->npy.n * ts_buffer_table[id].element_bytes);
+		free(x);
+		free(y);
+	}
+	ts_trace_close(plain);
+	ts_trace_close(packed);
+	json_decref(roots[0]);
+	json_decref(roots[1]);
+}
+
+static void test_compressed(void **state)
+{
+	(void)state;
+	compressed("whole", "epr", (ts_trace_options){.crop = {5, 7, 20, 11}});
+	compressed("batches", "mvr", (ts_trace_options){.place = NULL});
+}
+
 static const char *nowhere(void *user, const char *name)
 {
 	(void)user;
@@ -226,7 +322,7 @@ int main(void)
 	const struct CMUnitTest write[] = {
 		cmocka_unit_test(test_whole), cmocka_unit_test(test_batches),    cmocka_unit_test(test_without),
 		cmocka_unit_test(test_crop),  cmocka_unit_test(test_unwritable), cmocka_unit_test(test_estimate),
-		cmocka_unit_test(test_plan),
+		cmocka_unit_test(test_plan),  cmocka_unit_test(test_shared),     cmocka_unit_test(test_compressed),
 	};
 	return cmocka_run_group_tests(write, begin, end);
 }
