@@ -13,7 +13,7 @@ cd "$scratch" || exit 2
 traces() {
 	local folder=$1
 	shift
-	"$touchstone" render "$@" --size 32x24 --trace --no-images -o "$folder" > /dev/null
+	"$touchstone" render "$@" --size 32x24 --self-contained --no-images -o "$folder" > /dev/null
 }
 scene=atrium:triangles=10000:texels=32
 traces a reflections $scene --method epr,mvr,epr-forward --reflectors 2 --set reflectors.px=12 --set cube.max_px=16 \
