@@ -152,6 +152,37 @@ static void test_chunks(void **state)
 	refuse((kind){.colour = 2, .depth = 8, .n_alpha = 5}, "transparency");
 }
 
+/* The cleaned file has these chunks alone, in this order, with what was in them. */
+static void cleaned_to(kind k, const char *const *types)
+{
+	static const uint8_t zeros[1024];
+	uint8_t *clean;
+	size_t n, at = 8;
+	file f = make(k);
+	assert_int_equal(clean_of(&f, &clean, &n), TS_OK);
+	for (; *types != NULL; types++) {
+		size_t bytes = (size_t)clean[at] << 24 | (size_t)clean[at + 1] << 16 | (size_t)clean[at + 2] << 8 | clean[at + 3];
+		assert_memory_equal(clean + at + 4, *types, 4);
+		if (strcmp(*types, "PLTE") == 0) assert_int_equal(bytes, k.n_palette);
+		if (strcmp(*types, "tRNS") == 0) assert_int_equal(bytes, k.n_alpha);
+		if (strcmp(*types, "PLTE") == 0 || strcmp(*types, "tRNS") == 0) assert_memory_equal(clean + at + 8, zeros, bytes);
+		at += bytes + 12;
+	}
+	assert_int_equal(at, n);
+	free(clean);
+}
+
+static void test_clean_chunks(void **state)
+{
+	(void)state;
+	cleaned_to((kind){.colour = 3, .depth = 2, .n_palette = 12, .n_alpha = 4, .comment = true},
+	           (const char *const[]){"IHDR", "PLTE", "tRNS", "IDAT", "IEND", NULL});
+	cleaned_to((kind){.colour = 2, .depth = 8, .n_palette = 9, .n_alpha = 6, .after = 50},
+	           (const char *const[]){"IHDR", "tRNS", "IDAT", "IEND", NULL});
+	cleaned_to((kind){.colour = 0, .depth = 8, .n_alpha = 2}, (const char *const[]){"IHDR", "tRNS", "IDAT", "IEND", NULL});
+	cleaned_to((kind){.colour = 6, .depth = 8}, (const char *const[]){"IHDR", "IDAT", "IEND", NULL});
+}
+
 static void test_pixels(void **state)
 {
 	(void)state;
@@ -186,6 +217,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_every_kind),
 		cmocka_unit_test(test_chunks),
+		cmocka_unit_test(test_clean_chunks),
 		cmocka_unit_test(test_pixels),
 		cmocka_unit_test(test_damage),
 	};

@@ -1,6 +1,8 @@
-/* Files of a gibibyte: what they begin with, or what is said of them, is looked at before they are read. */
+/* Files of a gibibyte: what they begin with, or what is said of them, is looked at before they are read. And images whose
+ * texels only their own bytes justify. */
 #include "files.h"
 #include <sys/resource.h>
+#include <zlib.h>
 #include "../../scratch.h"
 
 /* A gibibyte of zeros, without blocks on the disk, after `head`. */
@@ -81,11 +83,58 @@ static void test_buffers_and_images(void **state)
 	unlink(scratch_path("scene.gltf"));
 }
 
+static void put_chunk(FILE *file, const char *type, const void *data, size_t n)
+{
+	uLong sum = crc32(crc32(0, (const Bytef *)type, 4), data, (uInt)n);
+	const unsigned char head[4] = {(unsigned char)(n >> 24), (unsigned char)(n >> 16), (unsigned char)(n >> 8),
+	                               (unsigned char)n};
+	const unsigned char tail[4] = {(unsigned char)(sum >> 24), (unsigned char)(sum >> 16), (unsigned char)(sum >> 8),
+	                               (unsigned char)sum};
+	fwrite(head, 1, 4, file);
+	fwrite(type, 1, 4, file);
+	fwrite(data, 1, n, file);
+	fwrite(tail, 1, 4, file);
+}
+
+/* A black image of more texels than the bytes of the scene alone allow. */
+static void make_flat_image(const char *leaf)
+{
+	enum { SIDE = 2048, ROW = SIDE + 1 };
+	const unsigned char header[13] = {0, 0, SIDE >> 8, 0, 0, 0, SIDE >> 8, 0, 8, 0, 0, 0, 0};
+	uLongf n = compressBound(SIDE * ROW);
+	unsigned char *rows = calloc(SIDE, ROW), *packed = malloc(n);
+	FILE *file = fopen(scratch_path("%s", leaf), "wb");
+	assert_true(rows != NULL && packed != NULL && file != NULL);
+	assert_int_equal(compress2(packed, &n, rows, SIDE * ROW, 9), Z_OK);
+	fwrite("\x89PNG\r\n\x1a\n", 1, 8, file);
+	put_chunk(file, "IHDR", header, sizeof header);
+	put_chunk(file, "IDAT", packed, n);
+	put_chunk(file, "IEND", "", 0);
+	fclose(file);
+	free(rows);
+	free(packed);
+}
+
+static void test_bytes_of_images_count(void **state)
+{
+	(void)state;
+	write_scene();
+	make("zeros.bin", "", 0);
+	make_flat_image("image");
+	ts_build *build = load("scene.gltf");
+	if (ts_build_failed(build)) fail_msg("%s", ts_error_message());
+	ts_build_free(build);
+	unlink(scratch_path("image"));
+	unlink(scratch_path("zeros.bin"));
+	unlink(scratch_path("scene.gltf"));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_scenes),
 		cmocka_unit_test(test_buffers_and_images),
+		cmocka_unit_test(test_bytes_of_images_count),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }
