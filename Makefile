@@ -107,7 +107,7 @@ CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson l
 LIBS := $(call packages,--libs,jansson libcrypto zlib libzstd tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test check test-long dist fuzz matrix matrix-short distros distros-short mutants faults release-check style format deps-build deps-test uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test check test-long dist fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults release-check style format deps-build deps-test uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -424,15 +424,22 @@ mutants: deps-test
 	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK="$(CXX) $(LINK_FLAGS) -Wl,-rpath,$(abspath $(BUILD))" \
 		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(T)
 
+##   mutants-src        mutants of src/, each run by the tests that reach it, and how many they kill; T="PARTS OF NAMES"; an hour
+##   mutants-src-short  the part of it that .ci/run runs
+mutants-src mutants-src-short:
+	$(Q)scripts/install-deps --matrix
+	$(Q)$(MAKE) --no-print-directory all tests
+	$(Q)BUILD='$(BUILD)' FLAGS='$(CPP_LIBS)' scripts/mutants-src $(if $(filter %-short,$@),--short) $(T)
+
 ##   faults             calls that fail, one by one, in small commands; T="COMMANDS OR KINDS"; most of an hour
 faults: deps-test
 	$(Q)$(MAKE) --no-print-directory all
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' scripts/faults $(T)
 
-##   release-check      what a release must pass beside .ci/run: test-long, faults, matrix, distros; hours
+##   release-check      what a release must pass beside .ci/run: test-long, faults, matrix, distros, mutants-src; hours
 release-check:
 	$(Q)scripts/install-deps --matrix
-	$(Q)for part in test-long faults matrix distros; do $(MAKE) --no-print-directory $$part || exit; done
+	$(Q)for part in test-long faults matrix distros mutants-src; do $(MAKE) --no-print-directory $$part || exit; done
 
 ##   bench              the papers' tables, measured here, and every backend on one frame
 bench: all
@@ -532,4 +539,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test check test-long tests fuzz matrix matrix-short distros distros-short mutants faults release-check bench style format deps-build deps-test install uninstall installcheck dist docs clean help FORCE
+.PHONY: all core golden demo test check test-long tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults release-check bench style format deps-build deps-test install uninstall installcheck dist docs clean help FORCE
