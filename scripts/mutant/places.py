@@ -208,7 +208,7 @@ DEFINED = b"""
 static unsigned char unmapped[%d];
 int ts_mutant = -1;
 unsigned char *ts_mutants_reached = unmapped;
-__attribute__((constructor)) static void begin_mutants(void)
+__attribute__((constructor(101))) static void begin_mutants(void)
 {
 	const char *number = getenv("TS_MUTANT"), *path = getenv("TS_MUTANTS_REACHED");
 	if (number) ts_mutant = atoi(number);

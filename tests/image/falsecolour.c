@@ -45,7 +45,12 @@ static void test_names_differ(void **state)
 		ts_falsecolour_name(a, i);
 		ts_falsecolour_name(b, i + 1);
 		near += abs(a[0] - b[0]) + abs(a[1] - b[1]) + abs(a[2] - b[2]) < 24;
-		assert_true(a[0] >= 128 || a[1] >= 128 || a[2] >= 128);
+		int weak = 0;
+		for (int c = 0; c < 3; c++) {
+			weak += a[c] < 128;
+			assert_true(a[c] >= 128 || (a[c] >= 16 && a[c] < 80));
+		}
+		assert_int_equal(weak, 1);
 	}
 	assert_true(near < 200);
 }

@@ -1,0 +1,54 @@
+/* What the families bring is registered: each pipeline and stage once, those of an effect beside each other. */
+#include "../model/test.h"
+#include "../../src/families/families.h"
+#include "../../src/methods/registry.h"
+#include "../../src/vectors/vectors.h"
+
+#define FAMILY(name) FAMILY_FILE(methods, name, pipelines.def)
+#define PIPELINE(name) extern const ts_pipeline ts_pipeline_##name;
+#include "../../src/families.def"
+#undef PIPELINE
+#define PIPELINE(name) &ts_pipeline_##name,
+static const ts_pipeline *const pipelines[] = {
+#include "../../src/families.def"
+};
+#undef PIPELINE
+#undef FAMILY
+enum { N = sizeof pipelines / sizeof *pipelines };
+
+static u32 place_of(const char *effect)
+{
+	u32 i = 0;
+	while (strcmp(pipelines[i]->effect->name, effect) != 0) i++;
+	return i;
+}
+
+/* The effects in the order in which the families name them first, and the methods of each in theirs. */
+static void test_pipelines(void **state)
+{
+	(void)state;
+	const ts_pipeline *const *listed = ts_registered()->pipelines;
+	u32 n = 0;
+	for (u32 i = 0; i < N; i++) {
+		if (place_of(pipelines[i]->effect->name) != i) continue;
+		for (u32 k = i; k < N; k++) {
+			if (pipelines[k]->effect == pipelines[i]->effect) assert_ptr_equal(listed[n++], pipelines[k]);
+		}
+	}
+	assert_int_equal(n, N);
+	assert_null(listed[N]);
+}
+
+static void test_found(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < N; i++)
+		assert_ptr_equal(ts_pipeline_find(pipelines[i]->effect->name, pipelines[i]->name), pipelines[i]);
+	assert_true(ts_vectors_count() > 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_pipelines), cmocka_unit_test(test_found)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

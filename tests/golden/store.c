@@ -1,0 +1,162 @@
+/* Goldens on disk: what was computed and written is what is read, in every file; and damage to the list of digests or
+ * beside it is refused by name. */
+#include "../methods/small.h"
+#include "../scratch.h"
+#include "../../src/golden/golden.h"
+#include "../../src/output/folder.h"
+#include <sys/stat.h>
+
+enum { MOST = 64 << 10 };
+
+static ts_golden computed, stored;
+static const ts_pipeline *epr;
+static char sums[MOST];
+static size_t n_sums;
+
+static void require(ts_status status)
+{
+	if (status != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+static ts_status judge(const char *dir)
+{
+	(void)dir;
+	return TS_OK;
+}
+
+static int begin(void **state)
+{
+	if (scratch_begin(state) != 0) return -1;
+	ts_params params = small_params(24, 16);
+	params.reflectors_count = 1;
+	params.reflectors_px = 12;
+	ts_scene *scene = small_scene(&params);
+	epr = ts_pipeline_find("reflections", "epr");
+	const ts_golden_job job = {.pipeline = epr, .scene = scene, .params = &params, .how = {.threads = 1}};
+	require(ts_golden_compute(&computed, &job));
+	ts_scene_free(scene);
+	require(ts_folder_begin(scratch_path("golden"), judge));
+	require(ts_golden_write(&computed, epr, true));
+	require(ts_folder_commit());
+	FILE *file = fopen(scratch_path("golden/SHA256SUMS"), "r");
+	if (file == NULL) return -1;
+	n_sums = fread(sums, 1, MOST - 1, file);
+	fclose(file);
+	return 0;
+}
+
+static int end(void **state)
+{
+	ts_golden_free(&computed);
+	ts_golden_free(&stored);
+	return scratch_remove(state);
+}
+
+static ts_status read_back(const char *path)
+{
+	ts_golden_dir dir;
+	ts_golden_free(&stored);
+	require(ts_golden_dir_open(&dir, NULL, path));
+	ts_status status = ts_golden_read(&stored, &dir, epr);
+	ts_golden_dir_close(&dir);
+	return status;
+}
+
+/* A kept file has the digest that the run had of it, by another way. */
+static void test_round_trip(void **state)
+{
+	(void)state;
+	char text[512];
+	u32 n_small = 0, n_listed = 0;
+	require(read_back(scratch_path("golden")));
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_golden_file *a = &computed.file[id], *b = &stored.file[id];
+		assert_string_equal(stored.sums.hex[id], computed.sums.hex[id]);
+		n_listed += stored.sums.hex[id][0] != 0;
+		if (!ts_golden_is_small(&computed, (ts_buffer_id)id)) continue;
+		assert_int_equal(a->taken, a->bytes);
+		assert_int_equal(b->bytes, a->bytes);
+		assert_memory_equal(b->data, a->data, a->bytes);
+		assert_string_equal(b->hex, stored.sums.hex[id]);
+		n_small++;
+	}
+	assert_true(n_small > 10 && n_listed >= n_small);
+	assert_int_equal(stored.sums.hex[0][0] != 0, computed.sums.hex[0][0] != 0);
+	assert_int_equal(ts_golden_compare(text, sizeof text, &stored, &computed, epr, true), TS_OK);
+	assert_string_equal(text, "");
+	assert_int_equal(computed.infinite, stored.infinite);
+	assert_int_equal(computed.n_infinite, 0);
+}
+
+static void write_sums(const char *a, const char *b, size_t n)
+{
+	mkdir(scratch_path("bad"), 0700);
+	FILE *file = fopen(scratch_path("bad/SHA256SUMS"), "w");
+	assert_non_null(file);
+	fputs(a, file);
+	assert_int_equal(fwrite(b, 1, n, file), n);
+	fclose(file);
+}
+
+static void refused(const char *a, const char *b, size_t n, const char *words)
+{
+	write_sums(a, b, n);
+	assert_int_equal(read_back(scratch_path("bad")), TS_ERROR);
+	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
+}
+
+static void test_bad_lines(void **state)
+{
+	(void)state;
+	char twice[512], odd[512];
+	size_t line = (size_t)(strchr(sums, '\n') - sums) + 1;
+	snprintf(twice, sizeof twice, "%.*s", (int)line, sums);
+	refused(twice, sums, n_sums, "stands there twice");
+	snprintf(odd, sizeof odd, "%.64s  nothing.npy\n", sums);
+	refused(odd, sums, n_sums, "epr writes no file \"nothing.npy\"");
+	snprintf(odd, sizeof odd, "%.63s  x\n", sums);
+	refused(odd, sums, n_sums, "is not a digest, two blanks and a name");
+	snprintf(odd, sizeof odd, "%.64s %.*s", sums, (int)(line - 66), sums + 66);
+	refused(odd, sums + line, n_sums - line, "is not a digest, two blanks and a name");
+	refused("", sums, n_sums - 1, "not lines of text");
+	refused("", sums, 0, "not lines of text");
+	refused("", "\0\n", 2, "not lines of text");
+	write_sums("", sums, n_sums);
+	require(read_back(scratch_path("bad")));
+	remove(scratch_path("bad/SHA256SUMS"));
+	assert_int_equal(read_back(scratch_path("bad")), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "SHA256SUMS: cannot open"));
+}
+
+static void put(const char *path)
+{
+	FILE *file = fopen(path, "w");
+	assert_non_null(file);
+	fclose(file);
+}
+
+static void test_strangers(void **state)
+{
+	(void)state;
+	require(ts_golden_judge(scratch_path("golden")));
+	put(scratch_path("golden/CHANGES"));
+	put(scratch_path("golden/params.txt"));
+	put(scratch_path("golden/preview.png"));
+	require(ts_golden_judge(scratch_path("golden")));
+	put(scratch_path("golden/notes"));
+	assert_int_equal(ts_golden_judge(scratch_path("golden")), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "holds notes, which is no part of a golden"));
+	put(scratch_path("golden/small/notes"));
+	assert_int_equal(read_back(scratch_path("golden")), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "\"notes\" is not a file that SHA256SUMS names"));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_round_trip),
+		cmocka_unit_test(test_bad_lines),
+		cmocka_unit_test(test_strangers),
+	};
+	return cmocka_run_group_tests(tests, begin, end);
+}
