@@ -1,0 +1,279 @@
+/* The folder that is written: whole or not there, in the place of what may be replaced alone, and never in that of
+ * strangers; what a process that was killed has left goes, what one that lives writes stays. */
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include "../kernels/seeded.h"
+#include "../scratch.h"
+#include "../../src/output/file.h"
+#include "../../src/output/folder.h"
+
+static u32 n_judged;
+
+static ts_status let(const char *dir)
+{
+	(void)dir;
+	n_judged++;
+	return TS_OK;
+}
+
+static ts_status keep(const char *dir) { return ts_fail("%s: stays", dir); }
+
+static bool is_there(const char *path)
+{
+	struct stat info;
+	return lstat(path, &info) == 0;
+}
+
+static void require(ts_status status)
+{
+	if (status != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+static void refused(ts_status status, const char *words)
+{
+	assert_int_equal(status, TS_ERROR);
+	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
+}
+
+static void put(const char *path, const char *text) { require(ts_file_write(path, text, strlen(text))); }
+
+static void holds(const char *path, const char *text)
+{
+	char found[64] = "";
+	FILE *file = fopen(path, "r");
+	assert_non_null(file);
+	assert_int_equal(fread(found, 1, sizeof found - 1, file), strlen(text));
+	fclose(file);
+	assert_string_equal(found, text);
+}
+
+/* Nothing beside the folder tells of the writing. */
+static void assert_clean(const char *dir)
+{
+	char path[SCRATCH_PATH];
+	static const char *const ends[] = {".partial", ".old", ".lock"};
+	for (u32 i = 0; i < 3; i++) {
+		snprintf(path, sizeof path, "%.480s%s", dir, ends[i]);
+		if (is_there(path)) fail_msg("%s is left", path);
+	}
+}
+
+static void make(const char *dir, const char *text)
+{
+	require(ts_folder_begin(dir, keep));
+	put(ts_folder_file("text"), text);
+	require(ts_folder_commit());
+	assert_clean(dir);
+}
+
+static void test_new(void **state)
+{
+	(void)state;
+	const char *dir = scratch_path("a/b/new");
+	require(ts_folder_begin(dir, keep));
+	assert_string_equal(ts_folder_path(), scratch_path("a/b/new.partial"));
+	assert_true(is_there(scratch_path("a/b/new.lock")) && !is_there(dir));
+	const char *first = ts_folder_file("first");
+	put(first, "1");
+	put(ts_folder_file("sub/second"), "2");
+	put(ts_folder_file("sub/third"), "3");
+	assert_string_equal(first, scratch_path("a/b/new.partial/first"));
+	assert_string_equal(ts_folder_name(0), "first");
+	assert_string_equal(ts_folder_name(2), "sub/third");
+	assert_null(ts_folder_name(3));
+	require(ts_folder_commit());
+	holds(scratch_path("a/b/new/first"), "1");
+	holds(scratch_path("a/b/new/sub/second"), "2");
+	holds(scratch_path("a/b/new/sub/third"), "3");
+	assert_clean(dir);
+	assert_null(ts_folder_name(0));
+}
+
+/* More paths than one piece of memory holds, and one longer than that. */
+static void test_many_names(void **state)
+{
+	(void)state;
+	enum { N = 3000, LONG = 70000 };
+	char name[24];
+	const char *paths[N];
+	require(ts_folder_begin(scratch_path("many"), keep));
+	for (u32 i = 0; i < N; i++) {
+		snprintf(name, sizeof name, "name-%u", i);
+		assert_non_null(paths[i] = ts_folder_file(name));
+		if (i != N / 2) continue;
+		char *large = malloc(LONG + 1);
+		memset(large, 'x', LONG);
+		large[LONG] = 0;
+		const char *kept = ts_folder_file(large);
+		assert_non_null(kept);
+		assert_string_equal(strrchr(kept, '/') + 1, large);
+		free(large);
+	}
+	for (u32 i = 0; i < N; i++) {
+		snprintf(name, sizeof name, "name-%u", i);
+		assert_string_equal(strrchr(paths[i], '/') + 1, name);
+		assert_string_equal(ts_folder_name(i + (i > N / 2)), name);
+	}
+	ts_folder_discard();
+	assert_clean(scratch_path("many"));
+	assert_false(is_there(scratch_path("many")));
+}
+
+/* A discarded folder leaves the message, and none of the folders that were made for it. */
+static void test_discarded(void **state)
+{
+	(void)state;
+	ts_folder_discard();
+	mkdir(scratch_path("kept"), 0700);
+	require(ts_folder_begin(scratch_path("kept/x/y/z"), keep));
+	put(ts_folder_file("text"), "1");
+	assert_true(is_there(scratch_path("kept/x/y/z.partial/text")));
+	ts_fail("why");
+	ts_folder_discard();
+	assert_string_equal(ts_error_message(), "why");
+	assert_false(is_there(scratch_path("kept/x")));
+	assert_true(is_there(scratch_path("kept")));
+}
+
+static void test_replaced(void **state)
+{
+	(void)state;
+	const char *dir = scratch_path("replaced");
+	make(dir, "before");
+	put(scratch_path("replaced/more"), "before");
+	refused(ts_folder_begin(dir, keep), "replaced: stays");
+	assert_clean(dir);
+	holds(scratch_path("replaced/text"), "before");
+	n_judged = 0;
+	require(ts_folder_begin(dir, let));
+	assert_int_equal(n_judged, 1);
+	put(ts_folder_file("text"), "after");
+	holds(scratch_path("replaced/text"), "before");
+	require(ts_folder_commit());
+	assert_int_equal(n_judged, 3);
+	holds(scratch_path("replaced/text"), "after");
+	assert_false(is_there(scratch_path("replaced/more")));
+	assert_clean(dir);
+}
+
+/* An empty folder, whose name may end with slashes, is no one's. */
+static void test_empty(void **state)
+{
+	(void)state;
+	mkdir(scratch_path("empty"), 0700);
+	n_judged = 0;
+	require(ts_folder_begin(scratch_path("empty//"), let));
+	put(ts_folder_file("text"), "1");
+	require(ts_folder_commit());
+	assert_int_equal(n_judged, 0);
+	holds(scratch_path("empty/text"), "1");
+	assert_clean(scratch_path("empty"));
+}
+
+static ts_status late;
+static ts_status turn(const char *dir)
+{
+	(void)dir;
+	return late == TS_OK ? TS_OK : ts_fail("too late");
+}
+
+/* A folder that came to hold something of a stranger while the new one was written stays. */
+static void test_late(void **state)
+{
+	(void)state;
+	const char *dir = scratch_path("late");
+	make(dir, "before");
+	late = TS_OK;
+	require(ts_folder_begin(dir, turn));
+	put(ts_folder_file("text"), "after");
+	late = TS_ERROR;
+	refused(ts_folder_commit(), "too late");
+	ts_folder_discard();
+	holds(scratch_path("late/text"), "before");
+	assert_clean(dir);
+}
+
+static void test_names(void **state)
+{
+	(void)state;
+	char longest[4200];
+	memset(longest, 'x', sizeof longest);
+	longest[3797] = 0;
+	refused(ts_folder_begin("", keep), "a folder's name has 1 to 3796 characters, this one has 0");
+	refused(ts_folder_begin(longest, keep), "this one has 3797");
+	longest[3796] = 0;
+	refused(ts_folder_begin(longest, keep), "xxx");
+	assert_null(strstr(ts_error_message(), "this one has"));
+	refused(ts_folder_begin("/", keep), "cannot be replaced as a whole");
+	refused(ts_folder_begin(scratch_path("."), keep), "cannot be replaced as a whole");
+	refused(ts_folder_begin("..", keep), "cannot be replaced as a whole");
+	put(scratch_path("file"), "1");
+	refused(ts_folder_begin(scratch_path("file"), let), "exists and is not a folder");
+	assert_clean(scratch_path("file"));
+}
+
+/* What is called as ours, and is not, is not touched. */
+static void test_strangers(void **state)
+{
+	(void)state;
+	mkdir(scratch_path("mine.partial"), 0700);
+	refused(ts_folder_begin(scratch_path("mine"), let), "no run that was killed has left it");
+	assert_true(is_there(scratch_path("mine.partial")));
+	assert_false(is_there(scratch_path("mine.lock")));
+	refused(ts_folder_remove(scratch_path("nothing")), "cannot be removed");
+	assert_clean(scratch_path("nothing"));
+}
+
+static void test_removed(void **state)
+{
+	(void)state;
+	make(scratch_path("gone"), "1");
+	require(ts_folder_remove(scratch_path("gone")));
+	assert_false(is_there(scratch_path("gone")));
+	assert_clean(scratch_path("gone"));
+}
+
+/* A child writes the folder until it is killed; meanwhile another cannot. */
+static void killed(const char *dir, bool commits)
+{
+	int ready[2];
+	char byte;
+	assert_int_equal(pipe(ready), 0);
+	pid_t child = fork();
+	if (child == 0) {
+		if (ts_folder_begin(dir, let) == TS_OK && write(ready[1], "1", 1) == 1) pause();
+		_exit(1);
+	}
+	assert_int_equal(read(ready[0], &byte, 1), 1);
+	if (commits) assert_int_equal(ts_folder_begin(dir, let), TS_ERROR);
+	kill(child, SIGKILL);
+	assert_int_equal(waitpid(child, NULL, 0), child);
+	close(ready[0]);
+	close(ready[1]);
+}
+
+static void test_killed(void **state)
+{
+	(void)state;
+	const char *dir = scratch_path("p/q/killed");
+	killed(dir, true);
+	assert_true(is_there(scratch_path("p/q/killed.partial")) && is_there(scratch_path("p/q/killed.lock")));
+	make(dir, "1");
+	holds(scratch_path("p/q/killed/text"), "1");
+	killed(scratch_path("r/s/cleared"), false);
+	ts_folder_clear(scratch_path("r/s/cleared"), 1);
+	assert_clean(scratch_path("r/s/cleared"));
+	assert_true(is_there(scratch_path("r")) && !is_there(scratch_path("r/s")));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_new),      cmocka_unit_test(test_many_names), cmocka_unit_test(test_discarded),
+		cmocka_unit_test(test_replaced), cmocka_unit_test(test_empty),      cmocka_unit_test(test_late),
+		cmocka_unit_test(test_names),    cmocka_unit_test(test_strangers),  cmocka_unit_test(test_removed),
+		cmocka_unit_test(test_killed),
+	};
+	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
+}
