@@ -40,6 +40,8 @@ static void elements_and_fields(void **state)
 	      "element [1, 1]: golden 0 (0x0) here 72057594037927936 (0x100000000000000)");
 	tells(TS_B_points_record, 1, list, 32 * 3 + 8, 1,
 	      "element [3], field centre[2]: golden 0x0p+0 (00000000) here 0x1p-149 (00000001)");
+	tells(TS_B_points_record, 1, list, 32 * 6, 1,
+	      "element [6], field centre[0]: golden 0x0p+0 (00000000) here 0x1p-149 (00000001)");
 	tells(TS_B_points_record, 1, list, 32 * 6 + 20, 1, "element [6], field flags: golden 0 (0x0) here 1 (0x1)");
 	tells(TS_B_align_frame, 1, list, 48 + 4 + 3, 0x80,
 	      "element [0], field q[1]: golden 0 (0x00000000) here -2147483648 (0x80000000)");
@@ -98,6 +100,28 @@ static void order_of_the_pipeline(void **state)
 	assert_string_equal(ts_error_message(), "small/00-scene.image.npy: there is no such file");
 }
 
+/* A stored file that is not what the list says is told, also where both digests are the same. */
+static void damaged_files(void **state)
+{
+	(void)state;
+	static ts_golden a, b;
+	char text[512];
+	const ts_pipeline *mvr = ts_pipeline_find("reflections", "mvr");
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) memset(a.sums.hex[id], '0', TS_DIGEST_BYTES - 1);
+	b = a;
+	a.file[TS_B_image_srgb] = file_of(TS_B_image_srgb, 3, (u64[]){4, 5, 3});
+	strcpy(a.file[TS_B_image_srgb].hex, a.sums.hex[TS_B_image_srgb]);
+	assert_int_equal(ts_golden_compare(text, sizeof text, &a, &b, mvr, false), TS_OK);
+	assert_string_equal(text, "");
+	a.file[TS_B_image_srgb].hex[3] = '1';
+	assert_int_equal(ts_golden_compare(text, sizeof text, &a, &b, mvr, false), TS_DIFFERENT);
+	assert_non_null(strstr(text, "image.srgb.npy: small/ does not hold what SHA256SUMS says"));
+	a.sums.hex[TS_B_image_srgb][3] = '2';
+	assert_int_equal(ts_golden_compare(text, sizeof text, &a, &b, mvr, false), TS_DIFFERENT);
+	assert_non_null(strstr(text, "0000000000000000...; small/ does not hold"));
+	ts_golden_free(&a);
+}
+
 static void infinite_floats(void **state)
 {
 	(void)state;
@@ -120,7 +144,11 @@ static void constant_images(void **state)
 	static ts_golden golden;
 	assert_true(ts_golden_is_constant(&golden));
 	golden.file[TS_B_image_srgb] = file_of(TS_B_image_srgb, 3, (u64[]){4, 5, 3});
-	char *pixels = golden.file[TS_B_image_srgb].data + 128;
+	ts_golden_file *file = &golden.file[TS_B_image_srgb];
+	file->data = realloc(file->data, file->bytes + 1);
+	assert_non_null(file->data);
+	file->data[file->bytes] = 1; /* is no pixel */
+	char *pixels = file->data + 128;
 	for (u32 i = 0; i < 20; i++) pixels[3 * i + 1] = 7;
 	assert_true(ts_golden_is_constant(&golden));
 	pixels[59] = 1;
@@ -134,6 +162,7 @@ int main(void)
 		cmocka_unit_test(elements_and_fields), cmocka_unit_test(every_byte_is_told),
 		cmocka_unit_test(other_shapes),        cmocka_unit_test(order_of_the_pipeline),
 		cmocka_unit_test(infinite_floats),     cmocka_unit_test(constant_images),
+		cmocka_unit_test(damaged_files),
 	};
 	return cmocka_run_group_tests(golden, NULL, NULL);
 }

@@ -47,6 +47,23 @@ static void borrowed_memory_is_not_ours(void **state)
 	ts_frame_clear(&frame);
 }
 
+static void a_cut_buffer_keeps_its_beginning(void **state)
+{
+	(void)state;
+	ts_frame frame = {0};
+	u64 *keys = ts_frame_make1(&frame, TS_B_points_key, 1000);
+	assert_non_null(keys);
+	for (u64 i = 0; i < 1000; i++) keys[i] = i;
+	ts_frame_cut(&frame, TS_B_points_key, 10);
+	assert_int_equal(ts_frame_n(&frame, TS_B_points_key), 10);
+	assert_int_equal(frame.buffer[TS_B_points_key].shape[0], 10);
+	assert_int_equal(frame.bytes, 80);
+	keys = ts_frame_data(&frame, TS_B_points_key);
+	for (u64 i = 0; i < 10; i++) assert_int_equal(keys[i], i);
+	ts_frame_drop(&frame, TS_B_points_key);
+	assert_int_equal(frame.bytes, 0);
+}
+
 static void absurd_shapes_are_refused(void **state)
 {
 	(void)state;
@@ -105,6 +122,7 @@ int main(void)
 		cmocka_unit_test(buffers_are_made_and_dropped),
 		cmocka_unit_test(a_batch_replaces_the_one_before),
 		cmocka_unit_test(borrowed_memory_is_not_ours),
+		cmocka_unit_test(a_cut_buffer_keeps_its_beginning),
 		cmocka_unit_test(absurd_shapes_are_refused),
 		cmocka_unit_test(every_record_is_covered_by_its_fields),
 		cmocka_unit_test(names_of_buffers_are_unique_and_keys_exist),
