@@ -168,8 +168,8 @@ static void test_names(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_pieces),    cmocka_unit_test(test_refused),   cmocka_unit_test(test_folders),
-		cmocka_unit_test(test_long_path), cmocka_unit_test(test_closed), cmocka_unit_test(test_names),
+		cmocka_unit_test(test_pieces),    cmocka_unit_test(test_refused), cmocka_unit_test(test_folders),
+		cmocka_unit_test(test_long_path), cmocka_unit_test(test_closed),  cmocka_unit_test(test_names),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

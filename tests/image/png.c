@@ -23,6 +23,8 @@ typedef struct {
 	int more;                    /* bytes of pixels too many, or too few */
 	uint32_t after;              /* bytes behind the compressed stream */
 	bool comment;
+	const char *extra; /* a chunk behind the header, of n_extra bytes; NULL: none */
+	uint32_t n_extra;
 } kind;
 
 static void put(file *f, const void *data, size_t n)
@@ -78,6 +80,7 @@ static file make(kind k)
 	const uint8_t header[13] = {0, 0, 0, WIDTH, 0, 0, 0, HEIGHT, k.depth, k.colour, 0, 0, k.interlaced};
 	put_chunk(&f, "IHDR", header, 13);
 	if (k.comment) put_chunk(&f, "iCCP", "not a profile", 13);
+	if (k.extra != NULL) put_chunk(&f, k.extra, zeros, k.n_extra);
 	if (k.n_palette != 0) put_chunk(&f, "PLTE", zeros, k.n_palette);
 	if (k.n_alpha != 0) put_chunk(&f, "tRNS", zeros, k.n_alpha);
 	memset(packed + n_packed, 0, k.after);
@@ -150,6 +153,9 @@ static void test_chunks(void **state)
 	refuse((kind){.colour = 3, .depth = 2}, "palette");
 	refuse((kind){.colour = 3, .depth = 2, .n_palette = 6, .n_alpha = 3}, "transparency");
 	refuse((kind){.colour = 2, .depth = 8, .n_alpha = 5}, "transparency");
+	refuse((kind){.colour = 3, .depth = 2, .n_palette = 12, .extra = "PLTE"}, "palette has a wrong size");
+	refuse((kind){.colour = 2, .depth = 8, .extra = "ABCd", .n_extra = 4}, "an unknown chunk that must be understood");
+	accept((kind){.colour = 2, .depth = 8, .extra = "aBCd", .n_extra = 4});
 }
 
 /* The cleaned file has these chunks alone, in this order, with what was in them. */
@@ -161,11 +167,13 @@ static void cleaned_to(kind k, const char *const *types)
 	file f = make(k);
 	assert_int_equal(clean_of(&f, &clean, &n), TS_OK);
 	for (; *types != NULL; types++) {
-		size_t bytes = (size_t)clean[at] << 24 | (size_t)clean[at + 1] << 16 | (size_t)clean[at + 2] << 8 | clean[at + 3];
+		size_t bytes =
+			(size_t)clean[at] << 24 | (size_t)clean[at + 1] << 16 | (size_t)clean[at + 2] << 8 | clean[at + 3];
 		assert_memory_equal(clean + at + 4, *types, 4);
 		if (strcmp(*types, "PLTE") == 0) assert_int_equal(bytes, k.n_palette);
 		if (strcmp(*types, "tRNS") == 0) assert_int_equal(bytes, k.n_alpha);
-		if (strcmp(*types, "PLTE") == 0 || strcmp(*types, "tRNS") == 0) assert_memory_equal(clean + at + 8, zeros, bytes);
+		if (strcmp(*types, "PLTE") == 0 || strcmp(*types, "tRNS") == 0)
+			assert_memory_equal(clean + at + 8, zeros, bytes);
 		at += bytes + 12;
 	}
 	assert_int_equal(at, n);
@@ -179,7 +187,8 @@ static void test_clean_chunks(void **state)
 	           (const char *const[]){"IHDR", "PLTE", "tRNS", "IDAT", "IEND", NULL});
 	cleaned_to((kind){.colour = 2, .depth = 8, .n_palette = 9, .n_alpha = 6, .after = 50},
 	           (const char *const[]){"IHDR", "tRNS", "IDAT", "IEND", NULL});
-	cleaned_to((kind){.colour = 0, .depth = 8, .n_alpha = 2}, (const char *const[]){"IHDR", "tRNS", "IDAT", "IEND", NULL});
+	cleaned_to((kind){.colour = 0, .depth = 8, .n_alpha = 2},
+	           (const char *const[]){"IHDR", "tRNS", "IDAT", "IEND", NULL});
 	cleaned_to((kind){.colour = 6, .depth = 8}, (const char *const[]){"IHDR", "IDAT", "IEND", NULL});
 }
 
@@ -215,11 +224,8 @@ static void test_damage(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_every_kind),
-		cmocka_unit_test(test_chunks),
-		cmocka_unit_test(test_clean_chunks),
-		cmocka_unit_test(test_pixels),
-		cmocka_unit_test(test_damage),
+		cmocka_unit_test(test_every_kind), cmocka_unit_test(test_chunks), cmocka_unit_test(test_clean_chunks),
+		cmocka_unit_test(test_pixels),     cmocka_unit_test(test_damage),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -64,6 +64,33 @@ static void a_cut_buffer_keeps_its_beginning(void **state)
 	assert_int_equal(frame.bytes, 0);
 }
 
+static u32 n_released[3];
+static ts_status fetch_nothing(void *resident)
+{
+	(void)resident;
+	return TS_OK;
+}
+static void count_release(void *resident) { ++*(u32 *)resident; }
+
+/* What a device holds is released once: with a buffer, with what is lent again, and with the frame. */
+static void what_is_resident_is_released(void **state)
+{
+	(void)state;
+	static const ts_residence residence = {fetch_nothing, count_release};
+	ts_frame frame = {.residence = &residence};
+	assert_non_null(ts_frame_make1(&frame, TS_B_points_key, 10));
+	frame.buffer[TS_B_points_key].resident = &n_released[0];
+	ts_frame_drop(&frame, TS_B_points_key);
+	assert_int_equal(n_released[0], 1);
+	ts_frame_lend(&frame, TS_WORK_queue, n_released, sizeof n_released);
+	frame.lent[TS_WORK_queue].resident = &n_released[1];
+	ts_frame_lend(&frame, TS_WORK_queue, n_released, sizeof n_released);
+	assert_int_equal(n_released[1], 1);
+	frame.lent[TS_WORK_queue].resident = &n_released[2];
+	ts_frame_clear(&frame);
+	for (u32 i = 0; i < 3; i++) assert_int_equal(n_released[i], 1);
+}
+
 static void absurd_shapes_are_refused(void **state)
 {
 	(void)state;
@@ -123,6 +150,7 @@ int main(void)
 		cmocka_unit_test(a_batch_replaces_the_one_before),
 		cmocka_unit_test(borrowed_memory_is_not_ours),
 		cmocka_unit_test(a_cut_buffer_keeps_its_beginning),
+		cmocka_unit_test(what_is_resident_is_released),
 		cmocka_unit_test(absurd_shapes_are_refused),
 		cmocka_unit_test(every_record_is_covered_by_its_fields),
 		cmocka_unit_test(names_of_buffers_are_unique_and_keys_exist),
