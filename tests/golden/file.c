@@ -1,4 +1,4 @@
-/* Files of goldens: read in any pieces, through interruptions, never beyond what is allowed, and never through links. */
+/* Files of goldens: read in any pieces, through interruptions, never beyond what is allowed or through links. */
 #include "../kernels/seeded.h"
 #include "../scratch.h"
 #include "../../src/golden/file.h"

@@ -1,5 +1,5 @@
-/* Files of a gibibyte: what they begin with, or what is said of them, is looked at before they are read. And images whose
- * texels only their own bytes justify. */
+/* Files of a gibibyte: what they begin with, or what is said of them, is looked at before they are read. And
+ * images whose texels only their own bytes justify. */
 #include "files.h"
 #include <sys/resource.h>
 #include <zlib.h>
