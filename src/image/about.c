@@ -25,9 +25,10 @@ void ts_about_make(ts_about *about, const char *scene, const char *effect, const
 {
 	const ts_image_text texts[] = {
 		{"Software", "touchstone " TS_VERSION}, {"touchstone:scene", scene},
-		{"touchstone:effect", effect},          {"touchstone:shows", shows},
+		{"touchstone:effect", effect},          {"touchstone:shows", about->shows},
 		{"touchstone:params", about->params},   {NULL, NULL},
 	};
 	memcpy(about->texts, texts, sizeof texts);
+	snprintf(about->shows, sizeof about->shows, "%s", shows);
 	print_params(about->params, sizeof about->params, params);
 }

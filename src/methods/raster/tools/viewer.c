@@ -6,13 +6,12 @@
 #include "../../../kernels/base/num.h"
 #include "tools.h"
 
-enum { SHOWS = 64 };
-
 /* The file shows `what` of the run's method. */
-static void describe(ts_about *about, char shows[SHOWS], const ts_run *run, const char *what)
+static void describe(ts_about *about, const ts_run *run, const char *what)
 {
+	char shows[64];
 	const ts_pipeline *method = run->pipeline;
-	snprintf(shows, SHOWS, "%s-%s", method->name, what);
+	snprintf(shows, sizeof shows, "%s-%s", method->name, what);
 	ts_about_make(about, run->scene->name, method->effect->name, shows, &run->params);
 }
 
@@ -20,7 +19,6 @@ static void describe(ts_about *about, char shows[SHOWS], const ts_run *run, cons
 static ts_status write_eye_as(const ts_run *run, const char *folder, bool depth)
 {
 	ts_about about;
-	char shows[SHOWS];
 	u32 width = TS_PARAM(&run->params, width), height = (u32)ts_run_size(run, TS_DIM_eye_rows);
 	const u64 *keys = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
 	f32 *values = ts_alloc((size_t)width * height, sizeof *values, "a viewer's copy");
@@ -29,7 +27,7 @@ static ts_status write_eye_as(const ts_run *run, const char *folder, bool depth)
 		f32 seen = depth ? ts_u2f((u32)(keys[i] >> 32)) : (f32)((u32)keys[i] + 1u);
 		values[i] = keys[i] != TS_EMPTY ? seen : 0.0f;
 	}
-	describe(&about, shows, run, depth ? "eye.depth" : "eye.triangle");
+	describe(&about, run, depth ? "eye.depth" : "eye.triangle");
 	ts_status status = path != NULL ? ts_image_write_exr(path, values, width, height, 1, about.texts) : TS_ERROR;
 	free(values);
 	return status;
@@ -44,14 +42,13 @@ static ts_status write_eye(const ts_run *run, const char *folder)
 static ts_status write_image(const ts_run *run, const char *folder)
 {
 	ts_about about;
-	char shows[SHOWS];
 	const f32 *radiance = ts_frame_data(&run->frame, TS_B_image_radiance);
 	const u8 *srgb = ts_frame_data(&run->frame, TS_B_image_srgb);
 	const char *exr = ts_viewer_file(folder, "image.radiance.exr");
 	const char *png = ts_viewer_file(folder, "image.srgb.png");
 	u32 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height);
 	if (exr == NULL || png == NULL) return TS_ERROR;
-	describe(&about, shows, run, "image");
+	describe(&about, run, "image");
 	if (ts_image_write_exr(exr, radiance, width, height, 3, about.texts) != TS_OK) return TS_ERROR;
 	return ts_image_write_png(png, srgb, width, height, 3, about.texts);
 }
