@@ -24,9 +24,8 @@ static void print_params(char *text, size_t text_bytes, const ts_params *params)
 void ts_about_make(ts_about *about, const char *scene, const char *effect, const char *shows, const ts_params *params)
 {
 	const ts_image_text texts[] = {
-		{"Software", "touchstone " TS_VERSION}, {"touchstone:scene", scene},
-		{"touchstone:effect", effect},          {"touchstone:shows", about->shows},
-		{"touchstone:params", about->params},   {NULL, NULL},
+		{"Software", "touchstone " TS_VERSION}, {"touchstone:scene", scene},          {"touchstone:effect", effect},
+		{"touchstone:shows", about->shows},     {"touchstone:params", about->params}, {NULL, NULL},
 	};
 	memcpy(about->texts, texts, sizeof texts);
 	snprintf(about->shows, sizeof about->shows, "%s", shows);

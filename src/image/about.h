@@ -11,8 +11,9 @@ typedef struct {
 	char shows[96], params[TS_N_PARAMS * 128];
 } ts_about;
 
-/* Fills *about. scene and effect belong to the caller and must outlive *about; shows (a method, a truth, a difference) is
- * copied. The text of params holds NAME=VALUE of each parameter whose value is not its default, separated by spaces. */
+/* Fills *about. scene and effect belong to the caller and must outlive *about; shows (a method, a truth, a difference)
+ * is copied. The text of params holds NAME=VALUE of each parameter whose value is not its default, separated by spaces.
+ */
 void ts_about_make(ts_about *about, const char *scene, const char *effect, const char *shows, const ts_params *params);
 
 #endif
