@@ -39,6 +39,8 @@ JOBS ?= $(shell nproc)
 ifeq ($(MAKELEVEL),0)
 MAKEFLAGS += -j$(JOBS)
 endif
+# For scripts that call make, which would ask this make for jobs, and be given one.
+JOBS_OF_ITS_OWN := env -u MAKEFLAGS -u MAKELEVEL
 
 # Configurations. OPT may be set: make OPT=-O0, make OPT="-O3 -march=native".
 # With a sanitizer clang does not vectorize all that is asked for, and says so.
@@ -411,12 +413,12 @@ fuzz: deps-test
 ##   matrix-short       the part of it that .ci/run runs
 matrix matrix-short:
 	$(Q)scripts/install-deps --matrix
-	$(Q)scripts/matrix $(if $(filter matrix-short,$@),--short)
+	$(Q)$(JOBS_OF_ITS_OWN) scripts/matrix $(if $(filter matrix-short,$@),--short)
 
 ##   distros            chroots of Debian 12 and 13: builds, traces, packages, each gcc and clang that they carry
 ##   distros-short      the part of it that .ci/run runs
 distros distros-short:
-	$(Q)scripts/distros $(if $(filter distros-short,$@),--short)
+	$(Q)$(JOBS_OF_ITS_OWN) scripts/distros $(if $(filter distros-short,$@),--short)
 
 ##   mutants            defects planted in sources and traces: each must be found where it was planted
 mutants: deps-test
@@ -429,7 +431,7 @@ mutants: deps-test
 mutants-src mutants-src-short:
 	$(Q)scripts/install-deps --matrix
 	$(Q)$(MAKE) --no-print-directory all tests
-	$(Q)BUILD='$(BUILD)' FLAGS='$(CPP_LIBS)' scripts/mutants-src $(if $(filter %-short,$@),--short) $(T)
+	$(Q)BUILD='$(BUILD)' FLAGS='$(CPP_LIBS)' $(JOBS_OF_ITS_OWN) scripts/mutants-src $(if $(filter %-short,$@),--short) $(T)
 
 ##   faults             calls that fail, one by one, in small commands; T="COMMANDS OR KINDS"; most of an hour
 faults: deps-test
