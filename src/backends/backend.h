@@ -88,7 +88,7 @@ void ts_c_begin(ts_c_backend *backend, u32 threads);
 
 /* Items [begin, end) of a kernel, in their order, without fast paths. */
 void ts_c_items(ts_kernel kernel, const void *args, u64 begin, u64 end);
-/* The reference's loop over the items of a kernel, for arguments that are in no frame. */
+/* The C backend's loop over the items of a kernel, for arguments that are in no frame. */
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads);
 /* counts[0 .. n-1] become the sums before each, counts[n] the total, which is also returned. */
 u64 ts_c_scan(u32 *counts, u64 n);
