@@ -23,7 +23,8 @@ ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_tru
  */
 ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, const ts_npy *like);
 
-/* Unpacks a compressed file, unless that was done; NULL with the message set. What is returned is the trace's. */
+/* The elements of a compressed file, which the first call unpacks. They belong to the trace. NULL with the message set
+ * on failure. */
 const void *ts_item_unpack(const ts_trace_item *item, ts_buffer_id id);
 
 /* Gives it an array in memory, which must stay, in place of what it has. */

@@ -1,4 +1,4 @@
-/* What the families bring is registered: each pipeline and stage once, those of an effect beside each other. */
+/* Every pipeline and stage of the families is registered once; the pipelines of an effect stand together. */
 #include "../model/test.h"
 #include "../../src/families/families.h"
 #include "../../src/methods/registry.h"

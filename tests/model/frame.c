@@ -72,7 +72,7 @@ static ts_status fetch_nothing(void *resident)
 }
 static void count_release(void *resident) { ++*(u32 *)resident; }
 
-/* What a device holds is released once: with a buffer, with what is lent again, and with the frame. */
+/* A device's copy is released once: when its buffer is released, when the buffer is lent again, or with the frame. */
 static void what_is_resident_is_released(void **state)
 {
 	(void)state;

@@ -124,7 +124,7 @@ static void test_lost(void **state)
 	free(alone);
 }
 
-/* What the buffer holds is what was offered: all is won, from any element on. */
+/* A buffer that holds every value that was offered: all are won, from any element on. */
 static void test_won(void **state)
 {
 	(void)state;
