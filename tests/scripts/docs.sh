@@ -68,14 +68,32 @@ plant ".ci/run does not run make test-long" CONTRIBUTING.md 's/runs both, `make 
 plant ".ci/run runs make golden" CONTRIBUTING.md 's/`make golden` and `make mutants`/`make mutants`/'
 planted
 plant "tests/kernels/points/cull.c has no test_nil" METHODS.md 's/test_survivors/test_nil/'
-plant "stale" METHODS.md 's/^A scatter stage/A map stage/'
+plant "stale" METHODS.md 's/^- \*\*Kind:\*\* scatter/- **Kind:** map/'
 plant "stale" CONTRACT.md '/^| `brdf` |/d'
 planted
-plant "stale" METHODS.md '/generated: stage view_map.margin/,/end -->/s/^Writes: .*/Writes: nothing./'
+plant "stale" METHODS.md '/generated: stage view_map.margin/,/end -->/s/^- \*\*Out:\*\* .*/- **Out:** nothing/'
 planted
 plant "stale" METHODS.md '/^| `seed` |/d'
 planted
 plant "stale" METHODS.md '/^## 5\. /s/$/ and more/'
+planted
+plant "stale" METHODS.md '/^  - \[eye.view\]/s/\[eye.view\](#eyeview), //'
+planted
+
+# The template of a stage.
+plant "pose: its heading is not followed by its generated block" METHODS.md '/generated: stage pose /d'
+plant "cull: its parts are none" METHODS.md '/^### `cull`$/,/^### /s/^\*\*Formula\.\*\* //'
+plant "cull: there is text before its first part" METHODS.md ''
+plant "align: its parts are Remarks" METHODS.md '/^### `align`$/,/^### /s/^\*\*Formula\.\*\*/**Remarks.**/'
+plant "visibility: its parts are Formula, Departures, Edge cases" METHODS.md \
+	'/^### `visibility`$/,/^### /{s/^\*\*Edge cases\.\*\*/**X.**/; s/^\*\*Departures\.\*\*/**Edge cases.**/; s/^\*\*X\.\*\*/**Departures.**/}'
+plant "visibility: a departure is" METHODS.md ''
+plant "splat: a departure is .*found - .Paper:. " METHODS.md '/^### `splat`$/,/^### /s/\*Here:\*/Here:/'
+plant "splat.tie: Edge cases is empty" METHODS.md '/^### `lookup`$/i **Edge cases.**\n'
+plant "stage shade.third is not described" METHODS.md 's/^### `shade.third`/### About `shade.third`/'
+plant "there is no stage shade.fourth" METHODS.md 's/^### `shade.second`/### `shade.fourth`/'
+plant "mirror is described twice" METHODS.md 's/^### `illuminate`/### `mirror`/'
+plant "two headings have the anchor mirror" METHODS.md ''
 planted
 
 rm "$folder"/*.md
