@@ -1,18 +1,18 @@
-/* Writes a candidate: a trace that `touchstone compare` can hold against ours. One header for the source of a port, C99
- * or C++11, little-endian machines, nothing but the C library; it needs nothing else of touchstone. reference/TRACES.md
- * says what is written, reference/PORTING.md how to go on:
+/* Writes a candidate: a trace that `touchstone compare` can compare with the reference. One header for the source of a
+ * port, C99 or C++11, for little-endian machines. It needs the C library and nothing else of touchstone.
+ * reference/TRACES.md says what is written, reference/PORTING.md how to go on:
  *   ts_candidate c;
  *   uint64_t shape[1] = {n_texels};
  *   ts_candidate_begin(&c, "out/candidate", "epr", "arrival", "my port", "0.3");  the folder exists
  *   ts_candidate_add(&c, "splat.depth_index", 1, shape, texels);
  *   if (ts_candidate_end(&c) != 0) fprintf(stderr, "%s\n", c.message);
  *
- * Every function returns 0, or 1 with a line in c.message; after a failure all later ones do nothing and return 1, so
- * it is enough to ask at the end. trace.json is written by ts_candidate_end, last: without it there is no candidate.
+ * Every function returns 0, or 1 with a line in c.message. After a failure all later calls do nothing and return 1, so
+ * it is enough to ask at the end. ts_candidate_end writes trace.json last: without this file there is no candidate.
  * One buffer is open at a time; begin and end come in pairs, also after a failure. Any number of candidates can be
  * written at once, each by one thread. Nothing is allocated; the caller's memory is only read.
  *
- * CONVENTIONS are undone while writing, by what the caller says of its memory:
+ * CONVENTIONS of the caller's memory are undone while writing:
  * - Rows from below, row pitches, 4-component vectors, column-major arrays: strides in bytes (ts_candidate_view). For
  *   rows from below let `data` be the last row and the first stride negative. Faces of cubes are put one by one.
  * - Records kept as separate arrays: ts_candidate_put_fields.

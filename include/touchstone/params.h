@@ -1,4 +1,4 @@
-/* Parameters: what a run can be told, each by its name; ts_param_at walks the table of all. */
+/* Parameters: the settings of a run, each by its name; ts_param_at walks the table of all. */
 #ifndef TOUCHSTONE_PARAMS_H
 #define TOUCHSTONE_PARAMS_H
 #include <stddef.h>
@@ -10,7 +10,8 @@ extern "C" {
 
 typedef struct ts_params ts_params;
 
-/* Makes a set of parameters, all at their defaults. Release it by ts_params_free; NULL on failure: no memory. */
+/* Makes a set of parameters, all at their defaults. Fails only without memory.
+ * Out: *params is to be released by ts_params_free; NULL on failure. */
 TS_API ts_status ts_params_make(ts_params **params);
 
 /* Makes a copy, on the same terms. */
@@ -23,8 +24,8 @@ TS_API void ts_params_free(ts_params *params);
  * the parameter, the value and the range. */
 TS_API ts_status ts_params_set(ts_params *params, const char *name, const char *value);
 
-/* Writes the value of a parameter as text that ts_params_set reads back to the same bits. 64 bytes hold every value;
- * TS_ERROR if text_bytes do not hold this one, or there is no such parameter. */
+/* Writes the value of a parameter as text that ts_params_set reads back to the same bits. 64 bytes hold every value.
+ * Fails if text_bytes do not hold this value, or there is no such parameter. */
 TS_API ts_status ts_params_get(const ts_params *params, const char *name, char *text, size_t text_bytes);
 
 /* One parameter. Numbers are decimal text. */
@@ -33,12 +34,12 @@ typedef struct {
 	const char *kind; /* "u32", "f32" or "enum" */
 	const char *def, *min, *max;
 	const char *unit;
-	const char *choices; /* "a|b" of an enum, else "" */
+	const char *choices; /* "a|b" of an enum, otherwise "" */
 	const char *source;  /* paper and section, or "" */
 	const char *help;
 } ts_param_info;
 
-/* Parameter i of all, from 0; NULL behind the last. */
+/* Parameter i, from 0; NULL behind the last. */
 TS_API const ts_param_info *ts_param_at(size_t i);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* How every function of the library reports. */
+/* How every function of the library reports success and failure. */
 #ifndef TOUCHSTONE_STATUS_H
 #define TOUCHSTONE_STATUS_H
 #ifdef __cplusplus
@@ -16,7 +16,7 @@ extern "C" {
 typedef enum {
 	TS_OK = 0,        /* same, or done */
 	TS_DIFFERENT = 1, /* compared and different */
-	TS_ERROR = 2,     /* could not; ts_error_message() says what, where, and what would be right */
+	TS_ERROR = 2,     /* failed; ts_error_message() says what, where, and what would be right */
 	TS_SKIPPED = 77,  /* an optional backend is absent */
 } ts_status;
 

@@ -1,4 +1,4 @@
-/* What there is: methods, their stages, buffers, and fields of records. Each function walks a table from 0; NULL behind
+/* Tables of all methods, their stages, buffers, and fields of records. Each function walks a table from 0; NULL behind
  * its last row. Rows live as long as the program. */
 #ifndef TOUCHSTONE_TABLES_H
 #define TOUCHSTONE_TABLES_H
@@ -20,17 +20,17 @@ TS_API const ts_method_info *ts_method_at(size_t i);
 typedef struct {
 	const char *name;
 	const char *kind;      /* map, emit or scatter */
-	const char *margin_of; /* the stage whose decisions it measures; NULL: none */
+	const char *margin_of; /* the stage whose decisions this one measures; NULL: none */
 	const char *paper, *doc;
 } ts_stage_info;
 TS_API const ts_stage_info *ts_stage_at(size_t i);
 
-/* Stage i of a method, in the order in which they run; margins stand behind the stage that they are of. NULL also if
- * there is no such method. */
+/* Stage i of a method, in the order in which the stages run; a margin stands behind its stage. NULL also if there is no
+ * such method. */
 TS_API const ts_stage_info *ts_method_stage(const char *effect, const char *method, size_t i);
 
-/* Buffer i that a stage reads, and that it makes; NULL behind the last, or if there is no such stage. What a run leaves
- * out by its parameters is listed, too. */
+/* Buffer i that a stage reads, and buffer i that the stage makes; NULL behind the last, or if there is no such stage.
+ * Buffers that a run leaves out by its parameters are listed, too. */
 TS_API const char *ts_stage_input(const char *stage, size_t i);
 TS_API const char *ts_stage_output(const char *stage, size_t i);
 
@@ -38,15 +38,15 @@ TS_API const char *ts_stage_output(const char *stage, size_t i);
 typedef struct {
 	const char *name;     /* "stage.buffer", or "scene.buffer" */
 	const char *element;  /* a scalar (f32, u8, u32, u64) or a record of records.def */
-	size_t element_bytes; /* of one */
+	size_t element_bytes; /* of one element */
 	const char *shape;    /* its dimensions by name, as records.def writes them: "height width 3" */
 	const char *order;    /* sequence, set or multiset */
-	const char *key;      /* of a set: the buffer that holds its keys; else "" */
+	const char *key;      /* of a set: the buffer that holds its keys; otherwise "" */
 	const char *doc;
 } ts_buffer_info;
 TS_API const ts_buffer_info *ts_buffer_at(size_t i);
 
-/* A field of a record; fields of one record stand together. */
+/* A field of a record. The fields of one record stand together. */
 typedef struct {
 	const char *record, *type, *name; /* type: f32, i32, u32 or u64 */
 	uint32_t count;                   /* components */

@@ -23,23 +23,25 @@ extern "C" {
 
 typedef struct ts_trace ts_trace;
 
-/* What is kept of a run; all but `bytes` may be 0. */
+/* What is kept of a run. All members but `bytes` may be 0. */
 typedef struct {
 	size_t bytes;        /* sizeof(ts_run_options) */
 	const char *buffers; /* "image.srgb,image.radiance": these alone, by a run that leaves out the stages which only a
 	                      * whole trace needs; NULL: all */
-	int margins;         /* not 0: also how near each decision was to another */
+	int margins;         /* not 0: also the margins: how near each decision was to another */
 	int arrival;         /* not 0: points in the order of their arrival, which is another each time */
 } ts_run_options;
 
-/* Runs `method` of `effect`, a row of ts_method_at, and keeps its buffers in memory. The scene's own are not copied:
- * the scene must outlive the trace. The scene's mirrors are those of the parameters it was opened with; frame, size and
- * everything else are taken from params. options NULL: all defaults. Release by ts_trace_close; NULL on failure. */
+/* Runs `method` of `effect`, a row of ts_method_at, and keeps its buffers in memory. The scene's own buffers are not
+ * copied: the scene must outlive the trace. The scene's mirrors are those of the parameters it was opened with; frame,
+ * size and everything else are taken from params.
+ * In: options NULL: all defaults.
+ * Out: *trace is to be released by ts_trace_close; NULL on failure. */
 TS_API ts_status ts_trace_run(ts_context *context, ts_trace **trace, const ts_scene *scene, const ts_params *params,
                               const char *effect, const char *method, const ts_run_options *options);
 
-/* Opens the trace in a folder by its trace.json. Files are untrusted: all is checked, and nothing outside the folder is
- * opened but files of the folder "scene" beside it. The files must stay as they are until ts_trace_close. */
+/* Opens the trace in a folder by its trace.json. Files are untrusted: everything is checked, and nothing outside the
+ * folder is opened but files of the folder "scene" beside it. The files must not change until ts_trace_close. */
 TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folder);
 
 /* Makes a candidate without buffers, of the method and the parameters of `reference`. arrival not 0: its points stand
@@ -47,8 +49,9 @@ TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char
 TS_API ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const ts_trace *reference, int arrival);
 
 /* Gives a candidate of ts_trace_candidate a buffer, or puts another in its place: an array of the shape that
- * records.def says, in C order. The array is not copied: it must stay, and stay as it is, until ts_trace_close or until
- * another takes its place. bytes: of all of it. */
+ * records.def says, in C order. The array is not copied: it must exist and not change until ts_trace_close or until
+ * another array takes its place.
+ * In: bytes: the size of the whole array. */
 TS_API ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_dims, const uint64_t *shape,
                               const void *data, size_t bytes);
 
@@ -57,7 +60,7 @@ typedef struct {
 	const char *name;    /* "stage.buffer" */
 	const char *element; /* a scalar (f32, u8, u32, u64) or a record of records.def */
 	size_t element_bytes;
-	const void *data; /* C order; belongs to the trace, the scene, or who put it */
+	const void *data; /* C order; belongs to the trace, the scene, or the caller of ts_trace_put */
 	uint32_t n_dims;
 	uint64_t shape[4];
 } ts_buffer_view;
@@ -65,24 +68,24 @@ typedef struct {
 /* Not 0 if the trace has the buffer of that name. */
 TS_API int ts_trace_has(const ts_trace *trace, const char *name);
 
-/* The buffer of that name, which is read if it is in a file; valid until ts_trace_close or ts_trace_put. NULL with the
- * message set: no such buffer, the trace lacks it, or its file cannot be read. */
+/* The buffer of that name, read from its file if need be; valid until ts_trace_close or ts_trace_put. NULL with the
+ * message set if there is no such buffer, the trace lacks it, or its file cannot be read. */
 TS_API const ts_buffer_view *ts_trace_buffer(ts_trace *trace, const char *name);
 
-/* SHA-256 of a buffer as the .npy file that a trace in a folder has of it: 64 hexadecimal digits and a 0. */
+/* SHA-256 of the .npy file that a trace in a folder has of a buffer: 64 hexadecimal digits and a 0. */
 TS_API ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65]);
 
-/* Runs a method and calls `each` with the digest of every buffer, in the order of the stages, without keeping any: for
- * scenes whose traces are larger than memory. user is handed to the calls, which must not call the library. */
+/* Runs a method and calls `each` with the digest of every buffer, in the order of the stages, without keeping any
+ * buffer: for scenes whose traces are larger than memory. `each` gets user, and must not call the library. */
 TS_API ts_status ts_run_digests(ts_context *context, const ts_scene *scene, const ts_params *params, const char *effect,
                                 const char *method, void (*each)(void *user, const char *buffer, const char *hex),
                                 void *user);
 
-/* What was counted in the run: "points", "shading operations", ... 0 if the trace is of no run, or that was not
- * counted. */
+/* A counter of the run: "points", "shading operations", ... 0 if the trace is not of a run, or the run has no such
+ * counter. */
 TS_API int64_t ts_trace_counter(const ts_trace *trace, const char *name);
 
-/* Releases a trace, and what it read; NULL is allowed. */
+/* Releases a trace and the buffers that it read; NULL is allowed. */
 TS_API void ts_trace_close(ts_trace *trace);
 
 #ifdef __cplusplus

@@ -12,17 +12,17 @@
 extern "C" {
 #endif
 
-/* A truth, as `touchstone list truths` has it. */
+/* A truth, as `touchstone list truths` prints it. */
 typedef struct {
 	const char *name;
-	const char *effects; /* that it judges, separated by blanks */
+	const char *effects; /* that the truth judges, separated by blanks */
 	const char *doc;
 } ts_truth_info;
 
-/* Truth number i, counted from 0; NULL if there are no more than i. */
+/* Truth i, from 0; NULL behind the last. */
 TS_API const ts_truth_info *ts_truth_at(size_t i);
 
-/* A picture by rays. */
+/* A picture made by rays. */
 typedef struct {
 	uint32_t width, height;
 	const float *radiance; /* height rows of width pixels, linear RGB, from the top */

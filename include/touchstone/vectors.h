@@ -20,25 +20,25 @@ typedef struct {
 	const char *in_dtype, *out_dtype; /* as numpy writes them */
 } ts_vector_info;
 
-/* Primitive i, from 0, in the order in which a porter meets them: each relies on those before it. NULL behind the
- * last. */
+/* Primitive i, from 0, in the order in which to port them: each relies on those before it. NULL behind the last. */
 TS_API const ts_vector_info *ts_vector_at(size_t i);
 
 /* Fills `in` with the items * in_words words of a primitive's inputs, and `out` with the items * out_words words that
- * are right; each may be NULL. Always the same words. */
+ * are right; each may be NULL. The words are always the same. */
 TS_API ts_status ts_vector_words(ts_context *context, uint32_t *in, uint32_t *out, const char *primitive);
 
-/* What a port's outputs are worth. */
+/* The verdict on a port's outputs. */
 typedef struct {
 	size_t bytes;        /* sizeof(ts_vector_judged); set by the caller */
 	uint32_t n_wrong;    /* items */
 	uint32_t first;      /* the first wrong one */
 	uint32_t first_word; /* of its row of outputs */
-	const char *fault;   /* what ports get wrong that gives most of the wrong items; NULL: nothing known does */
+	const char *fault;   /* the known fault that gives most of the wrong items; NULL: no known fault does */
 	const char *remedy;
 } ts_vector_judged;
 
-/* Judges items * out_words words that a port computed from a primitive's inputs. TS_OK: all right. TS_DIFFERENT. */
+/* Judges items * out_words words that a port computed from a primitive's inputs.
+ * Returns: TS_OK if all are right, TS_DIFFERENT if not. */
 TS_API ts_status ts_vector_check(ts_context *context, ts_vector_judged *judged, const char *primitive,
                                  const uint32_t *found);
 

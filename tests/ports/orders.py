@@ -7,7 +7,7 @@ import json
 import re
 import sys
 
-HEAD = "| stage | from our | makes | what goes wrong |"
+HEAD = "| stage | from the reference | makes | what goes wrong |"
 
 
 def rows():
