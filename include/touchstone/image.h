@@ -52,7 +52,7 @@ typedef struct {
 TS_API ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask,
                                      uint32_t width, uint32_t height);
 
-/* Two images, one or both of which stand for a better image, `all_`, which is known at chosen pixels drawn at random. */
+/* Two images, one or both standing for a better image, `all_`, which is known at chosen pixels drawn at random. */
 typedef struct {
 	const uint8_t *reference, *image;
 	const uint8_t *all_reference, *all_image; /* right where `chosen` is not 0 */
