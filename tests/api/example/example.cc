@@ -1,4 +1,4 @@
-// As example.c, in C++: whether a port's stage is wrong, given what came before.
+// As example.c, in C++: a wrong bit in a port's stage, found alone and given the port's own inputs.
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -21,22 +21,32 @@ auto make(void (*release)(T *), ts_status (*function)(ts_context *, T **, P...),
 	return std::unique_ptr<T, void (*)(T *)>(handle, release);
 }
 
+static ts_vertex corner(float x, float z) { return {{x, 0, z}, 0, {0, 1, 0}, 0, {}, {}, {1, 1, 1, 1}}; }
+
 int main()
 {
+	const ts_vertex corners[] = {corner(-1, 1), corner(1, 1), corner(1, -1), corner(-1, -1)};
+	const ts_triangle halves[] = {{{0, 1, 2}, TS_NO_INDEX}, {{0, 2, 3}, TS_NO_INDEX}};
+	ts_scene_arrays arrays = {};
+	arrays.bytes = sizeof arrays;
+	arrays.vertices = corners, arrays.n_vertices = 4;
+	arrays.triangles = halves, arrays.n_triangles = 2;
 	ts_context *c = nullptr;
 	ts_params *params = nullptr;
 	check(ts_context_open(&c, nullptr));
 	check(ts_params_make(&params));
 	check(ts_params_set(params, "width", "96"));
 	check(ts_params_set(params, "height", "54"));
-	auto scene = make(ts_scene_free, ts_scene_open, c, "gallery:triangles=10000", params, nullptr);
-	auto ours = make(ts_trace_close, ts_trace_run, c, scene.get(), params, "reflections", "mvr", nullptr);
+	auto scene = make(ts_scene_free, ts_scene_make, c, &arrays, params, nullptr);
+	auto ours = make(ts_trace_close, ts_trace_run, c, scene.get(), params, "reflections", "epr", nullptr);
 	auto port = make(ts_trace_close, ts_trace_candidate, c, ours.get(), 0);
-	const ts_buffer_view *image = ts_trace_buffer(ours.get(), "image.radiance");
-	const float *right = static_cast<const float *>(image->data);
-	std::vector<float> theirs(right, right + 54 * 96 * 3);
-	theirs[1000] *= 1.0000001f;
-	check(ts_trace_put(port.get(), image->name, 3, image->shape, theirs.data(), theirs.size() * sizeof(float)));
-	auto verdicts = make(ts_verdicts_free, ts_replay, c, "image", ours.get(), port.get(), nullptr);
-	std::puts(ts_verdicts_first(verdicts.get())->line);
+	const ts_buffer_view *keys = ts_trace_buffer(ours.get(), "eye.depth_triangle");
+	const uint64_t *right = static_cast<const uint64_t *>(keys->data);
+	std::vector<uint64_t> theirs(right, right + 54 * 96);
+	theirs[27 * 96 + 48] ^= 1ull << 32;
+	check(ts_trace_put(port.get(), keys->name, keys->n_dims, keys->shape, theirs.data(), theirs.size() * 8));
+	auto alone = make(ts_verdicts_free, ts_compare, c, ours.get(), port.get(), nullptr);
+	auto given = make(ts_verdicts_free, ts_replay, c, "eye", ours.get(), port.get(), nullptr);
+	std::puts(ts_verdicts_first(alone.get())->line);
+	std::puts(ts_verdicts_first(given.get())->line);
 }
