@@ -518,13 +518,14 @@ uninstall:
 
 ##   installcheck       judges what is installed there: command, libraries, pkg-config, manual, completion; and uninstall
 installcheck: | $(filter install,$(MAKECMDGOALS))
-	$(Q)BUILD='$(BUILD)' CC='$(CC)' CXX='$(CXX)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' \
+	$(Q)MAKE='$(MAKE)' BUILD='$(BUILD)' CC='$(CC)' CXX='$(CXX)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' \
 		BIN='$(BIN)' LIB='$(LIB)' INCLUDE='$(INCLUDE)' PYTHON='$(PYTHON)' ABI='$(ABI)' MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
 
 ##   dist               build/touchstone-VERSION.tar.xz of the last commit, the same bytes each time
 DIST = build/touchstone-$(shell git show HEAD:src/model/core.h 2>/dev/null | $(SHOWN_VERSION))
 dist:
 	$(Q)[ -e .git ] || { echo "make dist: no git checkout here, whose last commit would be packed" >&2; exit 2; }
+	$(Q)command -v xz > /dev/null || { echo "make dist: no xz here; scripts/install-deps --test installs it" >&2; exit 2; }
 	$(Q)mkdir -p build && part=$(DIST).$$$$.tar && trap 'rm -f $$part $$part.xz' EXIT && \
 		git -c tar.umask=0022 archive --prefix=$(notdir $(DIST))/ -o $$part HEAD && \
 		env -u XZ_OPT -u XZ_DEFAULTS xz -T1 -f $$part && mv -f $$part.xz $(DIST).tar.xz

@@ -26,4 +26,10 @@ verdict $? 'builds without git'
 
 ! said=$(make -s -C "$root" dist 2>&1) && grep -q '^make dist: no git checkout here' <<< "$said"
 verdict $? 'makes no tarball without git'
+
+mkdir "$scratch/bin"
+for tool in env gcc git make mkdir nproc pkg-config sed; do ln -s "$(command -v $tool)" "$scratch/bin"; done
+said=$(PATH=$scratch/bin make -s dist 2>&1)
+[ $? -eq 2 ] && [ "$(grep -vc '^make: ' <<< "$said")" -eq 1 ] && grep -q '^make dist: no xz here' <<< "$said"
+verdict $? 'names xz where it is missing'
 finish
