@@ -33,6 +33,7 @@ static ts_status compare(const contents *c, const ts_trace *reference, const ts_
 	if (status != TS_ERROR) {
 		ts_report_begin(&report, true);
 		ts_compare_report(&report, comparison, reference, candidate, c->cli);
+		ts_report_value(&report, "verdict", json_string(status == TS_DIFFERENT ? "different" : "same"));
 		status = ts_report_check(&report);
 		if (status == TS_OK) {
 			status = ts_page_add_comparison(c->page, comparison, reference, candidate, &none, report.root);

@@ -122,6 +122,7 @@ def comparison(path, reference, candidate, line, probes, firsts):
 	"""The comparison of two traces: its line, the first buffer of each differing pixel, the probes, the pictures."""
 	data = data_of(path)
 	found, = data["comparisons"]
+	assert found["said"]["verdict"] == "different"
 	assert found["said"]["first_divergence"] == line, (found["said"]["first_divergence"], line)
 	for place, index in ((reference, found["reference"]), (candidate, found["image"])):
 		width, height, n, rows = pixels_of(data["pictures"][index]["png"])
