@@ -478,7 +478,7 @@ PYTHON := $(DESTDIR)$(pythondir)/touchstone
 REFERENCE := $(filter-out reference/RECIPES.md reference/PICTURES.md,$(wildcard $(patsubst %,reference/*.%,md json png)))
 COMMANDS := $(shell sed -nE 's/^\t\{"([a-z]+)",.*/\1/p' src/cli/commands.c)
 install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(PTX) $(PYTHON_PACKAGE)/made
-	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DOC)/reference $(MAN) \
+	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DATA)/examples $(DOC)/reference $(MAN) \
 		$(BASH_COMPLETION) $(ZSH_COMPLETION) $(PYTHON)
 	install -m 755 $(BUILD)/installed/touchstone $(BIN)/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(LIB)/libtouchstone.a
@@ -497,6 +497,7 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	chmod -R u=rwX,go=rX $(DATA)/glsl
 	install -m 644 $(wildcard scenes/*) $(DATA)/scenes
 	install -m 644 $(wildcard tests/ports/vulkan/*) $(DATA)/ports/vulkan
+	install -m 644 $(wildcard tests/api/example/*) $(DATA)/examples
 	install -m 644 $(MANUAL)/*.1 $(MAN)
 	install -m 644 scripts/completion $(BASH_COMPLETION)/touchstone
 	install -m 644 scripts/completion $(ZSH_COMPLETION)/_touchstone

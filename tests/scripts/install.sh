@@ -17,6 +17,8 @@ find "$scratch/made" ! -type d -printf '/%P\n' |
 	grep -vE "^($at/(bin/touchstone$|lib/machine/|lib/python3/dist-packages/touchstone/|include/touchstone/|share/)|/opt/docs/)" > "$scratch/astray"
 [ ! -s "$scratch/astray" ]
 verdict $? 'into the folders that were named'
+diff -r tests/api/example "$scratch/made$at/share/touchstone/examples"
+verdict $? 'with the examples'
 
 # As debian/rules installs it, which leaves out these two.
 patterns=$(sed 's|\.|\\.|g; s|\*|[^/]*|g' debian/*.install)
