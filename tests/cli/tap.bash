@@ -1,5 +1,5 @@
 # What the scripts of this folder share: the command, a scratch folder, and TAP. Sourced, not run.
-touchstone=$(realpath "${BUILD:-build/release}/touchstone")
+touchstone=$(realpath -m "${BUILD:-build/release}/touchstone")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 tests=0

@@ -21,6 +21,15 @@ chmod +x "$scratch/bin"/*
 sed -n '/^Build-Depends:/,/^[^ ]/s/^ \(.*\),$/\1/p' debian/control | sort | diff "$scratch/wanted" - | sed 's/^/# /'
 verdict "${PIPESTATUS[2]}" 'to build it what install-deps --build installs is needed, and clang'
 
+# variables: those that standard input sets.
+variables() {
+	grep -oE '\b[A-Z_]+=' | sort -u
+}
+unset_ones=$(comm -23 <(sed -n '/^installcheck:/,/scripts\/installcheck$/p' Makefile | variables) <(variables < debian/tests/library))
+[ -z "$unset_ones" ]
+verdict $? 'its test of the library sets all that scripts/installcheck reads'
+[ -z "$unset_ones" ] || echo "# not set:" $unset_ones
+
 if [ -e .git ] && [ "$(command -v dpkg-source lintian dh | wc -l)" -eq 3 ]; then
 	tar -xJf "$(make -s dist | tail -n 1)" -C "$scratch" &&
 		(cd "$scratch" && dpkg-source -b touchstone-[0-9]* && lintian --fail-on error,warning ./*.dsc) \
