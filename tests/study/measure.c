@@ -1,0 +1,163 @@
+/* What a run told: what it counted and made is what its buffers hold; and pictures of it. */
+#include "../methods/small.h"
+#include <math.h>
+#include "../../src/study/measure.h"
+
+enum { WIDTH = 64, HEIGHT = 36, N = WIDTH * HEIGHT };
+
+static ts_params few_mirrors(void)
+{
+	ts_params params = small_params(WIDTH, HEIGHT);
+	TS_PARAM_SET(&params, reflectors_count, 3);
+	TS_PARAM_SET(&params, cube_max_px, 32);
+	return params;
+}
+
+/* What a hook sees of the run that is measured. */
+typedef struct {
+	ts_picture picture, truth;
+	u64 n_faces, sides, n_seen;
+	u32 n_calls;
+} after;
+
+static ts_status look(ts_run *run, void *user)
+{
+	after *a = user;
+	u64 n;
+	const u64 *seen = ts_pipeline_seen(run, &n);
+	const ts_face *faces = ts_frame_data(&run->frame, TS_B_cube_size_face);
+	a->n_calls++;
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_cube_size_face); i++) {
+		a->n_faces += faces[i].n > 0;
+		a->sides += faces[i].n;
+	}
+	ts_status status = ts_picture_take(&a->picture, "epr", run);
+	for (u64 i = 0; i < n; i++) {
+		if (seen[i] != TS_EMPTY) a->n_seen++;
+		assert_int_equal(a->picture.seen[i], seen[i] != TS_EMPTY);
+	}
+	assert_memory_equal(a->picture.srgb, ts_frame_data(&run->frame, TS_B_image_srgb), N * 3);
+	return status == TS_OK ? ts_picture_truth(&a->truth, ts_truths()[0], run) : status;
+}
+
+static void test_run(void **state)
+{
+	(void)state;
+	ts_params params = few_mirrors();
+	ts_scene *scene = small_scene(&params);
+	after a = {.n_calls = 0};
+	ts_measure m = {.whole = true};
+	const ts_how how = {.threads = 2};
+	if (ts_measure_run(&m, ts_pipeline_find("reflections", "epr"), scene, &params, &how, look, &a) != TS_OK)
+		fail_msg("%s", ts_error_message());
+	double seconds = 0;
+	for (u32 i = 0; i < m.n_timings; i++) seconds += m.timings[i].seconds;
+	assert_int_equal(a.n_calls, 1);
+	assert_true(m.n_in_sight == a.n_faces && a.n_faces > 0 && m.mean_diameter == (double)a.sides / (double)a.n_faces);
+	assert_true(m.seconds == seconds && seconds > 0);
+	assert_int_equal(m.bytes[TS_B_image_srgb], N * 3);
+	assert_int_equal(m.elements[TS_B_image_srgb], N * 3);
+	assert_true(m.peak_bytes >= m.bytes[TS_B_image_srgb] + m.bytes[TS_B_image_radiance]);
+	assert_true(a.n_seen > 0 && ts_measure_timing(&m, "eye") != NULL && ts_measure_timing(&m, "no stage") == NULL);
+	assert_true(ts_measure_counter(&m, "points")->value > 0 && ts_measure_counter(&m, "no counter") == NULL);
+
+	/* The truth cast rays, and took as long as they and the rest together. */
+	assert_true(a.truth.cost.rays > 0 && a.truth.cost.seconds > 0 && a.truth.cost.seconds <= 2 * a.truth.seconds);
+	assert_string_equal(a.truth.name, "truth-a");
+	ts_picture_free(&a.picture);
+	ts_picture_free(&a.truth);
+	ts_scene_free(scene);
+}
+
+/* A run without cubes in sight has no mean. */
+static void test_no_faces(void **state)
+{
+	(void)state;
+	ts_params params = small_params(WIDTH, HEIGHT);
+	TS_PARAM_SET(&params, reflectors_count, 0);
+	ts_scene *scene = small_scene(&params);
+	ts_measure m = {.n_in_sight = 5};
+	const ts_how how = {.threads = 1};
+	assert_int_equal(ts_measure_run(&m, ts_pipeline_find("reflections", "epr"), scene, &params, &how, NULL, NULL), TS_OK);
+	assert_true(m.n_in_sight == 0 && m.mean_diameter == 0);
+	ts_scene_free(scene);
+}
+
+/* Truths in a run of their own: those that are meant, and no others. */
+static void test_begun(void **state)
+{
+	(void)state;
+	ts_params params = small_params(16, 9);
+	TS_PARAM_SET(&params, reflectors_count, 0);
+	ts_scene *scene = small_scene(&params);
+	u32 rows[2], n = 0, all = 0;
+	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
+		bool of_shadows = strstr(ts_truths()[t]->effects, "soft-shadows") != NULL;
+		if (of_shadows && n < 2) rows[n++] = t;
+		if (of_shadows) all |= 1u << t;
+	}
+	assert_int_equal(n, 2);
+	const u32 sets[] = {1u << rows[0], 1u << rows[1], all};
+	for (u32 i = 0; i < 3; i++) {
+		static ts_picture pictures[TS_MAX_TRUTHS];
+		memset(pictures, 0, sizeof pictures);
+		if (ts_picture_truths_begun(pictures, sets[i], ts_truths()[rows[0]], "soft-shadows", scene, &params, 2) != TS_OK)
+			fail_msg("%s", ts_error_message());
+		for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
+			assert_int_equal(pictures[t].srgb != NULL, (sets[i] & 1u << t) != 0);
+			ts_picture_free(&pictures[t]);
+		}
+	}
+	ts_scene_free(scene);
+}
+
+/* ---- pictures ---- */
+
+static void test_differences(void **state)
+{
+	(void)state;
+	u8 a[] = {0, 10, 255, 100, 7, 250}, b[] = {0, 20, 0, 90, 7, 255};
+	static const u8 once[] = {0, 10, 255, 10, 0, 5}, often[] = {0, 255, 255, 255, 0, 150};
+	ts_params params = small_params(2, 1);
+	const ts_picture image = {.srgb = a}, reference = {.srgb = b};
+	u8 *grey = ts_picture_difference(&image, &reference, &params, 1);
+	assert_memory_equal(grey, once, sizeof once);
+	free(grey);
+	grey = ts_picture_difference(&reference, &image, &params, 30);
+	assert_memory_equal(grey, often, sizeof often);
+	free(grey);
+	assert_true(isnan(ts_picture_change(&image, NULL, &params)));
+	const ts_picture later = {.srgb = a, .before = b}, still = {.srgb = a, .before = a};
+	double squares = 0;
+	for (u32 i = 0; i < sizeof a; i++) squares += (a[i] - b[i]) * (a[i] - b[i]);
+	assert_float_equal(ts_picture_change(&later, NULL, &params), sqrt(squares / sizeof a), 1e-9);
+	assert_true(ts_picture_change(&still, NULL, &params) == 0);
+}
+
+/* Display values of a radiance (IEC 61966-2-1). */
+static void test_made(void **state)
+{
+	(void)state;
+	ts_params params = small_params(4, 1);
+	params.image_exposure = 2;
+	f32 *radiance = malloc(12 * sizeof *radiance);
+	assert_non_null(radiance);
+	for (u32 i = 0; i < 12; i++) radiance[i] = (f32)i * 0.05f;
+	ts_picture picture = {.radiance = NULL};
+	assert_int_equal(ts_picture_make(&picture, "made", radiance, &params), TS_OK);
+	assert_string_equal(picture.name, "made");
+	assert_ptr_equal(picture.radiance, radiance);
+	for (u32 i = 0; i < 12; i++) {
+		double v = fmin(0.1 * i, 1), right = 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1 / 2.4) - 0.055);
+		assert_true(fabs(picture.srgb[i] - right) < 0.501);
+	}
+	ts_picture_free(&picture);
+	assert_null(picture.srgb);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_run), cmocka_unit_test(test_no_faces), cmocka_unit_test(test_begun),
+	                                   cmocka_unit_test(test_differences), cmocka_unit_test(test_made)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
