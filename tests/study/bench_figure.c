@@ -1,5 +1,5 @@
-/* Figures: those of a scene and of parameters, those that follow from others in closed form, and the paper's row that is
- * the nearest. */
+/* Figures: those of a scene and of parameters, those that follow from others in closed form, and the paper's row that
+ * is the nearest. */
 #include "../../src/study/bench_paper.h"
 #include "../model/test.h"
 #include <math.h>
@@ -83,12 +83,10 @@ static void test_parameters(void **state)
 	TS_PARAM_SET(&c->params, width, 500);
 	TS_PARAM_SET(&c->params, height, 300);
 	for (size_t i = 0; i < n; i++) {
-		const ts_bench_figure asked[] = {{"p", "", TS_FIGURE_PARAM, 0, 0, 0, table[i].name},
-		                                 {"t", "", TS_FIGURE_TRIANGLES, 0, 0, 0, ""},
-		                                 {"s", "", TS_FIGURE_SURFELS, 0, 0, 0, ""},
-		                                 {"m", "", TS_FIGURE_PIXELS, 0, 0, 0, ""},
-		                                 {"c", "", TS_FIGURE_COUNTER, 0, 0, 0, "points"},
-		                                 {0}};
+		const ts_bench_figure asked[] = {
+			{"p", "", TS_FIGURE_PARAM, 0, 0, 0, table[i].name}, {"t", "", TS_FIGURE_TRIANGLES, 0, 0, 0, ""},
+			{"s", "", TS_FIGURE_SURFELS, 0, 0, 0, ""},          {"m", "", TS_FIGURE_PIXELS, 0, 0, 0, ""},
+			{"c", "", TS_FIGURE_COUNTER, 0, 0, 0, "points"},    {0}};
 		char text[64];
 		double v[5];
 		ts_params_format(&c->params, i, text, sizeof text);
@@ -143,7 +141,9 @@ static void test_nearest_row(void **state)
 {
 	(void)state;
 	for (double triangles = 1; triangles < 1e7; triangles *= 1.07) {
-		const ts_paper_row *right = triangles < sqrt(1000.0 * 2500) ? &rows[0] : triangles < sqrt(2500.0 * 90000) ? &rows[1] : &rows[2];
+		const ts_paper_row *right = triangles < sqrt(1000.0 * 2500)    ? &rows[0]
+		                            : triangles < sqrt(2500.0 * 90000) ? &rows[1]
+		                                                               : &rows[2];
 		assert_ptr_equal(compared(true, "town", 7, triangles).row, right);
 	}
 }

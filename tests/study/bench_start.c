@@ -119,7 +119,7 @@ static void test_no_builds(void **state)
 
 int main(int n, char **arguments)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_apart), cmocka_unit_test(test_fails), cmocka_unit_test(test_builds),
-	                                   cmocka_unit_test(test_no_builds)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_apart), cmocka_unit_test(test_fails),
+	                                   cmocka_unit_test(test_builds), cmocka_unit_test(test_no_builds)};
 	return n > 1 ? answer(n, arguments) : cmocka_run_group_tests(tests, NULL, NULL);
 }

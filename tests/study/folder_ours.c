@@ -119,7 +119,7 @@ static void test_no_list(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_names), cmocka_unit_test(test_ours), cmocka_unit_test(test_others),
-	                                   cmocka_unit_test(test_no_list)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_names), cmocka_unit_test(test_ours),
+	                                   cmocka_unit_test(test_others), cmocka_unit_test(test_no_list)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -78,7 +78,8 @@ static void test_no_faces(void **state)
 	ts_scene *scene = small_scene(&params);
 	ts_measure m = {.n_in_sight = 5};
 	const ts_how how = {.threads = 1};
-	assert_int_equal(ts_measure_run(&m, ts_pipeline_find("reflections", "epr"), scene, &params, &how, NULL, NULL), TS_OK);
+	assert_int_equal(ts_measure_run(&m, ts_pipeline_find("reflections", "epr"), scene, &params, &how, NULL, NULL),
+	                 TS_OK);
 	assert_true(m.n_in_sight == 0 && m.mean_diameter == 0);
 	ts_scene_free(scene);
 }
@@ -101,7 +102,8 @@ static void test_begun(void **state)
 	for (u32 i = 0; i < 3; i++) {
 		static ts_picture pictures[TS_MAX_TRUTHS];
 		memset(pictures, 0, sizeof pictures);
-		if (ts_picture_truths_begun(pictures, sets[i], ts_truths()[rows[0]], "soft-shadows", scene, &params, 2) != TS_OK)
+		if (ts_picture_truths_begun(pictures, sets[i], ts_truths()[rows[0]], "soft-shadows", scene, &params, 2) !=
+		    TS_OK)
 			fail_msg("%s", ts_error_message());
 		for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
 			assert_int_equal(pictures[t].srgb != NULL, (sets[i] & 1u << t) != 0);
@@ -157,7 +159,8 @@ static void test_made(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_run), cmocka_unit_test(test_no_faces), cmocka_unit_test(test_begun),
-	                                   cmocka_unit_test(test_differences), cmocka_unit_test(test_made)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_run), cmocka_unit_test(test_no_faces),
+	                                   cmocka_unit_test(test_begun), cmocka_unit_test(test_differences),
+	                                   cmocka_unit_test(test_made)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -71,7 +71,7 @@ static void test_params(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_all), cmocka_unit_test(test_named), cmocka_unit_test(test_refused),
-	                                   cmocka_unit_test(test_params)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_all), cmocka_unit_test(test_named),
+	                                   cmocka_unit_test(test_refused), cmocka_unit_test(test_params)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -70,7 +70,8 @@ static void judge(u32 round, u32 n)
 	assert_int_equal(ts_near_light_mark(near, elsewhere, run), TS_OK);
 	for (u32 i = 0; i < N; i++) {
 		bool sky = pixels[i].depth == 1.0f, right = !sky && is_near(&pixels[i], patches, n);
-		if (near[i] != right || elsewhere[i] != (!sky && !right)) fail_msg("round %u, pixel %u", (unsigned)round, (unsigned)i);
+		if (near[i] != right || elsewhere[i] != (!sky && !right))
+			fail_msg("round %u, pixel %u", (unsigned)round, (unsigned)i);
 	}
 	ts_frame_clear(&run->frame);
 	free(run);

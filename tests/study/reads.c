@@ -1,4 +1,4 @@
-/* Who reads which parameter: what makes a buffer reads no more than the whole method, and no less than its own stage. */
+/* Who reads which parameter: what makes a buffer reads no more than the whole method, and no less than its stages. */
 #include "../../src/study/reads.h"
 #include "../model/test.h"
 #include "../../src/methods/stages.h"
@@ -38,7 +38,8 @@ static void test_making(void **state)
 	u32 n_reads = 0, n_not = 0;
 	for (const ts_pipeline *const *method = ts_pipelines(); *method != NULL; method++) {
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-			if (ts_pipeline_maker(*method, (ts_buffer_id)id) == NULL || id % 23 != 7) continue; /* some of each pipeline */
+			if (ts_pipeline_maker(*method, (ts_buffer_id)id) == NULL || id % 23 != 7)
+				continue; /* some of each pipeline */
 			const ts_buffer_id ids[] = {(ts_buffer_id)id, TS_N_BUFFERS};
 			for (size_t p = 0; p < n; p++) {
 				const char *param = table[p].name;

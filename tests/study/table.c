@@ -36,7 +36,8 @@ static void test_aligned(void **state)
 	ts_table_real(&table, 0.125, 2);
 	ts_table_text(&table, "");
 	ts_table_none(&table);
-	assert_prints(&table, "\nA title\nname        figure\none      1,234,567\nanother       0.12\n                 -\n");
+	assert_prints(&table,
+	              "\nA title\nname        figure\none      1,234,567\nanother       0.12\n                 -\n");
 }
 
 /* A table of one text as wide as the line is printed in one line, and one that is wider on two. */
@@ -67,7 +68,8 @@ static void test_widest(void **state)
 static void test_wrapped(void **state)
 {
 	(void)state;
-	static const ts_column columns[] = {{"a", "first", false}, {"b", "second", false}, {"c", "third", true}, {"d", "last", false}, {0}};
+	static const ts_column columns[] = {
+		{"a", "first", false}, {"b", "second", false}, {"c", "third", true}, {"d", "last", false}, {0}};
 	u32 seed = 3;
 	for (u32 round = 0; round < 50; round++) {
 		ts_table table = ts_table_begin("key", "", columns);
@@ -76,7 +78,8 @@ static void test_wrapped(void **state)
 			char cell[400] = "";
 			for (u32 k = 0; k < 1 + (round + i) % 9; k++) {
 				seed = seed * 1664525u + 1013904223u;
-				snprintf(cell + strlen(cell), 20, "%sw%0*u", k > 0 ? " " : "", 2 + (int)(seed >> 16) % 9, (unsigned)n_words++);
+				snprintf(cell + strlen(cell), 20, "%sw%0*u", k > 0 ? " " : "", 2 + (int)(seed >> 16) % 9,
+				         (unsigned)n_words++);
 			}
 			ts_table_text(&table, cell);
 		}
@@ -135,8 +138,8 @@ static void test_json(void **state)
 	ts_table_text(&table, "z");
 	ts_table_real(&table, INFINITY, 1);
 	ts_table_count(&table, 7);
-	json_t *found = ts_table_json(&table), *right = json_pack("[{s:s, s:n, s:f}, {s:s, s:n, s:i}]", "a", "x\ny", "b", "c", 2.5,
-	                                                          "a", "z", "b", "c", 7);
+	json_t *found = ts_table_json(&table),
+		   *right = json_pack("[{s:s, s:n, s:f}, {s:s, s:n, s:i}]", "a", "x\ny", "b", "c", 2.5, "a", "z", "b", "c", 7);
 	assert_true(json_equal(found, right));
 	assert_string_equal(table.cells[0].text, "x?y");
 	assert_string_equal(table.cells[1].text, "-");
@@ -204,8 +207,8 @@ static void test_reported(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_aligned), cmocka_unit_test(test_widest), cmocka_unit_test(test_wrapped),
-		cmocka_unit_test(test_cells),   cmocka_unit_test(test_json),   cmocka_unit_test(test_lines),
+		cmocka_unit_test(test_aligned),  cmocka_unit_test(test_widest), cmocka_unit_test(test_wrapped),
+		cmocka_unit_test(test_cells),    cmocka_unit_test(test_json),   cmocka_unit_test(test_lines),
 		cmocka_unit_test(test_reported),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -22,7 +22,8 @@ static void test_only(void **state)
 	assert_int_equal(made(&tracing, "eye,scene", NULL), TS_OK);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		bool scene = strncmp(ts_buffer_table[id].name, "scene.", 6) == 0;
-		assert_int_equal(tracing.options.without[id], !scene && !ts_stage_writes(ts_stage_find("eye"), (ts_buffer_id)id));
+		assert_int_equal(tracing.options.without[id],
+		                 !scene && !ts_stage_writes(ts_stage_find("eye"), (ts_buffer_id)id));
 	}
 	assert_int_equal(made(&tracing, "eye,splat9", NULL), TS_ERROR);
 	says("--trace-only: \"splat9\" is no stage of epr");
@@ -31,7 +32,8 @@ static void test_only(void **state)
 static void test_crop(void **state)
 {
 	(void)state;
-	static const char *const bad[] = {"0,0,65,36", "1,0,64,36", "0,1,64,36", "0,0,0,5", "0,0,5,0", "1,2,3", "1,2,3,4,5"};
+	static const char *const bad[] = {"0,0,65,36", "1,0,64,36", "0,1,64,36", "0,0,0,5",
+	                                  "0,0,5,0",   "1,2,3",     "1,2,3,4,5"};
 	ts_tracing tracing;
 	assert_int_equal(made(&tracing, NULL, "3,4,61,32"), TS_OK);
 	const u32 right[4] = {3, 4, 61, 32};
@@ -43,7 +45,7 @@ static void test_crop(void **state)
 	}
 }
 
-/* Of a small run there is room, also where the folder is not there yet; of one for which no disk is large enough not. */
+/* There is room for a small run, also where the folder is not there yet, and none for more than any disk holds. */
 static void test_room(void **state)
 {
 	(void)state;
@@ -75,6 +77,7 @@ static void test_room(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_only), cmocka_unit_test(test_crop), cmocka_unit_test(test_room)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_only), cmocka_unit_test(test_crop),
+	                                   cmocka_unit_test(test_room)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -41,7 +41,8 @@ static void test_bits(void **state)
 		char effect[64], lower[32];
 		snprintf(effect, sizeof effect, "%s", kind->effects);
 		effect[strcspn(effect, " ")] = 0;
-		for (u32 i = 0; i <= strlen(kind->name); i++) lower[i] = (char)(kind->name[i] | (kind->name[i] >= 'A' ? 32 : 0));
+		for (u32 i = 0; i <= strlen(kind->name); i++)
+			lower[i] = (char)(kind->name[i] | (kind->name[i] >= 'A' ? 32 : 0));
 		assert_int_equal(ts_truth_bit(kind), 1u << t);
 		assert_int_equal(found(effect, lower), 1u << t);
 		assert_true((found(effect, NULL) & 1u << t) != 0 && found(effect, "all") == found(effect, NULL));
@@ -96,7 +97,8 @@ static void test_median(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_lists), cmocka_unit_test(test_bits), cmocka_unit_test(test_refused),
-	                                   cmocka_unit_test(test_judge), cmocka_unit_test(test_median)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_lists), cmocka_unit_test(test_bits),
+	                                   cmocka_unit_test(test_refused), cmocka_unit_test(test_judge),
+	                                   cmocka_unit_test(test_median)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,160 @@
+/* A paper's table that is measured: a row for each scene and number of mirrors, the line that a row leaves, and how
+ * often each variant runs. */
+#include "../trace/small.h"
+#include "../../src/study/bench_paper.h"
+#include "../../src/study/bench.h"
+
+/* clang-format off */
+enum { TRIANGLES, MIRRORS, LOOKED, MS };
+static const ts_bench_figure figures[] = {
+	[TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
+	[MIRRORS] = { "typed", "typed", TS_FIGURE_PARAM, 0, 0, 1, "reflectors.count" },
+	[LOOKED] = { "looked", "looked", TS_FIGURE_LOOKED, 0, 0, 2, "" },
+	[MS] = { "ms", "ms", TS_FIGURE_TIME, 0, 0, 2, "" },
+	{ 0 },
+};
+static const ts_paper_part parts[] = { { "one", "One", { TRIANGLES, MIRRORS, LOOKED, TS_NO_FIGURE } }, { 0 } };
+static const ts_bench_variant variants[] = { { "epr", "", true, TS_TIMED }, { "mvr", "", false, TS_ONCE }, { 0 } };
+static const ts_paper_row rows[] = { { "Paper's", "atrium", "no file", 2, { 5, 0, 0, 0 } }, { 0 } };
+/* clang-format on */
+
+static double look(const ts_run *run) { return 0.5 + TS_PARAM(&run->params, frame); }
+
+static ts_paper_table table(bool timed)
+{
+	return (ts_paper_table){.name = "test",
+	                        .title = "Test",
+	                        .effect = "reflections",
+	                        .scenes = SMALL_SCENE,
+	                        .objects_head = "mirrors",
+	                        .objects_param = "reflectors.count",
+	                        .objects = "1,2,3",
+	                        .set = "cube.max_px=16",
+	                        .defaults = "",
+	                        .size = "width=32,height=18",
+	                        .timed = timed,
+	                        .look = look,
+	                        .variants = variants,
+	                        .figures = figures,
+	                        .parts = parts,
+	                        .rows = rows};
+}
+
+/* ---- a backend that counts what it launches ---- */
+
+static ts_c_backend in_c;
+static u64 n_launches;
+
+static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *of, const void *args, u64 n)
+{
+	(void)backend;
+	n_launches++;
+	return in_c.backend.launch(&in_c.backend, frame, of, args, n);
+}
+
+static char lines[1000];
+
+static void hear(void *user, const char *line)
+{
+	(void)user;
+	snprintf(lines + strlen(lines), sizeof lines - strlen(lines), "%s\n", line);
+}
+
+/* The report of a table, by json_decref(). */
+static json_t *measured(const ts_paper_table *of, const char *objects, u32 runs, u64 *launches)
+{
+	ts_c_backend counting;
+	ts_job job = {.program = "touchstone", .backend = &ts_c_kind, .runs = runs, .objects = objects, .how.threads = 2};
+	ts_c_begin(&in_c, 2);
+	counting = in_c;
+	counting.backend.launch = launch;
+	counting.backend.at_once = NULL;
+	job.how.backend = &counting.backend;
+	job.output = (ts_output){.dir = scratch_path("out"), .quiet = true, .json = true, .force = true};
+	ts_params_default(&job.params);
+	n_launches = 0;
+	lines[0] = 0;
+	ts_listen(&(ts_listener){.line = hear});
+	fflush(stdout);
+	int kept = dup(STDOUT_FILENO);
+	assert_non_null(freopen("/dev/null", "w", stdout));
+	ts_status status = ts_paper_bench(&job, of);
+	fflush(stdout);
+	dup2(kept, STDOUT_FILENO);
+	close(kept);
+	ts_listen(&(ts_listener){.line = NULL});
+	if (status != TS_OK) fail_msg("%s", ts_error_message());
+	if (launches != NULL) *launches = n_launches;
+	json_t *root = json_load_file(scratch_path("out/report.json"), 0, NULL);
+	assert_non_null(root);
+	return root;
+}
+
+static void judge_rows(const char *objects, const u32 *counts, u32 n)
+{
+	const ts_paper_table of = table(false);
+	json_t *root = measured(&of, objects, 1, NULL);
+	const json_t *part = json_object_get(root, "one");
+	char right[1000] = "";
+	u32 row = 0;
+	for (u32 i = 0; i < n; i++) {
+		const json_t *o = json_array_get(part, row++);
+		json_int_t triangles = json_integer_value(json_object_get(o, "triangles"));
+		assert_int_equal(json_integer_value(json_object_get(o, "mirrors")), counts[i]);
+		assert_true(json_real_value(json_object_get(o, "typed")) == counts[i]);
+		assert_true(json_real_value(json_object_get(o, "looked")) == 0.5 && triangles > 1000);
+		snprintf(right + strlen(right), 200, "%s, mirrors %u, triangles %lld, typed %u.0, looked 0.50\n", SMALL_SCENE,
+		         (unsigned)counts[i], (long long)triangles, (unsigned)counts[i]);
+		if (counts[i] != 2) continue;
+		o = json_array_get(part, row++);
+		assert_string_equal(json_string_value(json_object_get(o, "source")), "paper");
+		assert_int_equal(json_integer_value(json_object_get(o, "triangles")), 5);
+	}
+	assert_int_equal(json_array_size(part), row);
+	assert_string_equal(lines, right);
+	const json_t *params = json_object_get(root, "params");
+	assert_int_equal(json_integer_value(json_object_get(params, "width")), 32);
+	assert_int_equal(json_integer_value(json_object_get(params, "cube.max_px")), 16);
+	json_decref(root);
+}
+
+static void test_rows(void **state)
+{
+	(void)state;
+	const u32 typed[] = {4, 2}, own[] = {1, 2, 3};
+	judge_rows("4,2", typed, 2);
+	judge_rows(NULL, own, 3);
+}
+
+/* A table of counts runs once, whatever is said; one of times as often as is said, variants that run once but once. */
+static void test_runs(void **state)
+{
+	(void)state;
+	u64 once, counts, times;
+	const ts_paper_table counted = table(false), timed = table(true);
+	json_decref(measured(&counted, "2", 1, &once));
+	json_decref(measured(&counted, "2", 3, &counts));
+	json_decref(measured(&timed, "2", 3, &times));
+	assert_int_equal(counts, once);
+	assert_true(times > once && times < 3 * once);
+}
+
+static void test_refused(void **state)
+{
+	(void)state;
+	static const char *const bad[] = {"0", "1001", "2,x", "2,"};
+	const ts_paper_table of = table(false);
+	for (u32 i = 0; i < 4; i++) {
+		ts_job job = {.program = "touchstone", .backend = &ts_c_kind, .runs = 1, .objects = bad[i], .how.threads = 1};
+		ts_params_default(&job.params);
+		assert_int_equal(ts_paper_bench(&job, &of), TS_ERROR);
+		says("--objects");
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows), cmocka_unit_test(test_runs),
+	                                   cmocka_unit_test(test_refused)};
+	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
+}
