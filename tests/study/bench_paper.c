@@ -2,7 +2,7 @@
  * often each variant runs. */
 #include "../trace/small.h"
 #include "../../src/study/bench_paper.h"
-#include "../../src/study/bench.h"
+#include "benched.h"
 
 /* clang-format off */
 enum { TRIANGLES, MIRRORS, LOOKED, MS };
@@ -60,33 +60,26 @@ static void hear(void *user, const char *line)
 	snprintf(lines + strlen(lines), sizeof lines - strlen(lines), "%s\n", line);
 }
 
+static ts_status measure(const ts_job *job, const void *of) { return ts_paper_bench(job, of); }
+
 /* The report of a table, by json_decref(). */
 static json_t *measured(const ts_paper_table *of, const char *objects, u32 runs, u64 *launches)
 {
 	ts_c_backend counting;
-	ts_job job = {.program = "touchstone", .backend = &ts_c_kind, .runs = runs, .objects = objects, .how.threads = 2};
+	ts_job job = benched_job();
+	job.runs = runs;
+	job.objects = objects;
+	job.how.backend = &counting.backend;
 	ts_c_begin(&in_c, 2);
 	counting = in_c;
 	counting.backend.launch = launch;
 	counting.backend.at_once = NULL;
-	job.how.backend = &counting.backend;
-	job.output = (ts_output){.dir = scratch_path("out"), .quiet = true, .json = true, .force = true};
-	ts_params_default(&job.params);
 	n_launches = 0;
 	lines[0] = 0;
 	ts_listen(&(ts_listener){.line = hear});
-	fflush(stdout);
-	int kept = dup(STDOUT_FILENO);
-	assert_non_null(freopen("/dev/null", "w", stdout));
-	ts_status status = ts_paper_bench(&job, of);
-	fflush(stdout);
-	dup2(kept, STDOUT_FILENO);
-	close(kept);
+	json_t *root = benched(measure, &job, of);
 	ts_listen(&(ts_listener){.line = NULL});
-	if (status != TS_OK) fail_msg("%s", ts_error_message());
 	if (launches != NULL) *launches = n_launches;
-	json_t *root = json_load_file(scratch_path("out/report.json"), 0, NULL);
-	assert_non_null(root);
 	return root;
 }
 

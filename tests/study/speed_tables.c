@@ -6,7 +6,7 @@
 
 enum { RUNS = 3 };
 
-/* A set of two frames, by epr and mvr: stage "eye" takes `seconds` and the whole twice that, ten times more each run. */
+/* A set of frames by epr and mvr: stage "eye" takes `seconds` and the whole twice that, ten times more each run. */
 typedef struct {
 	ts_scene scene;
 	ts_speed_set set;

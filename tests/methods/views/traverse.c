@@ -1,6 +1,7 @@
 /* The traversal of two octrees: the pairs that a recursion renders, whatever the queues' memory; maps of those
  * pairs, and whole maps. */
 #include "grove.h"
+#include "../../../src/methods/views/traverse.h"
 #include "../../../src/methods/views/views.h"
 #include "../../../src/backends/kernels.h"
 
@@ -143,6 +144,31 @@ static void test_recursion(void **state)
 		free(r.rendered);
 	}
 	assert_true(culled > 1000 && near > 1000 && wide > 1000 && narrow > 1000);
+}
+
+/* More leaves that begin than queues have room for. */
+static void test_many_starts(void **state)
+{
+	(void)state;
+	enum { LEVELS = 6 };
+	ts_params params = params_of(16);
+	TS_PARAM_SET(&params, traverse_hierarchies, TS_HIERARCHIES_VIEWS);
+	TS_PARAM_SET(&params, traverse_queue_mb, 1);
+	TS_PARAM_SET(&params, octree_levels, LEVELS);
+	grove g;
+	ts_run run;
+	grove_plant(&g, LEVELS, 1, 60000, grove_noise, 3, grove_noise);
+	recursion r = {.g = &g, .params = &params};
+	u32 first = g.scene.before[LEVELS], end = g.scene.before[LEVELS + 1];
+	assert_true(end - first > ts_traverse_room(&params) + 100);
+	for (u32 s = first; s < end; s++) visit(&r, s, 0);
+	grove_begin(&run, scene, &params, 2, &g);
+	ts_frame_borrow(&run.frame, TS_B_octree_level, g.scene.before, LEVELS + 2);
+	grove_stage(&run, "traverse");
+	assert_same_pairs(&run, &r);
+	ts_run_end(&run);
+	grove_free(&g);
+	free(r.rendered);
 }
 
 /* The order of the kept pairs, too, is the same whatever the memory; and so are maps without keeping them. */
@@ -351,9 +377,9 @@ static void test_stages(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		grown_test(test_recursion), grown_test(test_memory), grown_test(test_map),
-		grown_test(test_fuse),      grown_test(test_moved),  grown_test(test_multipixel),
-		grown_test(test_alone),     grown_test(test_errors), grown_test(test_stages),
+		grown_test(test_recursion), grown_test(test_many_starts), grown_test(test_memory),     grown_test(test_map),
+		grown_test(test_fuse),      grown_test(test_moved),       grown_test(test_multipixel), grown_test(test_alone),
+		grown_test(test_errors),    grown_test(test_stages),
 	};
 	return cmocka_run_group_tests(tests, open_scene, close_scene);
 }

@@ -74,6 +74,10 @@ static void try_lobe(const ts_params *params, const json_t *corners, const json_
 		assert_bits(shown(lobe, "lambda", 0), lambda);
 	}
 	if (params->hull_cosine == TS_COSINE_IS_OURS) {
+		f32 t = ts_k_sg_t(shown(lobe, "lambda", 0)), s = ts_k_sg_s(t, shown(lobe, "cos_beta", 0));
+		assert_true(json_real_value(json_object_get(lobe, "t")) == (double)t);
+		assert_true(json_real_value(json_object_get(lobe, "s")) == (double)s);
+		assert_bits(shown(lobe, "c", 0), ts_k_sg_c(s, shown(lobe, "cos_beta", 0)));
 		f32 share = shown(lobe, "c", 0), up = share * shown(lobe, "A_u", 0), down = (1 - share) * shown(lobe, "A_b", 0);
 		assert_bits(integral, up + down);
 	}

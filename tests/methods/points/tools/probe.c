@@ -223,6 +223,10 @@ static void test_points(void **state)
 			won += texels[k] != TS_EMPTY && (u32)texels[k] == point;
 		assert_int_equal(json_integer_value(get(answer, "cubes", "texels_won")), won);
 		assert_int_equal(figure(answer, "triangle"), triangle_of(point));
+		const ts_point *record = (const ts_point *)data(&epr, TS_B_points_record) + point;
+		const json_t *made = json_object_get(answer, "piece");
+		assert_int_equal(figure(made, "piece"), record->piece);
+		assert_int_equal(figure(made, "path"), ((const ts_piece *)data(&epr, TS_B_split_piece))[record->piece].path);
 		assert_agrees(answer);
 		json_decref(answer);
 	}

@@ -256,12 +256,28 @@ static void test_hits(void **state)
 	end(s);
 }
 
+/* What rays hit, and the look-ups that are empty there; a look-up behind the last is none. */
+static void test_missed(void **state)
+{
+	(void)state;
+	stand *s = ball_in_room(8, false);
+	u64 n = (u64)s->n_pixels * TS_N_SAMPLES, n_hits = 3, n_missed = 4, n_empty = 0;
+	u32 *found = ts_frame_make1(&s->world.run.frame, TS_B_lookup_point, n + 1);
+	for (u64 i = 0; i <= n; i++) found[i] = i % 7 == 0 || i == n ? TS_NONE : (u32)i;
+	for (u64 i = 0; i < n; i++) n_empty += found[i] == TS_NONE;
+	ts_frame_cut(&s->world.run.frame, TS_B_lookup_point, n);
+	assert_int_equal(ts_truth_missed(&n_hits, &n_missed, s->truth, &s->world.run, NULL), TS_OK);
+	assert_int_equal(n_hits, 3 + n);
+	assert_int_equal(n_missed, 4 + n_empty);
+	end(s);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_background),    cmocka_unit_test(test_infinity), cmocka_unit_test(test_walls),
 		cmocka_unit_test(test_own_reflector), cmocka_unit_test(test_bounces),  cmocka_unit_test(test_threads),
-		cmocka_unit_test(test_hits),
+		cmocka_unit_test(test_hits),          cmocka_unit_test(test_missed),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

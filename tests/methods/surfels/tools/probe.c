@@ -107,6 +107,18 @@ static void try_nearest(const traced *t, const json_t *visibility, u32 x, u32 y)
 	}
 }
 
+/* Every light is told, and has its share of what there is beside the ambient light. */
+static void try_shading(const traced *t, const json_t *shading)
+{
+	const json_t *lights = json_object_get(shading, "lights");
+	if (json_is_string(shading)) return; /* nothing is there */
+	assert_int_equal(json_array_size(lights), count(t, TS_B_scene_light));
+	for (size_t i = 0; i < json_array_size(lights); i++) {
+		assert_int_equal(figure(json_array_get(lights, i), "light"), i);
+		assert_true(shown(json_array_get(lights, i), "radiance", 0) >= 0);
+	}
+}
+
 /* Every fragment where rays say; listed ones and the others make up the sum of weights; what hides is nearer than
  * what is hidden. Returns how many are hidden. */
 static u64 try_surfels(const traced *t, u32 x, u32 y)
@@ -133,6 +145,7 @@ static u64 try_surfels(const traced *t, u32 x, u32 y)
 	assert_true(fabs(sum - told) < (halves ? 0.01 * (1 + sum) : 1e-4));
 	assert_int_equal(figure(json_object_get(answer, "sums"), "fragments"), figure(blended, "fragments"));
 	if (x % 4 == 0) try_nearest(t, json_object_get(answer, "visibility"), x, y);
+	if (strcmp(t->run.pipeline->name, "deferred") == 0) try_shading(t, json_object_get(answer, "shading"));
 	u64 n = figure(hidden, "fragments");
 	json_decref(answer);
 	return n;

@@ -9,12 +9,14 @@ static const struct {
 	const char *effect, *method;
 	u32 vpls, px, fusion, multipixel, field;
 	f32 apart;
+	u32 hierarchies;
 } methods[] = {
-	{"indirect", "megaviews", 60, 4, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, TS_VIEW_FIELD_HALF, 3},
-	{"indirect", "megaviews", 200, 4, TS_FUSION_PAPER, TS_MULTIPIXEL_MIPS, TS_VIEW_FIELD_HALF, 0},
-	{"particles", "megaviews", 0, 4, TS_FUSION_MIN, TS_MULTIPIXEL_TEXELS, TS_VIEW_FIELD_ALL, 3},
-	{"indirect", "manylods", 40, 16, TS_FUSION_MIN, TS_MULTIPIXEL_MIPS, TS_VIEW_FIELD_HALF, 3},
-	{"indirect", "bruteforce", 40, 16, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, TS_VIEW_FIELD_HALF, 3},
+	{"indirect", "megaviews", 60, 4, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, TS_VIEW_FIELD_HALF, 3, TS_HIERARCHIES_BOTH},
+	{"indirect", "megaviews", 200, 4, TS_FUSION_PAPER, TS_MULTIPIXEL_MIPS, TS_VIEW_FIELD_HALF, 0, TS_HIERARCHIES_BOTH},
+	{"particles", "megaviews", 0, 4, TS_FUSION_MIN, TS_MULTIPIXEL_TEXELS, TS_VIEW_FIELD_ALL, 3, TS_HIERARCHIES_BOTH},
+	{"indirect", "manylods", 40, 16, TS_FUSION_MIN, TS_MULTIPIXEL_MIPS, TS_VIEW_FIELD_HALF, 3, TS_HIERARCHIES_BOTH},
+	{"indirect", "megaviews", 60, 4, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, TS_VIEW_FIELD_HALF, 3, TS_HIERARCHIES_VIEWS},
+	{"indirect", "bruteforce", 40, 16, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, TS_VIEW_FIELD_HALF, 3, TS_HIERARCHIES_BOTH},
 };
 enum { N_METHODS = sizeof methods / sizeof *methods, BRUTE_FORCE = N_METHODS - 1 };
 static traced views[N_METHODS];
@@ -34,6 +36,7 @@ static int make_all(void **state)
 		params.view_map_multipixel = methods[i].multipixel;
 		params.view_map_field = methods[i].field;
 		params.view_map_apart = methods[i].apart;
+		params.traverse_hierarchies = methods[i].hierarchies;
 		make(&views[i], methods[i].effect, methods[i].method, &params);
 	}
 	return 0;
