@@ -3,6 +3,7 @@
 #include "../../../kernels/points/mesh.h"
 #include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
+#include "../../../../src/backends/c/points/made_points.h"
 
 enum { N = 600, TRIANGLES = 12 };
 
@@ -95,6 +96,43 @@ static void test_equal(void **state)
 	assert_true(n_points > 1000 * N);
 }
 
+static bool is_within(const ts_bounds *of, const f32 *const at[3], u32 i)
+{
+	for (u32 c = 0; c < 3; c++) {
+		if (fabs((double)at[c][i] - (double)of->middle[c]) > (double)of->half[c]) return false;
+	}
+	return true;
+}
+
+/* The bounds of a piece hold all of its points, rounded as these are. */
+static void test_bounds(void **state)
+{
+	(void)state;
+	static f32 place[3][1024];
+	f32 *const at[3] = {place[0], place[1], place[2]};
+	const f32 *const from[3] = {place[0], place[1], place[2]};
+	u64 n_points = 0;
+	n_random = 77;
+	for (u32 i = 0; i < 100; i++) {
+		mesh m;
+		u32 offset[TRIANGLES + 1];
+		random_mesh(&m);
+		ts_points_args args = points_of(&m, &(setting){.half_size = 129, .snap = i % 2}, offset);
+		for (u32 t = 0; t < TRIANGLES; t++) {
+			if (!(m.frames[t].s > 0)) continue;
+			ts_made_piece piece = ts_made_piece_begin(&args, t);
+			ts_bounds bounds = ts_made_piece_bounds(&piece);
+			for (i32 y = piece.cover.touched.y0; y <= piece.cover.touched.y1; y++) {
+				u32 n = ts_made_row(&piece, y, at);
+				for (u32 k = 0; k < n; k++) assert_true(is_within(&bounds, from, k));
+				n_points += n;
+			}
+		}
+		mesh_clear(&m);
+	}
+	assert_true(n_points > 100000);
+}
+
 /* Room that was not counted: the plain kernel counts what finds none. */
 static void test_no_room(void **state)
 {
@@ -112,6 +150,7 @@ static void test_no_room(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_no_room)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_bounds),
+	                                   cmocka_unit_test(test_no_room)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

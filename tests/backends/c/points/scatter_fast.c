@@ -171,8 +171,21 @@ static void test_more_than_a_pool(void **state)
 	mesh_clear(&m);
 }
 
+/* More views than it takes, and nothing to write to, it leaves to the kernel. */
+static void test_left_out(void **state)
+{
+	(void)state;
+	u32 depth;
+	ts_scatter_args args = {.depths = &depth, .first_view = 31, .n_views = 2048 - 31 + 1, .views = views};
+	assert_false(ts_c_fast_scatter(&args, 0, 1));
+	assert_false(ts_c_fast_scatter_pieces(&args, 0, 1));
+	args = (ts_scatter_args){.n_views = 1, .views = views};
+	assert_false(ts_c_fast_scatter(&args, 0, 1));
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_more_than_a_pool)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_more_than_a_pool),
+	                                   cmocka_unit_test(test_left_out)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
