@@ -1,6 +1,7 @@
 /* Files that are written: what is put in is what is there, in any pieces; a disk that says no, a folder that is not
  * there, and what replaces another file. */
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -150,6 +151,54 @@ static void test_link(void **state)
 	free(link);
 }
 
+/* What a file held is released as it ends, and nothing can be put any more. */
+static void test_end(void **state)
+{
+	(void)state;
+	ts_file file;
+	assert_int_equal(ts_file_begin(&file, scratch_path("end")), TS_OK);
+	assert_non_null(file.held);
+	int descriptor = file.descriptor;
+	assert_int_equal(ts_file_put(&file, "abc", 3), TS_OK);
+	assert_int_equal(ts_file_end(&file), TS_OK);
+	assert_true(file.held == NULL && file.descriptor == -1 && fcntl(descriptor, F_GETFD) == -1);
+	unlink(scratch_path("end"));
+}
+
+/* Standard output, as a file or a full disk. */
+static ts_status printed(const char *to, const char *what, bool as_text)
+{
+	ts_file_text text;
+	fflush(stdout);
+	int kept = dup(STDOUT_FILENO), there = open(to, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+	dup2(there, STDOUT_FILENO);
+	close(there);
+	ts_status status;
+	if (as_text) {
+		status = ts_file_text_begin(&text, "text");
+		fputs(what, text.out);
+		status = status == TS_OK ? ts_file_text_print(&text) : status;
+	} else {
+		status = ts_file_print(what, strlen(what));
+	}
+	dup2(kept, STDOUT_FILENO);
+	close(kept);
+	return status;
+}
+
+static void test_print(void **state)
+{
+	(void)state;
+	const char *path = scratch_path("printed");
+	for (u32 as_text = 0; as_text < 2; as_text++) {
+		assert_int_equal(printed(path, "some text", as_text == 1), TS_OK);
+		holds(path, "some text");
+		assert_int_equal(printed("/dev/full", "some text", as_text == 1), TS_ERROR);
+		assert_non_null(strstr(ts_error_message(), "standard output: cannot be written: "));
+	}
+	unlink(path);
+}
+
 static void test_text(void **state)
 {
 	(void)state;
@@ -170,7 +219,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_pieces),  cmocka_unit_test(test_full), cmocka_unit_test(test_absent),
 		cmocka_unit_test(test_replace), cmocka_unit_test(test_pipe), cmocka_unit_test(test_link),
-		cmocka_unit_test(test_text),
+		cmocka_unit_test(test_text),    cmocka_unit_test(test_end),  cmocka_unit_test(test_print),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

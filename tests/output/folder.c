@@ -1,5 +1,6 @@
 /* The folder that is written: whole or not there, in the place of what may be replaced alone, and never in that of
  * strangers; what a process that was killed has left goes, what one that lives writes stays. */
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -194,6 +195,51 @@ static void test_late(void **state)
 	assert_clean(dir);
 }
 
+static u32 n_asked;
+static ts_status third(const char *dir)
+{
+	(void)dir;
+	return ++n_asked < 3 ? TS_OK : ts_fail("at the last moment");
+}
+
+/* What is found in the old folder when it has left its place brings it back. */
+static void test_last_moment(void **state)
+{
+	(void)state;
+	const char *dir = scratch_path("back");
+	make(dir, "before");
+	n_asked = 0;
+	require(ts_folder_begin(dir, third));
+	put(ts_folder_file("text"), "after");
+	refused(ts_folder_commit(), "at the last moment");
+	assert_int_equal(n_asked, 3);
+	holds(scratch_path("back/text"), "before");
+	ts_folder_discard();
+	holds(scratch_path("back/text"), "before");
+	assert_clean(dir);
+}
+
+/* A process without standard input, whose lock has its number. */
+static void test_descriptor_0(void **state)
+{
+	(void)state;
+	const char *dir = scratch_path("zero");
+	int kept = dup(STDIN_FILENO);
+	for (u32 turn = 0; turn < 2; turn++) {
+		close(STDIN_FILENO);
+		require(ts_folder_begin(dir, let));
+		put(ts_folder_file("text"), "1");
+		assert_true(is_there(scratch_path("zero.lock")));
+		if (turn == 0) ts_folder_discard();
+		if (turn == 1) require(ts_folder_commit());
+		assert_clean(dir);
+		assert_int_equal(fcntl(STDIN_FILENO, F_GETFD), -1);
+		assert_int_equal(is_there(dir), turn == 1);
+	}
+	dup2(kept, STDIN_FILENO);
+	close(kept);
+}
+
 static void test_names(void **state)
 {
 	(void)state;
@@ -270,10 +316,10 @@ static void test_killed(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_new),      cmocka_unit_test(test_many_names), cmocka_unit_test(test_discarded),
-		cmocka_unit_test(test_replaced), cmocka_unit_test(test_empty),      cmocka_unit_test(test_late),
-		cmocka_unit_test(test_names),    cmocka_unit_test(test_strangers),  cmocka_unit_test(test_removed),
-		cmocka_unit_test(test_killed),
+		cmocka_unit_test(test_new),      cmocka_unit_test(test_many_names),  cmocka_unit_test(test_discarded),
+		cmocka_unit_test(test_replaced), cmocka_unit_test(test_empty),       cmocka_unit_test(test_late),
+		cmocka_unit_test(test_names),    cmocka_unit_test(test_strangers),   cmocka_unit_test(test_removed),
+		cmocka_unit_test(test_killed),   cmocka_unit_test(test_last_moment), cmocka_unit_test(test_descriptor_0),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

@@ -1,41 +1,66 @@
-/* What a process that was killed leaves: another removes it, once. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+/* What a process that was killed leaves, another removes: it sees the notes of processes that are forked, and of no
+ * other. */
+#include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
+#include "../kernels/seeded.h"
 #include "../scratch.h"
 #include "../../src/output/file.h"
+#include "../../src/output/folder.h"
 #include "../../src/output/left.h"
 
-static void test_file(void **state)
+static ts_status keep(const char *dir) { return ts_fail("%s: stays", dir); }
+
+static bool is_there(const char *path)
+{
+	struct stat info;
+	return lstat(path, &info) == 0;
+}
+
+/* A child that notes a file, begins a folder, and is killed. */
+static void leave(const char *file, const char *dir)
+{
+	int ready[2];
+	char byte;
+	assert_int_equal(pipe(ready), 0);
+	pid_t child = fork();
+	if (child == 0) {
+		ts_left_file(file);
+		if (ts_folder_begin(dir, keep) == TS_OK && write(ready[1], "1", 1) == 1) pause();
+		_exit(1);
+	}
+	close(ready[1]);
+	assert_int_equal(read(ready[0], &byte, 1), 1);
+	kill(child, SIGKILL);
+	assert_int_equal(waitpid(child, NULL, 0), child);
+	close(ready[0]);
+}
+
+static void test_left(void **state)
 {
 	(void)state;
-	const char *path = scratch_path("out.partial");
-	ts_left_clear(); /* nothing yet */
-	assert_int_equal(ts_left_share(), TS_OK);
-	assert_int_equal(ts_file_write(path, "a", 1), TS_OK);
-	const pid_t child = fork();
-	assert_true(child >= 0);
-	if (child == 0) {
-		ts_left_file(path);
-		_exit(0);
+	char *file = strdup(scratch_path("file.partial")), *dir = strdup(scratch_path("a/b/dir"));
+	for (u32 shared = 0; shared < 2; shared++) {
+		if (shared == 1) assert_int_equal(ts_left_share(), TS_OK);
+		assert_int_equal(ts_file_write(file, "1", 1), TS_OK);
+		leave(file, dir);
+		assert_true(is_there(scratch_path("a/b/dir.partial")) && is_there(scratch_path("a/b/dir.lock")));
+		ts_left_clear();
+		assert_int_equal(is_there(file), shared == 0);
+		assert_int_equal(is_there(scratch_path("a/b/dir.partial")), shared == 0);
+		if (shared == 0) ts_folder_clear(dir, 2);
+		assert_false(is_there(scratch_path("a")));
 	}
-	assert_int_equal(waitpid(child, NULL, 0), child);
-	assert_int_equal(access(path, F_OK), 0);
-	ts_left_clear();
-	assert_int_equal(access(path, F_OK), -1);
-	assert_int_equal(ts_file_write(path, "a", 1), TS_OK);
-	ts_left_clear();
-	assert_int_equal(access(path, F_OK), 0);
-	unlink(path);
+	assert_int_equal(ts_file_write(file, "1", 1), TS_OK);
+	ts_left_clear(); /* nothing is noted any more */
+	assert_true(is_there(file));
+	unlink(file);
+	free(file);
+	free(dir);
 }
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_file),
-	};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_left)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -1,130 +1,132 @@
-/* Folders that take the place of others, and what takes that back. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <string.h>
+/* Folders that take the place of others, each step and what takes it back; and what a folder is given to the disk as. */
 #include <sys/stat.h>
+#include <fcntl.h>
+#include "../kernels/seeded.h"
 #include "../scratch.h"
 #include "../../src/output/file.h"
 #include "../../src/output/place.h"
+#include "../../src/output/tree.h"
 
 static char dir[SCRATCH_PATH], partial[SCRATCH_PATH], old[SCRATCH_PATH];
 static const ts_place place = {dir, partial, old};
 
+static void require(ts_status status)
+{
+	if (status != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+static void refused(ts_status status, const char *words)
+{
+	assert_int_equal(status, TS_ERROR);
+	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
+}
+
+/* A folder with one file, whose name says what it was made as. */
+static void make(const char *folder, const char *as)
+{
+	char path[2 * SCRATCH_PATH];
+	assert_int_equal(mkdir(folder, 0700), 0);
+	snprintf(path, sizeof path, "%s/%s", folder, as);
+	require(ts_file_write(path, "", 0));
+}
+
+static bool was(const char *folder, const char *as)
+{
+	char path[2 * SCRATCH_PATH];
+	snprintf(path, sizeof path, "%s/%s", folder, as);
+	return ts_place_has(path);
+}
+
+static void clean(void)
+{
+	const char *const all[] = {dir, partial, old};
+	for (u32 i = 0; i < 3; i++) {
+		if (ts_place_has(all[i])) require(ts_tree_remove(all[i]));
+	}
+}
+
 static int begin(void **state)
 {
-	if (scratch_begin(state) != 0) return -1;
-	strcpy(dir, scratch_path("out"));
-	strcpy(partial, scratch_path("out.partial"));
-	strcpy(old, scratch_path("out.old"));
-	return 0;
-}
-
-/* A folder with one file, which is named as the folder's first path was. */
-static void put(const char *path, const char *file)
-{
-	char name[2 * SCRATCH_PATH];
-	assert_int_equal(mkdir(path, 0777), 0);
-	snprintf(name, sizeof name, "%s/%s", path, file);
-	assert_int_equal(ts_file_write(name, "", 0), TS_OK);
-}
-
-static bool has(const char *path, const char *file)
-{
-	char name[2 * SCRATCH_PATH];
-	snprintf(name, sizeof name, "%s/%s", path, file);
-	return ts_place_has(name);
-}
-
-/* Removes a folder of `put`. */
-static void drop(const char *path, const char *file)
-{
-	char name[2 * SCRATCH_PATH];
-	snprintf(name, sizeof name, "%s/%s", path, file);
-	assert_int_equal(unlink(name), 0);
-	assert_int_equal(rmdir(path), 0);
-}
-
-static void test_has(void **state)
-{
-	(void)state;
-	assert_false(ts_place_has(dir));
-	assert_int_equal(symlink("nowhere", dir), 0);
-	assert_true(ts_place_has(dir));
-	unlink(dir);
+	int bad = scratch_begin(state);
+	strcpy(dir, scratch_path("dir"));
+	strcpy(partial, scratch_path("dir.partial"));
+	strcpy(old, scratch_path("dir.old"));
+	return bad;
 }
 
 static void test_take(void **state)
 {
 	(void)state;
-	assert_int_equal(ts_place_take(&place), TS_ERROR);
-	assert_non_null(strstr(ts_error_message(), "out.partial: cannot be renamed to "));
-	put(partial, "new");
-	assert_int_equal(ts_place_take(&place), TS_OK);
-	assert_true(has(dir, "new") && !ts_place_has(partial));
-	put(partial, "newer");
+	make(partial, "new");
+	require(ts_place_take(&place));
+	assert_true(was(dir, "new") && !ts_place_has(partial));
+	make(partial, "newer");
 	assert_int_equal(ts_place_take(&place), TS_DIFFERENT);
-	assert_true(has(dir, "new") && has(partial, "newer"));
-	drop(dir, "new");
-	assert_int_equal(mkdir(dir, 0777), 0);
-	assert_int_equal(ts_place_take(&place), TS_OK);
-	assert_true(has(dir, "newer"));
-	drop(dir, "newer");
+	clean();
+	mkdir(dir, 0700);
+	make(partial, "new");
+	require(ts_place_take(&place));
+	assert_true(was(dir, "new"));
+	make(old, "stranger");
+	require(ts_place_undo(&place, TS_PLACE_FREE));
+	assert_true(was(partial, "new") && !ts_place_has(dir) && was(old, "stranger"));
+	clean();
+	refused(ts_place_take(&place), "cannot be renamed to");
 }
 
-/* Where the file system cannot do it, nothing has moved. */
 static void test_exchange(void **state)
 {
 	(void)state;
-	put(dir, "old");
-	put(partial, "new");
-	const ts_status status = ts_place_exchange(&place);
-	const bool can = status == TS_OK;
-	assert_true(can || status == TS_DIFFERENT);
-	assert_true(has(dir, can ? "new" : "old") && has(partial, can ? "old" : "new"));
-	if (can) assert_int_equal(ts_place_undo(&place, TS_PLACE_EXCHANGED), TS_OK);
-	assert_true(has(dir, "old") && has(partial, "new"));
-	drop(dir, "old");
-	drop(partial, "new");
-	assert_int_not_equal(ts_place_exchange(&place), TS_OK);
+	make(dir, "before");
+	make(partial, "new");
+	ts_status status = ts_place_exchange(&place);
+	if (status == TS_DIFFERENT) skip(); /* the file system cannot */
+	require(status);
+	assert_true(was(dir, "new") && was(partial, "before"));
+	require(ts_place_undo(&place, TS_PLACE_EXCHANGED));
+	assert_true(was(dir, "before") && was(partial, "new"));
+	clean();
 }
 
 static void test_move(void **state)
 {
 	(void)state;
-	put(dir, "old");
-	assert_int_equal(ts_place_move(&place), TS_ERROR); /* nothing takes the place: what was there is there again */
-	assert_true(has(dir, "old") && !ts_place_has(old));
-	put(partial, "new");
-	assert_int_equal(ts_place_move(&place), TS_OK);
-	assert_true(has(dir, "new") && has(old, "old") && !ts_place_has(partial));
-	assert_int_equal(ts_place_undo(&place, TS_PLACE_MOVED), TS_OK);
-	assert_true(has(dir, "old") && has(partial, "new") && !ts_place_has(old));
-	drop(dir, "old");
-	drop(partial, "new");
+	make(dir, "before");
+	make(partial, "new");
+	require(ts_place_move(&place));
+	assert_true(was(dir, "new") && was(old, "before") && !ts_place_has(partial));
+	require(ts_place_undo(&place, TS_PLACE_MOVED));
+	assert_true(was(dir, "before") && was(partial, "new") && !ts_place_has(old));
+	require(ts_tree_remove(partial));
+	refused(ts_place_move(&place), "cannot be renamed to");
+	assert_true(was(dir, "before") && !ts_place_has(old));
+	clean();
 }
 
-/* Only what was moved comes back from DIR.old, and only to a free place. */
-static void test_undo(void **state)
+static void test_sync(void **state)
 {
 	(void)state;
-	put(dir, "new");
-	put(old, "other");
-	assert_int_equal(ts_place_undo(&place, TS_PLACE_FREE), TS_OK);
-	assert_true(has(partial, "new") && has(old, "other") && !ts_place_has(dir));
-	assert_int_equal(ts_place_undo(&place, TS_PLACE_MOVED), TS_ERROR);
-	assert_true(has(old, "other") && !ts_place_has(dir));
-	drop(partial, "new");
-	drop(old, "other");
+	make(dir, "file");
+	require(ts_folder_sync(dir));
+	require(ts_tree_sync(dir));
+	require(ts_parent_sync(dir));
+	require(ts_parent_sync("here"));
+	require(ts_parent_sync("/root-of-all"));
+	refused(ts_folder_sync(scratch_path("dir/file")), "cannot be given to the disk: Not a directory");
+	refused(ts_folder_sync(partial), "cannot be given to the disk: No such file");
+	refused(ts_parent_sync(scratch_path("none/file")), "cannot be given to the disk");
+	refused(ts_tree_sync(partial), "dir.partial: ");
+	refused(ts_tree_remove(partial), "dir.partial: ");
+	assert_false(ts_place_has(partial));
+	int folder = open(dir, O_RDONLY | O_DIRECTORY);
+	assert_true((fcntl(folder, F_GETFD) & FD_CLOEXEC) == 0);
+	close(folder);
+	clean();
 }
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_has),  cmocka_unit_test(test_take), cmocka_unit_test(test_exchange),
-		cmocka_unit_test(test_move), cmocka_unit_test(test_undo),
-	};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_take), cmocka_unit_test(test_exchange),
+	                                   cmocka_unit_test(test_move), cmocka_unit_test(test_sync)};
 	return cmocka_run_group_tests(tests, begin, scratch_end);
 }
