@@ -68,8 +68,8 @@ typedef struct {
 	/* Describes at most TS_MAX_DEVICES and returns their number; 0 where there is no driver. */
 	u32 (*devices)(ts_device devices[TS_MAX_DEVICES]);
 	/* TS_SKIPPED if there is no device; TS_ERROR if not this one, or it lacks what the contract needs and inexact is
-	 * not set, or its compiler fails: what that said goes to standard error. NULL: the one in C, which every run
-	 * brings. */
+	 * not set, or its compiler fails: what that said goes to standard error. Then *backend is NULL. NULL: the one in C,
+	 * which every run brings. */
 	ts_status (*open)(ts_backend **backend, const ts_backend_options *options);
 } ts_backend_kind;
 extern const ts_backend_kind ts_c_kind, ts_opencl_kind, ts_vulkan_kind, ts_cuda_kind;

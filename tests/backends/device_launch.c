@@ -1,5 +1,5 @@
-/* What a device is asked to launch: as many items as there are or, where it ends loops, bands of those kernels that know
- * them; and of points that lie by pieces, pieces. */
+/* What a device is asked to launch: as many items as there are or, where it ends loops, bands of those kernels that
+ * know them; and of points that lie by pieces, pieces. */
 #include "../model/test.h"
 #include "../../src/backends/device.h"
 #include "../../src/backends/kernels.h"

@@ -1,4 +1,4 @@
-/* Folders that take the place of others, each step and what takes it back; and what a folder is given to the disk as. */
+/* Folders that take the place of others, each step and what takes it back; and folders that are given to the disk. */
 #include <sys/stat.h>
 #include <fcntl.h>
 #include "../kernels/seeded.h"
