@@ -1,0 +1,67 @@
+/* What `info` says of a scene: its figures, as text and as JSON; the bytes are those of its arrays. */
+#include <jansson.h>
+#include "../../src/kernels/base/num.h"
+#include "../../src/scene/scene.h"
+#include "../model/test.h"
+
+static char *printed(const ts_scene *scene, bool json)
+{
+	char *text;
+	size_t bytes;
+	FILE *out = open_memstream(&text, &bytes);
+	assert_non_null(out);
+	assert_int_equal(ts_scene_print(scene, out, json), TS_OK);
+	fclose(out);
+	return text;
+}
+
+static uint64_t bytes_of(const ts_scene *s)
+{
+	const uint64_t arrays[][2] = {{s->n_vertices, sizeof *s->vertices},   {s->n_triangles, sizeof *s->triangles},
+	                              {s->n_materials, sizeof *s->materials}, {s->n_slots, sizeof *s->slots},
+	                              {s->n_images, sizeof *s->images},       {s->n_texels, sizeof *s->texels},
+	                              {s->n_lights, sizeof *s->lights},       {s->n_objects, sizeof *s->objects},
+	                              {s->n_surfels, sizeof *s->surfels}};
+	uint64_t sum = 0;
+	for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) sum += arrays[i][0] * arrays[i][1];
+	return sum;
+}
+
+static void test_figures(void **state)
+{
+	(void)state;
+	static const char *const specs[] = {"atrium:triangles=10000:texels=32", "checkerboard"};
+	for (u32 i = 0; i < 2; i++) {
+		ts_params params;
+		ts_scene *scene;
+		ts_params_default(&params);
+		if (ts_scene_load(&scene, specs[i], &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+		const struct {
+			const char *name;
+			uint64_t value;
+		} figures[] = {{"triangles", scene->n_triangles}, {"vertices", scene->n_vertices}, {"texels", scene->n_texels},
+		               {"surfels", scene->n_surfels},     {"images", scene->n_images},     {"lights", scene->n_lights},
+		               {"bytes", bytes_of(scene)}};
+		char *text = printed(scene, false), *json = printed(scene, true);
+		json_t *root = json_loads(json, 0, NULL);
+		assert_non_null(root);
+		for (size_t k = 0; k < sizeof figures / sizeof *figures; k++) {
+			char line[64];
+			snprintf(line, sizeof line, "  %-21s %11llu", figures[k].name, (unsigned long long)figures[k].value);
+			if (strstr(text, line) == NULL) fail_msg("no line \"%s\" in:\n%s", line, text);
+			assert_int_equal(json_integer_value(json_object_get(root, figures[k].name)), figures[k].value);
+		}
+		assert_int_equal(json_array_size(json_object_get(root, "light")), scene->n_lights);
+		assert_int_equal(json_array_size(json_object_get(root, "camera")), scene->n_cameras);
+		json_decref(root);
+		free(text);
+		free(json);
+		ts_scene_free(scene);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_figures)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
