@@ -47,7 +47,7 @@ static void test_figures(void **state)
 		assert_non_null(root);
 		for (size_t k = 0; k < sizeof figures / sizeof *figures; k++) {
 			char line[64];
-			snprintf(line, sizeof line, "  %-21s %10llu", figures[k].name, (unsigned long long)figures[k].value);
+			snprintf(line, sizeof line, "  %-21s %12llu", figures[k].name, (unsigned long long)figures[k].value);
 			if (strstr(text, line) == NULL) fail_msg("no line \"%s\" in:\n%s", line, text);
 			assert_int_equal(json_integer_value(json_object_get(root, figures[k].name)), figures[k].value);
 		}
