@@ -241,6 +241,23 @@ static void test_crumbs(void **state)
 	assert_int_equal(ts_metrics_crumbs(marks, light, other, 5, 5), 1);
 }
 
+/* A border has no neighbour beyond: the last pixel of the row before is none. */
+static void test_crumbs_at_borders(void **state)
+{
+	(void)state;
+	float light[75], other[75];
+	static const struct {
+		int x, y, no_neighbour;
+	} cases[] = {{0, 2, 9}, {4, 2, 15}, {0, 0, 24}, {4, 4, 0}, {0, 4, 19}, {4, 0, 5}};
+	for (int k = 0; k < 6; k++) {
+		int at = 3 * (5 * cases[k].y + cases[k].x);
+		for (int i = 0; i < 75; i++) light[i] = other[i] = 0.5f;
+		other[at] = 0.8f;
+		light[3 * cases[k].no_neighbour] = other[3 * cases[k].no_neighbour] = 0.8f;
+		assert_int_equal(ts_metrics_crumbs(NULL, light, other, 5, 5), 1);
+	}
+}
+
 /* An image that changes as much as its reference does not flicker, whichever way it goes; the excess counts, where the
  * mask is set. */
 static void test_flicker(void **state)
@@ -326,6 +343,23 @@ static void test_estimate_of_some(void **state)
 	assert_true(least > 0 && least < 0.1);
 }
 
+/* Six pixels of which three are chosen: the line through what these have, in closed form; and where all of them have
+ * the same of the coarse picture the error is still a number. */
+static void test_estimate_by_hand(void **state)
+{
+	(void)state;
+	static const uint8_t zero[18], here[18] = {[6] = 1, [9] = 1, [12] = 1, [15] = 1}, right[18] = {[6] = 2};
+	static const uint8_t three[6] = {1, 1, 1}, same[18] = {1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 3},
+						 spread[18] = {[3] = 1, [6] = 2};
+	const ts_metrics_part line = {zero, here, zero, right, three}, level = {zero, same, zero, spread, three};
+	ts_metrics m = ts_metrics_estimate(&line, NULL, 6, 1);
+	assert_close(m.rmse, sqrt((4.0 / 3 + 4 * (4.0 / 6 - 1.0 / 3)) / 3));
+	m = ts_metrics_estimate(&level, NULL, 6, 1);
+	double mean = 5.0 / 3 + (13.0 / 6 - 1), left = 17 - 25.0 / 3, error = sqrt(left / 6);
+	assert_close(m.rmse, sqrt(mean / 3));
+	assert_close(m.rmse_error, sqrt(mean / 3 + error / 3) - sqrt(mean / 3));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -337,9 +371,11 @@ int main(void)
 		cmocka_unit_test(test_errors),
 		cmocka_unit_test(test_errors_masked),
 		cmocka_unit_test(test_crumbs),
+		cmocka_unit_test(test_crumbs_at_borders),
 		cmocka_unit_test(test_flicker),
 		cmocka_unit_test(test_estimate_of_all),
 		cmocka_unit_test(test_estimate_of_some),
+		cmocka_unit_test(test_estimate_by_hand),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
 }

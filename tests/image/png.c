@@ -19,6 +19,7 @@ typedef struct {
 /* What is written into a PNG. */
 typedef struct {
 	uint8_t colour, depth, interlaced, filter;
+	uint32_t filtered_row;       /* the row that `filter` is of; 0: all are */
 	uint32_t n_palette, n_alpha; /* bytes; 0: no chunk */
 	int more;                    /* bytes of pixels too many, or too few */
 	uint32_t after;              /* bytes behind the compressed stream */
@@ -60,7 +61,7 @@ static size_t pixels(uint8_t *raw, const kind *k)
 			uint32_t across = k->interlaced ? 0 : WIDTH;
 			for (uint32_t x = 0; k->interlaced && x < WIDTH; x++) across += adam7[y % 8][x % 8] == pass;
 			if (across == 0) continue;
-			raw[n++] = k->filter;
+			raw[n++] = k->filtered_row == 0 || k->filtered_row == y ? k->filter : 0;
 			for (uint32_t i = 0; i < (across * channels[k->colour] * k->depth + 7) / 8; i++, n++)
 				raw[n] = (uint8_t)ts_random((u32)n, 6, k->depth);
 		}
@@ -199,6 +200,8 @@ static void test_pixels(void **state)
 		refuse((kind){.colour = 6, .depth = 8, .interlaced = interlaced, .more = 1}, "more than");
 		refuse((kind){.colour = 6, .depth = 8, .interlaced = interlaced, .more = -1}, "missing");
 		refuse((kind){.colour = 6, .depth = 8, .interlaced = interlaced, .filter = 5}, "filter");
+		refuse((kind){.colour = 6, .depth = 8, .interlaced = interlaced, .filter = 5, .filtered_row = HEIGHT - 1},
+		       "filter");
 	}
 }
 

@@ -32,6 +32,7 @@ static void test_dims(void **state)
 		{"second_bounces*4+1 2 3 4", 4, {45, 2, 3, 4}},
 		{"image_texels", 1, {UINT64_MAX - 1}},
 		{"2*lookup_samples*3*lookup_samples", 1, {3750}},
+		{"123456789012345678", 1, {123456789012345678}},
 	};
 	ts_sizes sizes = some();
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -71,6 +72,19 @@ static void test_refused(void **state)
 }
 
 /* Sizes that were not given, and products past 2^64. */
+/* Every size is unknown at first, and nothing behind them is changed. */
+static void test_cleared(void **state)
+{
+	(void)state;
+	struct {
+		ts_sizes sizes;
+		u64 behind[4];
+	} s = {.behind = {1, 2, 3, 4}};
+	ts_sizes_clear(&s.sizes);
+	for (u32 dim = 0; dim < TS_N_DIMS; dim++) assert_true(s.sizes.n[dim] == TS_UNKNOWN);
+	for (u32 i = 0; i < 4; i++) assert_int_equal(s.behind[i], i + 1);
+}
+
 static void test_unknown(void **state)
 {
 	(void)state;
@@ -129,8 +143,8 @@ static void test_count(void **state)
 int main(void)
 {
 	const struct CMUnitTest shape[] = {
-		cmocka_unit_test(test_dims),   cmocka_unit_test(test_refused), cmocka_unit_test(test_unknown),
-		cmocka_unit_test(test_counts), cmocka_unit_test(test_count),
+		cmocka_unit_test(test_dims),    cmocka_unit_test(test_refused), cmocka_unit_test(test_cleared),
+		cmocka_unit_test(test_unknown), cmocka_unit_test(test_counts),  cmocka_unit_test(test_count),
 	};
 	return cmocka_run_group_tests(shape, NULL, NULL);
 }

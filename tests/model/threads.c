@@ -1,4 +1,5 @@
 /* Threads that can be had: as many as wanted, and fewer where the address space ends, where OpenMP finds them. */
+#include <omp.h>
 #include <stdio.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -14,6 +15,9 @@ static void test_there(void **state)
 	assert_int_equal(ts_threads_ready(1), 1);
 	assert_int_equal(ts_threads_ready(5), 5);
 	assert_int_equal(ts_threads_ready(3), 3);
+	omp_set_dynamic(1); /* would let OpenMP give fewer */
+	assert_int_equal(ts_threads_ready(6), 6);
+	assert_false(omp_get_dynamic());
 	assert_string_equal(said_end(), "");
 }
 
