@@ -291,12 +291,12 @@ static void killed(const char *dir, bool commits)
 		if (ts_folder_begin(dir, let) == TS_OK && write(ready[1], "1", 1) == 1) pause();
 		_exit(1);
 	}
+	close(ready[1]);
 	assert_int_equal(read(ready[0], &byte, 1), 1);
 	if (commits) assert_int_equal(ts_folder_begin(dir, let), TS_ERROR);
 	kill(child, SIGKILL);
 	assert_int_equal(waitpid(child, NULL, 0), child);
 	close(ready[0]);
-	close(ready[1]);
 }
 
 static void test_killed(void **state)
