@@ -3,6 +3,7 @@
  * of them has. */
 #ifndef TOUCHSTONE_PROBE_H
 #define TOUCHSTONE_PROBE_H
+#include <stddef.h>
 #include <stdint.h>
 #include <touchstone/context.h>
 #include <touchstone/status.h>
@@ -23,6 +24,20 @@ TS_API ts_status ts_probe_triangle(ts_context *context, ts_tree **answer, const 
 
 /* Explains a point, by its index into points.record. */
 TS_API ts_status ts_probe_point(ts_context *context, ts_tree **answer, const ts_trace *trace, uint64_t point);
+
+/* A point, by its key: piece, x and y. */
+TS_API ts_status ts_probe_point_key(ts_context *context, ts_tree **answer, const ts_trace *trace, const int64_t key[3]);
+
+/* What is told of a kind of thing in the traces of some methods. */
+typedef struct {
+	const char *option;  /* how the command asks: "--pixel X,Y", "--pixel X,Y --view VIEW", "--triangle T", "--point P" */
+	const char *methods; /* "reflections by epr, mvr; ..." */
+	const char *view;    /* of texels, how their views are named; else "" */
+	const char *tells;
+} ts_probe_info;
+
+/* Row i of all, from 0; NULL behind the last. */
+TS_API const ts_probe_info *ts_probe_at(size_t i);
 
 #ifdef __cplusplus
 }

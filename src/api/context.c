@@ -22,13 +22,14 @@ void ts_api_ready(void)
 	pthread_once(&once, begin);
 }
 
-/* The host's, which may trap what is no fault here. */
+/* The host's: what it does with floating point, which may trap what is no fault here, and who listened before. */
 static _Thread_local fenv_t environment;
+static _Thread_local ts_listener before;
 
 ts_status ts_api_enter(const ts_context *context)
 {
 	feholdexcept(&environment);
-	ts_listen(&context->listener);
+	before = ts_listen(&context->listener);
 	ts_status status = ts_selftest_require_on(ts_threads_ready(context->how.threads));
 	if (status != TS_OK) ts_api_leave();
 	return status;
@@ -36,7 +37,7 @@ ts_status ts_api_enter(const ts_context *context)
 
 void ts_api_leave(void)
 {
-	ts_listen(&(ts_listener){.line = NULL});
+	ts_listen(&before);
 	fesetenv(&environment);
 }
 
@@ -89,8 +90,9 @@ static ts_status open_context(ts_context *context, const ts_context_options *opt
 	if (options->threads > TS_MOST_THREADS) {
 		return ts_fail("%lu threads; 0 to %d are right", (unsigned long)options->threads, TS_MOST_THREADS);
 	}
-	ts_listen(&context->listener);
+	const ts_listener host = ts_listen(&context->listener);
 	context->how.threads = options->threads > 0 ? ts_threads_ready(options->threads) : ts_threads_all();
+	ts_listen(&host);
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
 	context->how.no_fast_paths = options->no_fast_paths != 0;
 	ts_status status = open_backend(&context->how, kind, options->device);

@@ -1,6 +1,7 @@
 /* Questions about a trace. */
 #include "api.h"
 #include <touchstone/probe.h>
+#include <pthread.h>
 #include "../probe/probe.h"
 
 static ts_status ask(const ts_context *context, ts_tree **answer, const ts_trace *trace, const ts_probe_question *q)
@@ -36,4 +37,45 @@ ts_status ts_probe_point(ts_context *context, ts_tree **answer, const ts_trace *
 {
 	const ts_probe_question q = {.subject = TS_PROBE_POINT, .index = point};
 	return ask(context, answer, trace, &q);
+}
+
+ts_status ts_probe_point_key(ts_context *context, ts_tree **answer, const ts_trace *trace, const int64_t key[3])
+{
+	const ts_probe_question q = {.subject = TS_PROBE_POINT, .index = key != NULL ? (u64)key[0] : 0, .key = key};
+	if (TS_LACKS(key)) return TS_ERROR;
+	return ask(context, answer, trace, &q);
+}
+
+typedef struct {
+	ts_probe_info info;
+	char methods[TS_PROBE_TEXT];
+} row;
+
+static row *rows;
+static size_t n_rows;
+
+/* By subjects, and as the families have them. */
+static void make(void)
+{
+	const ts_probe_part *part;
+	size_t n = 0;
+	ts_api_ready();
+	while (ts_probe_part_at((u32)n) != NULL) n++;
+	rows = ts_alloc(n, sizeof *rows, "the table of what probe tells");
+	for (u32 subject = 0; rows != NULL && subject < TS_N_PROBE_SUBJECTS; subject++) {
+		for (u32 i = 0; (part = ts_probe_part_at(i)) != NULL; i++) {
+			if (part->subject != subject) continue;
+			row *r = &rows[n_rows++];
+			ts_probe_methods(r->methods, part);
+			r->info = (ts_probe_info){ts_probe_option(subject), r->methods, part->view != NULL ? part->view->form : "",
+			                          part->tells};
+		}
+	}
+}
+
+const ts_probe_info *ts_probe_at(size_t i)
+{
+	static pthread_once_t once = PTHREAD_ONCE_INIT;
+	pthread_once(&once, make);
+	return i < n_rows ? &rows[i].info : NULL;
 }

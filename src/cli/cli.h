@@ -129,8 +129,11 @@ bool ts_command_takes(const ts_command *command, u32 option);
 const ts_command *ts_cli_find(const char *name);
 /* The same; NULL with the message set. */
 const ts_command *ts_cli_require(const char *name);
-/* From here on what is said goes to standard error. */
+/* From here on what is said goes to standard error: lines, and progress as one line that rewrites itself, on a terminal
+ * only. */
 void ts_cli_listen(void);
+void ts_cli_say(void *user, const char *line);
+void ts_cli_progress(void *user, const char *label, uint64_t done, uint64_t total);
 /* Runs what argv asks for and returns the exit code; a failure is printed as one line on standard error. */
 int ts_cli_main(int argc, char **argv);
 

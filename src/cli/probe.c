@@ -1,8 +1,6 @@
 /* `probe TRACE`: why a pixel, a texel, a triangle or a point is what it is. One description, printed as text or as
  * JSON. */
-#include <stdlib.h>
-#include "../probe/probe.h"
-#include "cli.h"
+#include "client.h"
 #include "../study/table.h"
 
 enum { WIDTH = 118, ITEM_TEXT = 512 };
@@ -129,10 +127,19 @@ static ts_status read_pixel(const ts_cli *cli, u32 *x, u32 *y)
 	return ts_words_count(y, list, 0, 65535, "--pixel Y");
 }
 
+static ts_status ask_pixel(const ts_cli *cli, ts_context *context, const ts_trace *trace, ts_tree **answer)
+{
+	u32 x, y;
+	const char *view = cli->place.view;
+	if (read_pixel(cli, &x, &y) != TS_OK) return TS_ERROR;
+	return ts_probe_pixel(context, answer, trace, x, y, view != NULL && strcmp(view, "eye") != 0 ? view : NULL);
+}
+
 /* "P", or the key "PIECE,X,Y". */
-static ts_status read_point(const ts_cli *cli, ts_probe_question *q, i64 key[3])
+static ts_status ask_point(const ts_cli *cli, ts_context *context, const ts_trace *trace, ts_tree **answer)
 {
 	char item[16];
+	i64 key[3];
 	const char *list = cli->place.point;
 	u32 n = 0;
 	for (; n < 3 && ts_words_item(&list, item, sizeof item); n++) {
@@ -142,24 +149,15 @@ static ts_status read_point(const ts_cli *cli, ts_probe_question *q, i64 key[3])
 		key[n] = minus ? -(i64)value : (i64)value;
 	}
 	if (list != NULL || n == 2) return ts_fail("--point %s: neither an index nor a key PIECE,X,Y", cli->place.point);
-	q->index = (u64)key[0];
-	if (n == 3) q->key = key;
-	return TS_OK;
+	return n == 3 ? ts_probe_point_key(context, answer, trace, key)
+	              : ts_probe_point(context, answer, trace, (u64)key[0]);
 }
 
-static ts_status ask(ts_probe *probe, const ts_cli *cli, json_t **answer)
+static ts_status ask(const ts_cli *cli, ts_context *context, const ts_trace *trace, ts_tree **answer)
 {
-	i64 key[3];
-	ts_probe_question q = {.subject = TS_PROBE_TRIANGLE, .index = cli->place.triangle};
-	if (cli->place.pixel != NULL) {
-		bool eye = cli->place.view == NULL || strcmp(cli->place.view, "eye") == 0;
-		q = (ts_probe_question){.subject = eye ? TS_PROBE_PIXEL : TS_PROBE_TEXEL, .view = eye ? NULL : cli->place.view};
-		if (read_pixel(cli, &q.x, &q.y) != TS_OK) return TS_ERROR;
-	} else if (cli->place.point != NULL) {
-		q = (ts_probe_question){.subject = TS_PROBE_POINT};
-		if (read_point(cli, &q, key) != TS_OK) return TS_ERROR;
-	}
-	return ts_probe_ask(probe, &q, answer);
+	if (cli->place.pixel != NULL) return ask_pixel(cli, context, trace, answer);
+	if (cli->place.point != NULL) return ask_point(cli, context, trace, answer);
+	return ts_probe_triangle(context, answer, trace, cli->place.triangle);
 }
 
 static ts_status tell(const ts_cli *cli, json_t *answer)
@@ -176,36 +174,33 @@ static ts_status tell(const ts_cli *cli, json_t *answer)
 
 ts_status ts_probe_command(ts_cli *cli)
 {
-	ts_probe *probe;
-	ts_trace *trace;
-	json_t *answer = NULL;
+	ts_context *context;
+	ts_trace *trace = NULL;
+	ts_tree *tree = NULL;
 	int asked = (cli->place.pixel != NULL) + (cli->place.point != NULL) + cli->given[TS_OPTION_TRIANGLE];
 	if (asked != 1) return ts_fail("probe: one of --pixel X,Y, --triangle T and --point P must be given");
 	if (cli->place.view != NULL && cli->place.pixel == NULL) return ts_fail("probe: --view goes with --pixel");
-	if (ts_trace_open_folder(&trace, cli->arguments[0]) != TS_OK) return TS_ERROR;
-	ts_status status = ts_probe_open(&probe, trace);
-	if (status == TS_OK) status = ask(probe, cli, &answer);
-	if (status == TS_OK) status = tell(cli, answer);
+	ts_status status = ts_client_open(&context, cli);
+	if (status == TS_OK) status = ts_trace_open(context, &trace, cli->arguments[0]);
+	if (status == TS_OK) status = ask(cli, context, trace, &tree);
+	json_t *answer = ts_client_json(tree);
+	if (status == TS_OK) status = answer != NULL ? tell(cli, answer) : TS_ERROR;
 	json_decref(answer);
-	ts_probe_close(probe);
 	ts_trace_close(trace);
+	ts_context_close(context);
 	return status;
 }
 
 /* What each row tells, below how it is asked for. */
 void ts_probe_help(void)
 {
-	const ts_probe_part *part;
-	char methods[TS_PROBE_TEXT], tells[TS_PROBE_TEXT];
-	for (u32 subject = 0; subject < TS_N_PROBE_SUBJECTS; subject++) {
-		printf("\nWhat %s also shows:\n", ts_probe_option(subject));
-		for (u32 i = 0; (part = ts_probe_part_at(i)) != NULL; i++) {
-			if (part->subject != subject) continue;
-			ts_probe_methods(methods, part);
-			const char *form = part->view != NULL ? part->view->form : "";
-			snprintf(tells, sizeof tells, "%s%s%s%s", form[0] != 0 ? "VIEW " : "", form, form[0] != 0 ? ": " : "",
-			         part->tells);
-			ts_help_item(methods, tells);
-		}
+	const ts_probe_info *row;
+	const char *option = "";
+	char tells[512];
+	for (size_t i = 0; (row = ts_probe_at(i)) != NULL; option = row->option, i++) {
+		if (strcmp(row->option, option) != 0) printf("\nWhat %s also shows:\n", row->option);
+		snprintf(tells, sizeof tells, "%s%s%s%s", row->view[0] != 0 ? "VIEW " : "", row->view,
+		         row->view[0] != 0 ? ": " : "", row->tells);
+		ts_help_item(row->methods, tells);
 	}
 }

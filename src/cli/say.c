@@ -9,7 +9,7 @@ static const double interval = 0.1;
 
 static _Thread_local double last;
 
-static void progress(void *user, const char *label, uint64_t done, uint64_t total)
+void ts_cli_progress(void *user, const char *label, uint64_t done, uint64_t total)
 {
 	(void)user;
 	if (!isatty(STDERR_FILENO)) return;
@@ -24,10 +24,10 @@ static void progress(void *user, const char *label, uint64_t done, uint64_t tota
 	fflush(stderr);
 }
 
-static void line(void *user, const char *text)
+void ts_cli_say(void *user, const char *line)
 {
 	(void)user;
-	fprintf(stderr, "%s: %s\n", ts_program, text);
+	fprintf(stderr, "%s: %s\n", ts_program, line);
 }
 
-void ts_cli_listen(void) { ts_listen(&(ts_listener){.line = line, .progress = progress}); }
+void ts_cli_listen(void) { ts_listen(&(ts_listener){.line = ts_cli_say, .progress = ts_cli_progress}); }

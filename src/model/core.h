@@ -69,8 +69,8 @@ typedef struct {
 	int (*cancelled)(void *user); /* not 0: what runs is to fail */
 	void *user;
 } ts_listener;
-/* Of this thread; without it nothing is heard. */
-void ts_listen(const ts_listener *listener);
+/* Of this thread; without it nothing is heard. Returns who listened before. */
+ts_listener ts_listen(const ts_listener *listener);
 /* Whether the listener wants no more of what runs. */
 bool ts_cancelled(void);
 /* One line, by ts_line_clean. */

@@ -6,7 +6,12 @@ enum { LINE_BYTES = 1024 };
 
 static _Thread_local ts_listener listener;
 
-void ts_listen(const ts_listener *to) { listener = *to; }
+ts_listener ts_listen(const ts_listener *to)
+{
+	const ts_listener before = listener;
+	listener = *to;
+	return before;
+}
 
 void ts_say(const char *format, ...)
 {

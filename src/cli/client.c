@@ -1,0 +1,23 @@
+/* The command as a client of the library. */
+#include "client.h"
+#include <stdlib.h>
+
+ts_status ts_client_open(ts_context **context, const ts_cli *cli)
+{
+	const bool quiet = cli->job.output.quiet;
+	const ts_context_options options = {.bytes = sizeof options,
+	                                    .threads = cli->job.how.threads,
+	                                    .say = quiet ? NULL : ts_cli_say,
+	                                    .progress = quiet ? NULL : ts_cli_progress};
+	return ts_context_open(context, &options);
+}
+
+json_t *ts_client_json(ts_tree *tree)
+{
+	char *text = tree != NULL ? ts_tree_json(tree) : NULL;
+	json_t *json = text != NULL ? json_loads(text, JSON_DECODE_ANY, NULL) : NULL;
+	if (tree != NULL && json == NULL) ts_fail("an answer: out of memory");
+	free(text);
+	ts_tree_free(tree);
+	return json;
+}

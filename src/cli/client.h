@@ -1,0 +1,15 @@
+/* What the commands share that ask the library by its public headers, as any program does. */
+#ifndef TS_CLI_CLIENT_H
+#define TS_CLI_CLIENT_H
+#include <jansson.h>
+#include "cli.h"
+#include <touchstone/touchstone.h>
+
+/* The context of a command: the C backend on its threads. What the library says is heard as the command's own. Release
+ * by ts_context_close; NULL on failure. */
+ts_status ts_client_open(ts_context **context, const ts_cli *cli);
+
+/* A tree as JSON, and released; a new reference. NULL with the message set on failure, or of NULL. */
+json_t *ts_client_json(ts_tree *tree);
+
+#endif
