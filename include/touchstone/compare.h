@@ -11,6 +11,7 @@
 #include <touchstone/context.h>
 #include <touchstone/status.h>
 #include <touchstone/trace.h>
+#include <touchstone/tree.h>
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -29,6 +30,8 @@ typedef struct {
 	const char *ignore;  /* "BUFFER,BUFFER.field,...": not judged */
 	const uint8_t *mask; /* mask_height rows of mask_width: pixel buffers are judged only where it is not 0 */
 	uint32_t mask_width, mask_height;
+	uint32_t first;     /* so many differences of each buffer are told; 0: one */
+	const char *stages; /* "scene,split,...": only what these make is judged; NULL: all */
 } ts_compare_options;
 
 /* Compares a candidate with a reference of the same method, in the order of the stages. The traces are not needed
@@ -53,7 +56,17 @@ TS_API ts_status ts_replay(ts_context *context, ts_verdicts **verdicts, const ch
 TS_API ts_status ts_trace_replay(ts_context *context, ts_trace **trace, const char *stage, const ts_trace *reference,
                                  const ts_trace *candidate);
 
-/* How one buffer was judged. */
+/* How a buffer was judged. */
+typedef enum {
+	TS_NOT_JUDGED, /* the reference lacks it, or neither has it */
+	TS_MISSING,    /* the candidate lacks it */
+	TS_IGNORED,
+	TS_UNABLE, /* what is right cannot be known: `why` */
+	TS_SAME,
+	TS_UNLIKE,
+} ts_judgement;
+
+/* The same of one buffer. */
 typedef struct {
 	const char *stage; /* that makes the buffer, or "scene" */
 	const char *buffer;
@@ -65,13 +78,24 @@ typedef struct {
 	uint64_t n_relaxed;                /* elements that only a relaxation let pass */
 	uint64_t n_masked;                 /* elements that the mask left out */
 	uint64_t n_undecided;              /* elements that differ where the reference does not decide */
+	ts_judgement judgement;
+	uint32_t number;        /* of the stage in names of files; 0: the scene */
+	int by_counts;          /* not 0: prefix sums, of which counts are judged: a wrong one moves all sums behind it */
+	uint64_t n_tied;        /* texels where another of the tied records won, as it may */
+	int64_t worst_ulps;     /* largest distance of floats */
+	double seconds;         /* that judging took */
+	int has_first;          /* not 0: an element that both have differs, */
+	uint64_t first_element; /* this one first */
+	const char *first;      /* of what differs: its first difference and how many there are, */
+	const char *line;       /* the same with stage, buffer and the state of the inputs, */
+	const char *note;       /* and what else there is to say of it; else, and where there is nothing, "" */
 } ts_verdict_info;
 
 /* Buffer i, from 0, of the reference's buffers in the order of the stages; after a replay, of the stage's outputs. NULL
  * behind the last. */
 TS_API const ts_verdict_info *ts_verdicts_at(const ts_verdicts *verdicts, size_t i);
 
-/* The first divergence: the first element that differs of the first stage that differs. */
+/* A difference. The first divergence is the first difference of the first stage that differs. */
 typedef struct {
 	const char *stage, *buffer;
 	const char *how;    /* "different"; for records of a set also "missing", "not of the reference", "twice" */
@@ -84,10 +108,35 @@ typedef struct {
 	int64_t ulps;                      /* from the reference to the candidate; 0: not floats; INT64_MAX: one is a NaN */
 	const char *inputs;                /* "inputs identical", or which inputs differ or were not given */
 	const char *line;                  /* all of it in one line, as `touchstone compare` ends */
+	const char *spot;   /* field and component: "normal[1]"; "" of a scalar */
+	uint32_t bytes;     /* of each value; 0: counts, which no field holds: element is that of the sum behind */
 } ts_divergence;
 
 /* NULL: nothing differs. */
 TS_API const ts_divergence *ts_verdicts_first(const ts_verdicts *verdicts);
+
+/* Difference i of buffer b, a place of ts_verdicts_at: records without a partner, then elements, each in their order.
+ * Its line is behind the first without stage, buffer and inputs. NULL behind the last that was asked for. */
+TS_API const ts_divergence *ts_verdicts_difference(const ts_verdicts *verdicts, size_t b, size_t i);
+
+/* How many elements differ in a field of a record. */
+typedef struct {
+	const char *field;
+	uint64_t n_different;
+} ts_field_count;
+
+/* Field i of those of buffer b in which elements differ; NULL behind the last, and of what has no fields. */
+TS_API const ts_field_count *ts_verdicts_field(const ts_verdicts *verdicts, size_t b, size_t i);
+
+/* All that differs, as an object: as `compare --json` has it, but without the verdicts of buffers and stages. Release
+ * by ts_tree_free; NULL without memory. */
+TS_API ts_tree *ts_verdicts_tree(const ts_verdicts *verdicts);
+
+/* Compares one buffer, which both have, and sets marks[e] to 1 for each element e of the reference's n that differs,
+ * else to 0. options as of ts_compare; `forced` means nothing here. TS_OK: none does. TS_DIFFERENT. */
+TS_API ts_status ts_compare_marks(ts_context *context, uint8_t *marks, size_t n, const char *buffer,
+                                  const ts_trace *reference, const ts_trace *candidate,
+                                  const ts_compare_options *options);
 
 /* Releases verdicts; NULL is allowed. */
 TS_API void ts_verdicts_free(ts_verdicts *verdicts);

@@ -30,7 +30,8 @@ TS_API ts_status ts_probe_point_key(ts_context *context, ts_tree **answer, const
 
 /* What is told of a kind of thing in the traces of some methods. */
 typedef struct {
-	const char *option;  /* how the command asks: "--pixel X,Y", "--pixel X,Y --view VIEW", "--triangle T", "--point P" */
+	const char
+		*option; /* how the command asks: "--pixel X,Y", "--pixel X,Y --view VIEW", "--triangle T", "--point P" */
 	const char *methods; /* "reflections by epr, mvr; ..." */
 	const char *view;    /* of texels, how their views are named; else "" */
 	const char *tells;

@@ -22,12 +22,16 @@ typedef struct {
 	const char *kind;      /* map, emit or scatter */
 	const char *margin_of; /* the stage whose decisions this one measures; NULL: none */
 	const char *paper, *doc;
+	int has_kernels; /* not 0: items of kernels make what it makes, and can be explained */
 } ts_stage_info;
 TS_API const ts_stage_info *ts_stage_at(size_t i);
 
 /* Stage i of a method, in the order in which the stages run; a margin stands behind its stage. NULL also if there is no
  * such method. */
 TS_API const ts_stage_info *ts_method_stage(const char *effect, const char *method, size_t i);
+
+/* The number of that stage in names of files; 0: there is no such stage. */
+TS_API uint32_t ts_method_stage_number(const char *effect, const char *method, size_t i);
 
 /* Buffer i that a stage reads, and buffer i that the stage makes; NULL behind the last, or if there is no such stage.
  * Buffers that a run leaves out by its parameters are listed, too. */
@@ -45,6 +49,8 @@ typedef struct {
 	const char *doc;
 } ts_buffer_info;
 TS_API const ts_buffer_info *ts_buffer_at(size_t i);
+/* Not 0 if its first dimensions are the rows and columns of the eye's pixels or of their samples. */
+TS_API int ts_buffer_is_image(const char *name);
 
 /* A field of a record. The fields of one record stand together. */
 typedef struct {

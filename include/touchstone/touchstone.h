@@ -17,6 +17,7 @@
 #define TOUCHSTONE_TOUCHSTONE_H
 #include <touchstone/compare.h>
 #include <touchstone/context.h>
+#include <touchstone/html.h>
 #include <touchstone/image.h>
 #include <touchstone/params.h>
 #include <touchstone/probe.h>

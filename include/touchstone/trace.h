@@ -44,6 +44,16 @@ TS_API ts_status ts_trace_run(ts_context *context, ts_trace **trace, const ts_sc
  * folder is opened but files of the folder "scene" beside it. The files must not change until ts_trace_close. */
 TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folder);
 
+/* Opens one .npy file as a trace of nothing else, of whatever method: its name, "BUFFER.npy" or "NN-BUFFER.npy", says
+ * which buffer it holds. */
+TS_API ts_status ts_trace_open_npy(ts_context *context, ts_trace **trace, const char *path);
+
+/* Opens a folder without trace.json as a candidate of the reference's method. list: "BUFFER=FILE,...", files of that
+ * folder: .npy, or else raw little-endian elements, whose first dimension follows from the size and whose others are
+ * the reference's. arrival not 0: points stand in any order. */
+TS_API ts_status ts_trace_open_list(ts_context *context, ts_trace **trace, const char *folder, const char *list,
+                                    int arrival, const ts_trace *reference);
+
 /* Makes a candidate without buffers, of the method and the parameters of `reference`. arrival not 0: its points stand
  * in any order. */
 TS_API ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const ts_trace *reference, int arrival);
@@ -65,12 +75,27 @@ typedef struct {
 	uint64_t shape[4];
 } ts_buffer_view;
 
+/* Of what run a trace is. */
+typedef struct {
+	const char *folder;          /* or the file; of a trace in memory what messages call it */
+	const char *effect, *method; /* of one file, which many methods may have, any of those */
+	const char *producer;        /* its name and version; "" if it was not said */
+	int arrival;                 /* not 0: points may stand in any order */
+	int has_params;              /* not 0: it says with which parameters it was made */
+} ts_trace_info;
+
+/* Belongs to the trace. */
+TS_API const ts_trace_info *ts_trace_about(ts_trace *trace);
+
 /* Not 0 if the trace has the buffer of that name. */
 TS_API int ts_trace_has(const ts_trace *trace, const char *name);
 
 /* The buffer of that name, read from its file if need be; valid until ts_trace_close or ts_trace_put. NULL with the
  * message set if there is no such buffer, the trace lacks it, or its file cannot be read. */
 TS_API const ts_buffer_view *ts_trace_buffer(ts_trace *trace, const char *name);
+
+/* The same without reading: data is NULL while the buffer is in a file alone. */
+TS_API const ts_buffer_view *ts_trace_look(ts_trace *trace, const char *name);
 
 /* SHA-256 of the .npy file that a trace in a folder has of a buffer: 64 hexadecimal digits and a 0. */
 TS_API ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65]);

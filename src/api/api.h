@@ -17,6 +17,9 @@ void ts_api_ready(void);
 ts_status ts_api_enter(const ts_context *context);
 void ts_api_leave(void);
 
+/* Finds a buffer by a name that a caller gave. */
+ts_status ts_api_buffer(ts_buffer_id *id, const char *name);
+
 /* Copies a caller's struct of options, `type`. NULL: nothing. TS_ERROR: its size is none, or it sets what this library
  * does not know. Where a struct grows, callers of the older one stop short of our_bytes: then its first size is the
  * least. */

@@ -1,84 +1,13 @@
-/* Verdicts of comparisons and replays, as structs. */
-#include "api.h"
-#include <touchstone/compare.h>
+/* Comparing and replaying. */
+#include "verdicts.h"
 #include <float.h>
-#include <stdlib.h>
+#include <inttypes.h>
 #include <string.h>
-#include "../compare/line.h"
+#include "../compare/part.h"
 #include "../replay/forced.h"
 #include "../replay/judge.h"
 #include "../trace/emit.h"
 #include "../trace/item.h"
-
-struct ts_verdicts {
-	ts_comparison *comparison;
-	ts_verdict_info info[TS_N_BUFFERS];
-	u32 n;
-	bool different;
-	ts_divergence first;
-	char where[TS_WHERE_TEXT], field[64], reference[TS_VALUE_TEXT], candidate[TS_VALUE_TEXT];
-	char inputs[TS_INPUTS_TEXT], line[TS_LINE_TEXT];
-};
-
-static const char *stage_of(const ts_trace *reference, ts_buffer_id id)
-{
-	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
-	return step != NULL ? step->stage : "scene";
-}
-
-static void list(ts_verdicts *v, const ts_trace *reference, ts_buffer_id id)
-{
-	const ts_verdict *judged = &v->comparison->verdict[id];
-	v->info[v->n++] = (ts_verdict_info){.stage = stage_of(reference, id),
-	                                    .buffer = ts_buffer_table[id].name,
-	                                    .verdict = ts_compare_word(judged->judgement),
-	                                    .why = judged->why,
-	                                    .n_reference = judged->n_ref,
-	                                    .n_candidate = judged->n_cand,
-	                                    .n_different = judged->n_different,
-	                                    .n_missing = judged->n_missing,
-	                                    .n_extra = judged->n_extra,
-	                                    .n_relaxed = judged->n_relaxed,
-	                                    .n_masked = judged->n_masked,
-	                                    .n_undecided = judged->n_undecided};
-}
-
-static void tell_element(ts_verdicts *v, ts_buffer_id id, const ts_named *named)
-{
-	const ts_difference *d = &named->difference;
-	memcpy(v->where, named->where, sizeof v->where);
-	v->first.how = ts_compare_how(d->how);
-	v->first.element = d->element;
-	if (d->how != TS_UNEQUAL) return;
-	const ts_fields fields = ts_fields_of(id);
-	snprintf(v->field, sizeof v->field, "%s", fields.field[d->field].name);
-	ts_difference_show(v->reference, id, d, d->ref);
-	ts_difference_show(v->candidate, id, d, d->cand);
-	v->first.component = d->component;
-	v->first.reference_bits = d->ref;
-	v->first.candidate_bits = d->cand;
-	v->first.ulps = ts_compare_ulps(id, d);
-}
-
-static void tell_first(ts_verdicts *v, const ts_trace *reference)
-{
-	ts_buffer_id id = v->comparison->first;
-	if (id == TS_N_BUFFERS) return;
-	const ts_verdict *judged = &v->comparison->verdict[id];
-	v->different = true;
-	v->first = (ts_divergence){.stage = stage_of(reference, id),
-	                           .buffer = ts_buffer_table[id].name,
-	                           .how = "different",
-	                           .where = v->where,
-	                           .field = v->field,
-	                           .reference = v->reference,
-	                           .candidate = v->candidate,
-	                           .inputs = v->inputs,
-	                           .line = v->line};
-	if (judged->list.n > 0) tell_element(v, id, &judged->list.items[0]);
-	ts_compare_inputs(v->inputs, v->comparison, reference, id);
-	ts_compare_line(v->line, v->comparison, reference, id);
-}
 
 /* Takes over what was made in `v`, or releases it. */
 static ts_status give(ts_verdicts **verdicts, ts_verdicts *v, ts_status status)
@@ -91,17 +20,7 @@ static ts_status give(ts_verdicts **verdicts, ts_verdicts *v, ts_status status)
 	return status;
 }
 
-static ts_verdicts *make(void)
-{
-	ts_verdicts *v = ts_alloc_zero(1, sizeof *v, "verdicts");
-	if (v == NULL) return NULL;
-	v->comparison = ts_comparison_make(1);
-	if (v->comparison != NULL) return v;
-	free(v);
-	return NULL;
-}
-
-static ts_status relax(ts_relaxations *r, const ts_compare_options *o)
+ts_status ts_api_relax(ts_relaxations *r, const ts_compare_options *o)
 {
 	const double numbers[] = {o->abs, o->rel};
 	for (u32 i = 0; i < 2; i++) {
@@ -125,21 +44,35 @@ static ts_status relax(ts_relaxations *r, const ts_compare_options *o)
 	return TS_OK;
 }
 
+static ts_status judge(const ts_context *context, ts_verdicts *v, const ts_trace *reference, const ts_trace *candidate,
+                       const ts_compare_options *o)
+{
+	ts_relaxations relaxations;
+	bool part[TS_N_BUFFERS];
+	if (ts_api_relax(&relaxations, o) != TS_OK) return TS_ERROR;
+	if (o->stages != NULL) {
+		if (ts_part_make(part, o->stages, reference, candidate, &relaxations) != TS_OK) return TS_ERROR;
+		relaxations.only = part;
+	}
+	if (o->forced != 0) {
+		return ts_compare_forced(v->comparison, reference, candidate, &relaxations, context->how.threads);
+	}
+	ts_status status = ts_compare_traces(v->comparison, reference, candidate, &relaxations);
+	if (status != TS_DIFFERENT || o->stages == NULL) return status;
+	return ts_part_inputs(v->comparison, reference, candidate, &relaxations) == TS_OK ? status : TS_ERROR;
+}
+
 static ts_status compare(const ts_context *context, ts_verdicts *v, const ts_trace *reference,
                          const ts_trace *candidate, const ts_compare_options *o)
 {
-	ts_relaxations relaxations;
-	if (relax(&relaxations, o) != TS_OK) return TS_ERROR;
 	ts_buffer_id ids[TS_N_BUFFERS];
-	ts_status status = o->forced != 0
-	                       ? ts_compare_forced(v->comparison, reference, candidate, &relaxations, context->how.threads)
-	                       : ts_compare_traces(v->comparison, reference, candidate, &relaxations);
+	ts_status status = judge(context, v, reference, candidate, o);
 	ts_emit_order(ids, reference->pipeline);
 	for (u32 i = 0; i < TS_N_BUFFERS && status != TS_ERROR; i++) {
-		if (reference->item[ids[i]].path != NULL) list(v, reference, ids[i]);
+		if (reference->item[ids[i]].path == NULL || v->comparison->verdict[ids[i]].aside) continue;
+		if (ts_verdicts_add(v, reference, ids[i]) != TS_OK) status = TS_ERROR;
 	}
-	if (status == TS_DIFFERENT) tell_first(v, reference);
-	return status;
+	return status != TS_ERROR && ts_verdicts_end(v, reference, candidate) != TS_OK ? TS_ERROR : status;
 }
 
 ts_status ts_compare(ts_context *context, ts_verdicts **verdicts, const ts_trace *reference, const ts_trace *candidate,
@@ -151,10 +84,40 @@ ts_status ts_compare(ts_context *context, ts_verdicts **verdicts, const ts_trace
 	if (TS_LACKS(context) || TS_LACKS(reference) || TS_LACKS(candidate)) return TS_ERROR;
 	if (ts_api_options(&ours, sizeof ours, options, "ts_compare_options") != TS_OK) return TS_ERROR;
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
-	ts_verdicts *v = make();
+	ts_verdicts *v = ts_verdicts_make(ours.first > 0 ? ours.first : 1);
 	ts_status status = v != NULL ? compare(context, v, reference, candidate, &ours) : TS_ERROR;
 	ts_api_leave();
 	return give(verdicts, v, status);
+}
+
+static ts_status mark(u8 *marks, size_t n, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
+                      const ts_compare_options *o)
+{
+	ts_relaxations relaxations;
+	ts_verdict verdict = {.marks = marks};
+	const u64 elements = reference->item[id].npy.n;
+	if (ts_api_relax(&relaxations, o) != TS_OK) return TS_ERROR;
+	if (reference->item[id].path != NULL && n != elements) {
+		return ts_fail("%s: %zu marks; %" PRIu64 ", one an element, are right", ts_buffer_table[id].name, n, elements);
+	}
+	memset(marks, 0, n);
+	if (ts_compare_alone(&verdict, id, reference, candidate, &relaxations) == TS_ERROR) return TS_ERROR;
+	return verdict.judgement == TS_UNLIKE ? TS_DIFFERENT : TS_OK;
+}
+
+ts_status ts_compare_marks(ts_context *context, uint8_t *marks, size_t n, const char *buffer, const ts_trace *reference,
+                           const ts_trace *candidate, const ts_compare_options *options)
+{
+	ts_compare_options ours = {0};
+	ts_buffer_id id;
+	if (TS_LACKS(context) || TS_LACKS(marks) || TS_LACKS(buffer) || TS_LACKS(reference) || TS_LACKS(candidate)) {
+		return TS_ERROR;
+	}
+	if (ts_api_options(&ours, sizeof ours, options, "ts_compare_options") != TS_OK) return TS_ERROR;
+	if (ts_api_buffer(&id, buffer) != TS_OK || ts_api_enter(context) != TS_OK) return TS_ERROR;
+	ts_status status = mark(marks, n, id, reference, candidate, &ours);
+	ts_api_leave();
+	return status;
 }
 
 /* A candidate is judged by what it has alone. */
@@ -181,14 +144,22 @@ static ts_status judge_outputs(ts_verdicts *v, const ts_load *load, const ts_sta
 	const ts_comparison *c = v->comparison;
 	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
 		if (!load->run.frame.buffer[*id].made) continue;
-		if (judge_output(v, load, *id, relaxations) != TS_OK) {
-			return ts_fail("stage %s: %s", stage->name, ts_error_message());
-		}
-		list(v, load->reference, *id);
+		if (judge_output(v, load, *id, relaxations) == TS_OK) continue;
+		return ts_fail("stage %s: %s", stage->name, ts_error_message());
 	}
 	if (c->n_judged > 0) return c->n_unlike > 0 ? TS_DIFFERENT : TS_OK;
 	return ts_fail("stage %s: %s has none of its outputs to compare with", stage->name,
 	               load->candidate != NULL ? load->candidate->dir : load->reference->dir);
+}
+
+static ts_status list_outputs(ts_verdicts *v, const ts_load *load, const ts_stage *stage)
+{
+	ts_status status = TS_OK;
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS && status == TS_OK; id++) {
+		if (load->run.frame.buffer[*id].made) status = ts_verdicts_add(v, load->reference, *id);
+	}
+	const ts_trace *judged = load->candidate != NULL ? load->candidate : load->reference;
+	return status == TS_OK ? ts_verdicts_end(v, load->reference, judged) : status;
 }
 
 /* Runs the stage of that name on the inputs of both. */
@@ -212,12 +183,12 @@ static ts_status replay(const ts_context *context, ts_verdicts *v, const char *n
 	ts_load *load;
 	const ts_stage *stage;
 	ts_relaxations relaxations;
-	if (relax(&relaxations, o) != TS_OK || ts_relax_check(&relaxations) != TS_OK) return TS_ERROR;
+	if (ts_api_relax(&relaxations, o) != TS_OK || ts_relax_check(&relaxations) != TS_OK) return TS_ERROR;
 	if (run_stage(context, &load, &stage, name, reference, candidate) != TS_OK) return TS_ERROR;
 	ts_comparison_begin(v->comparison);
 	v->comparison->forced = candidate != NULL;
 	ts_status status = judge_outputs(v, load, stage, &relaxations);
-	if (status == TS_DIFFERENT) tell_first(v, reference);
+	if (status != TS_ERROR && list_outputs(v, load, stage) != TS_OK) status = TS_ERROR;
 	ts_load_end(load);
 	return status;
 }
@@ -231,7 +202,7 @@ ts_status ts_replay(ts_context *context, ts_verdicts **verdicts, const char *sta
 	if (TS_LACKS(context) || TS_LACKS(stage) || TS_LACKS(reference)) return TS_ERROR;
 	if (ts_api_options(&ours, sizeof ours, options, "ts_compare_options") != TS_OK) return TS_ERROR;
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
-	ts_verdicts *v = make();
+	ts_verdicts *v = ts_verdicts_make(ours.first > 0 ? ours.first : 1);
 	ts_status status = v != NULL ? replay(context, v, stage, reference, candidate, &ours) : TS_ERROR;
 	ts_api_leave();
 	return give(verdicts, v, status);
@@ -271,21 +242,4 @@ ts_status ts_trace_replay(ts_context *context, ts_trace **trace, const char *sta
 	}
 	ts_api_leave();
 	return status;
-}
-
-const ts_verdict_info *ts_verdicts_at(const ts_verdicts *verdicts, size_t i)
-{
-	return verdicts != NULL && i < verdicts->n ? &verdicts->info[i] : NULL;
-}
-
-const ts_divergence *ts_verdicts_first(const ts_verdicts *verdicts)
-{
-	return verdicts != NULL && verdicts->different ? &verdicts->first : NULL;
-}
-
-void ts_verdicts_free(ts_verdicts *verdicts)
-{
-	if (verdicts == NULL) return;
-	ts_comparison_free(verdicts->comparison);
-	free(verdicts);
 }

@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <string.h>
 #include "../methods/pipeline.h"
+#include "../trace/emit.h"
 
 static ts_method_info *methods;
 static ts_stage_info *stages;
@@ -22,7 +23,7 @@ static void make(void)
 	}
 	for (size_t i = 0; i < n_stages && stages != NULL; i++) {
 		const ts_stage *s = ts_stages()[i];
-		stages[i] = (ts_stage_info){s->name, s->kind, s->margin_of, s->paper, s->doc};
+		stages[i] = (ts_stage_info){s->name, s->kind, s->margin_of, s->paper, s->doc, s->launches != NULL};
 	}
 }
 
@@ -44,18 +45,32 @@ const ts_stage_info *ts_stage_at(size_t i)
 	return stages != NULL && i < n_stages ? &stages[i] : NULL;
 }
 
+/* Step i of a method; NULL: there is none. */
+static const ts_step *step_at(const ts_pipeline **pipeline, const char *effect, const char *method, size_t i)
+{
+	*pipeline = effect != NULL && method != NULL ? ts_pipeline_find(effect, method) : NULL;
+	const ts_step *step = *pipeline != NULL ? ts_pipeline_steps(*pipeline) : NULL;
+	while (step != NULL && step->stage != NULL && i > 0) step++, i--;
+	return step != NULL && step->stage != NULL ? step : NULL;
+}
+
 const ts_stage_info *ts_method_stage(const char *effect, const char *method, size_t i)
 {
+	const ts_pipeline *pipeline;
 	require();
-	const ts_pipeline *pipeline = effect != NULL && method != NULL ? ts_pipeline_find(effect, method) : NULL;
-	const ts_step *step = pipeline != NULL ? ts_pipeline_steps(pipeline) : NULL;
-	for (; step != NULL && step->stage != NULL; step++, i--) {
-		if (i > 0) continue;
-		for (size_t k = 0; k < n_stages && stages != NULL; k++) {
-			if (strcmp(stages[k].name, step->stage) == 0) return &stages[k];
-		}
+	const ts_step *step = step_at(&pipeline, effect, method, i);
+	for (size_t k = 0; step != NULL && k < n_stages && stages != NULL; k++) {
+		if (strcmp(stages[k].name, step->stage) == 0) return &stages[k];
 	}
 	return NULL;
+}
+
+uint32_t ts_method_stage_number(const char *effect, const char *method, size_t i)
+{
+	const ts_pipeline *pipeline;
+	ts_api_ready();
+	const ts_step *step = step_at(&pipeline, effect, method, i);
+	return step != NULL ? ts_emit_number(pipeline, ts_stage_outputs(ts_stage_find(step->stage))[0]) : 0;
 }
 
 static const char *nth(const ts_buffer_id *ids, size_t i)
@@ -81,6 +96,13 @@ const char *ts_stage_output(const char *stage, size_t i)
 }
 
 const ts_buffer_info *ts_buffer_at(size_t i) { return i < TS_N_BUFFERS ? &ts_buffer_table[i] : NULL; }
+
+int ts_buffer_is_image(const char *name)
+{
+	u32 id = 0;
+	while (name != NULL && id < TS_N_BUFFERS && strcmp(ts_buffer_table[id].name, name) != 0) id++;
+	return name != NULL && id < TS_N_BUFFERS && ts_shape_is_image(ts_buffer_shape((ts_buffer_id)id));
+}
 
 const ts_field_info *ts_field_at(size_t i)
 {

@@ -116,6 +116,29 @@ ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folde
 	return status;
 }
 
+ts_status ts_trace_open_npy(ts_context *context, ts_trace **trace, const char *path)
+{
+	ts_buffer_id id;
+	if (TS_LACKS(trace)) return TS_ERROR;
+	*trace = NULL;
+	if (TS_LACKS(context) || TS_LACKS(path) || ts_api_enter(context) != TS_OK) return TS_ERROR;
+	ts_status status = ts_trace_open_file(trace, path, &id);
+	ts_api_leave();
+	return status;
+}
+
+ts_status ts_trace_open_list(ts_context *context, ts_trace **trace, const char *folder, const char *list, int arrival,
+                             const ts_trace *reference)
+{
+	if (TS_LACKS(trace)) return TS_ERROR;
+	*trace = NULL;
+	if (TS_LACKS(context) || TS_LACKS(folder) || TS_LACKS(list) || TS_LACKS(reference)) return TS_ERROR;
+	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
+	ts_status status = ts_trace_open_layout(trace, folder, list, arrival != 0, reference);
+	ts_api_leave();
+	return status;
+}
+
 ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const ts_trace *reference, int arrival)
 {
 	if (TS_LACKS(trace)) return TS_ERROR;
@@ -132,8 +155,7 @@ ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const ts_tra
 	return TS_OK;
 }
 
-/* Finds a buffer by a name that a caller gave. */
-static ts_status find(ts_buffer_id *id, const char *name)
+ts_status ts_api_buffer(ts_buffer_id *id, const char *name)
 {
 	return ts_trace_find(id, name) ? TS_OK : ts_fail("there is no buffer \"%.60s\"; ts_buffer_at names all", name);
 }
@@ -143,7 +165,7 @@ ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_dims, con
 {
 	ts_buffer_id id;
 	ts_npy npy = {.n_dims = n_dims};
-	if (TS_LACKS(trace) || TS_LACKS(buffer) || TS_LACKS(shape) || find(&id, buffer) != TS_OK) return TS_ERROR;
+	if (TS_LACKS(trace) || TS_LACKS(buffer) || TS_LACKS(shape) || ts_api_buffer(&id, buffer) != TS_OK) return TS_ERROR;
 	if (bytes > 0 && TS_LACKS(data)) return TS_ERROR;
 	if (!trace->open) return ts_fail("ts_trace_put: %s is no candidate; ts_trace_candidate makes one", trace->dir);
 	if (n_dims < 1 || n_dims > TS_MAX_DIMS) {
@@ -181,21 +203,46 @@ static ts_status bring(ts_trace_item *item, ts_buffer_id id)
 	return TS_OK;
 }
 
-const ts_buffer_view *ts_trace_buffer(ts_trace *trace, const char *name)
+/* The item of a buffer that the trace has; NULL with the message set. */
+static ts_trace_item *find_item(ts_buffer_id *id, ts_trace *trace, const char *name)
 {
-	ts_buffer_id id;
-	if (TS_LACKS(trace) || TS_LACKS(name) || find(&id, name) != TS_OK) return NULL;
-	ts_trace_item *item = &trace->item[id];
+	if (TS_LACKS(trace) || TS_LACKS(name) || ts_api_buffer(id, name) != TS_OK) return NULL;
+	ts_trace_item *item = &trace->item[*id];
+	if (item->path != NULL) return item;
+	ts_fail("%s: there is no %s", trace->dir, ts_buffer_table[*id].name);
+	return NULL;
+}
+
+static const ts_buffer_view *view_of(ts_trace *trace, ts_buffer_id id)
+{
+	const ts_trace_item *item = &trace->item[id];
 	const ts_buffer_info *info = &ts_buffer_table[id];
-	if (item->path == NULL) {
-		ts_fail("%s: there is no %s", trace->dir, info->name);
-		return NULL;
-	}
-	if (bring(item, id) != TS_OK) return NULL;
 	ts_buffer_view *view = &trace->view[id];
 	*view = (ts_buffer_view){info->name, info->element, info->element_bytes, item->memory, item->npy.n_dims, {0}};
 	memcpy(view->shape, item->npy.shape, sizeof view->shape);
 	return view;
+}
+
+const ts_buffer_view *ts_trace_buffer(ts_trace *trace, const char *name)
+{
+	ts_buffer_id id;
+	ts_trace_item *item = find_item(&id, trace, name);
+	return item != NULL && bring(item, id) == TS_OK ? view_of(trace, id) : NULL;
+}
+
+const ts_buffer_view *ts_trace_look(ts_trace *trace, const char *name)
+{
+	ts_buffer_id id;
+	return find_item(&id, trace, name) != NULL ? view_of(trace, id) : NULL;
+}
+
+const ts_trace_info *ts_trace_about(ts_trace *trace)
+{
+	if (TS_LACKS(trace)) return NULL;
+	trace->info = (ts_trace_info){
+		trace->dir,       trace->pipeline->effect->name, trace->pipeline->name, trace->producer, trace->arrival,
+		trace->has_params};
+	return &trace->info;
 }
 
 ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65])
@@ -205,7 +252,7 @@ ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65])
 	ts_digest digest;
 	if (TS_LACKS(hex)) return TS_ERROR;
 	const ts_buffer_view *view = ts_trace_buffer(trace, name);
-	if (view == NULL || find(&id, name) != TS_OK) return TS_ERROR;
+	if (view == NULL || ts_api_buffer(&id, name) != TS_OK) return TS_ERROR;
 	ts_npy_descr(descr, id);
 	ts_digest_begin(&digest);
 	ts_digest_add(&digest, header, ts_npy_header(header, descr, view->n_dims, view->shape));

@@ -12,11 +12,11 @@ const char *ts_baseline_stage(const ts_pipeline *pipeline, ts_buffer_id buffer)
 	return step != NULL ? step->stage : "scene";
 }
 
-const ts_entry *ts_baseline_find(const ts_baseline *b, const char *name, ts_buffer_id buffer)
+const ts_entry *ts_baseline_find(const ts_baseline *b, const char *name, const char *buffer)
 {
 	for (size_t i = 0; i < b->n; i++) {
 		const ts_entry *e = &b->entry[i];
-		if (strcmp(e->name, name) == 0 && (buffer == TS_N_BUFFERS || e->buffer == buffer)) return e;
+		if (strcmp(e->name, name) == 0 && (buffer == NULL || strcmp(e->buffer, buffer) == 0)) return e;
 	}
 	return NULL;
 }
@@ -41,9 +41,9 @@ static ts_status find_buffer(ts_buffer_id *buffer, const char *name)
 	return id < TS_N_BUFFERS ? TS_OK : ts_fail("no buffer \"%.60s\"%s", name, ts_nearest_hint(&nearest, NULL));
 }
 
-static ts_status check_stage(const ts_entry *e, const ts_pipeline *pipeline)
+static ts_status check_stage(const ts_entry *e, ts_buffer_id buffer, const ts_pipeline *pipeline)
 {
-	const char *maker = ts_baseline_stage(pipeline, e->buffer);
+	const char *maker = ts_baseline_stage(pipeline, buffer);
 	ts_nearest nearest = ts_nearest_begin(e->stage);
 	ts_nearest_offer(&nearest, "scene");
 	for (const ts_step *s = ts_pipeline_steps(pipeline); s->stage != NULL; s++) ts_nearest_offer(&nearest, s->stage);
@@ -51,7 +51,7 @@ static ts_status check_stage(const ts_entry *e, const ts_pipeline *pipeline)
 		return ts_fail("no stage \"%.60s\" of %s%s", e->stage, pipeline->name, ts_nearest_hint(&nearest, NULL));
 	}
 	if (strcmp(maker, e->stage) == 0) return TS_OK;
-	return ts_fail("%s is made by the stage %s, not by %s", ts_buffer_table[e->buffer].name, maker, e->stage);
+	return ts_fail("%s is made by the stage %s, not by %s", e->buffer, maker, e->stage);
 }
 
 /* How a list is read: of differences, or of names. */
@@ -63,17 +63,20 @@ typedef struct {
 
 static ts_status read_difference(ts_entry *e, const reading *r, char **rest)
 {
+	const char *effect, *method;
+	ts_buffer_id buffer;
 	e->stage = word(rest);
-	const char *buffer = word(rest);
-	const ts_pipeline *pipeline = r->find(r->user, e->name);
-	if (pipeline == NULL || find_buffer(&e->buffer, buffer) != TS_OK) return TS_ERROR;
-	return check_stage(e, pipeline);
+	e->buffer = word(rest);
+	if (r->find(r->user, e->name, &effect, &method) != TS_OK || find_buffer(&buffer, e->buffer) != TS_OK) {
+		return TS_ERROR;
+	}
+	return check_stage(e, buffer, ts_pipeline_find(effect, method));
 }
 
 static ts_status read_entry(ts_baseline *b, const reading *r, u32 line, char *text)
 {
 	void *entries = b->entry;
-	ts_entry e = {.line = line, .buffer = TS_N_BUFFERS};
+	ts_entry e = {.line = line};
 	char *rest = text;
 	e.name = word(&rest);
 	ts_status status = r->find != NULL ? read_difference(&e, r, &rest) : r->check(r->user, e.name);

@@ -7,9 +7,8 @@
 
 typedef struct {
 	u32 line;
-	const char *name;  /* a case; of --skip also a buffer */
-	const char *stage; /* of a difference: its stage and buffer; NULL: of --skip */
-	ts_buffer_id buffer;
+	const char *name;           /* a case; of --skip also a buffer */
+	const char *stage, *buffer; /* of a difference: in what; NULL: of --skip */
 	const char *reason;
 } ts_entry;
 /* All zero: an empty list. */
@@ -20,8 +19,8 @@ typedef struct {
 	size_t n, capacity;
 } ts_baseline;
 
-/* The pipeline of a case; NULL with the message set: there is no such case. */
-typedef const ts_pipeline *ts_baseline_case(const void *user, const char *name);
+/* The method of a case; TS_ERROR: there is no such case. */
+typedef ts_status ts_baseline_case(const void *user, const char *name, const char **effect, const char **method);
 /* Reads lines of CASE STAGE BUFFER REASON, each checked. Released by ts_baseline_free, also on failure. */
 ts_status ts_baseline_read(ts_baseline *baseline, const char *path, ts_baseline_case *find, const void *user);
 /* Fails, and says why, if nothing has that name. */
@@ -30,8 +29,8 @@ typedef ts_status ts_baseline_named(const void *user, const char *name);
 ts_status ts_baseline_skips(ts_baseline *skips, const char *path, ts_baseline_named *check, const void *user);
 void ts_baseline_free(ts_baseline *baseline);
 
-/* The entry of that name, and of a difference in that buffer unless it is TS_N_BUFFERS; NULL: there is none. */
-const ts_entry *ts_baseline_find(const ts_baseline *baseline, const char *name, ts_buffer_id buffer);
+/* The entry of that name, and, unless `buffer` is NULL, of a difference in that buffer; NULL: there is none. */
+const ts_entry *ts_baseline_find(const ts_baseline *baseline, const char *name, const char *buffer);
 /* The stage of a pipeline that makes a buffer, or "scene". */
 const char *ts_baseline_stage(const ts_pipeline *pipeline, ts_buffer_id buffer);
 

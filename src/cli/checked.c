@@ -1,7 +1,7 @@
 /* What `golden check` found, as a report. */
 #include "../scene/print.h"
-#include "compare.h"
 #include "golden.h"
+#include "relaxed.h"
 #include "tell.h"
 
 typedef struct {
@@ -58,7 +58,7 @@ static ts_status tell(const ts_goldens *goldens, const ts_checked *checked, u32 
 {
 	ts_outcomes outcomes;
 	char relaxed[TS_RELAXED_TEXT];
-	ts_compare_relaxed(relaxed, goldens->cli);
+	ts_relaxed_text(relaxed, goldens->cli);
 	const found f = {goldens, &outcomes, relaxed};
 	ts_telling telling = {"golden check", &outcomes, relaxed, names_of(goldens), status, report_found, true,
 	                      NULL,           NULL,      &f};

@@ -2,12 +2,11 @@
 #include "compare.h"
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <touchstone/image.h>
-#include "../replay/forced.h"
 #include "compare_images.h"
 #include "compare_known.h"
 #include "compare_shard.h"
+#include "relaxed.h"
+#include "tell.h"
 
 /* What is compared. */
 typedef enum { TRACES, BUFFERS, IMAGES, N_KINDS } kind;
@@ -64,118 +63,148 @@ static ts_status check_options(const ts_cli *cli, kind is)
 	return ts_judging_check(cli);
 }
 
-typedef struct {
-	const ts_cli *cli;
-	ts_trace *reference, *candidate;
-	ts_comparison *comparison;
-	ts_relaxations relaxations;
-	bool own[TS_N_BUFFERS]; /* of this shard */
-	ts_compare_lists lists;
-	ts_outcomes outcomes;
-} sides;
-
-static ts_status open_sides(sides *s, kind is)
+ts_status ts_compared_judge(ts_compared *c)
 {
-	const char *ref = s->cli->arguments[0], *cand = s->cli->arguments[1], *layout = s->cli->judging.layout;
-	if (is == BUFFERS) {
-		ts_buffer_id a, b;
-		if (ts_trace_open_file(&s->reference, ref, &a) != TS_OK) return TS_ERROR;
-		if (ts_trace_open_file(&s->candidate, cand, &b) != TS_OK) return TS_ERROR;
-		if (s->cli->judging.mask != NULL && !ts_shape_is_image(ts_buffer_shape(a))) {
-			return ts_fail("--mask: means something for pixels only; %s holds %s: leave the option out", ref,
-			               ts_buffer_table[a].name);
-		}
-		if (a == b) return TS_OK;
-		return ts_fail("%s: holds %s, and the reference %s", cand, ts_buffer_table[b].name, ts_buffer_table[a].name);
-	}
-	if (ts_trace_open_folder(&s->reference, ref) != TS_OK) return TS_ERROR;
-	if (layout == NULL) return ts_trace_open_folder(&s->candidate, cand);
-	return ts_trace_open_layout(&s->candidate, cand, layout, s->cli->job.how.arrival, s->reference);
+	return ts_compare(c->context, &c->verdicts, c->reference, c->candidate, &c->options);
 }
 
-ts_status ts_compare_mask(ts_relaxations *relaxations, const ts_cli *cli)
+void ts_compared_end(ts_compared *c)
 {
-	f32 *pixels;
-	u32 width, height, channels;
-	if (cli->judging.mask == NULL) return TS_OK;
-	if (ts_image_read(&pixels, &width, &height, &channels, cli->judging.mask) != TS_OK) return TS_ERROR;
-	u8 *mask = ts_alloc_zero((size_t)width, height, "a mask");
-	const u32 colours = channels % 2 == 0 ? channels - 1 : channels; /* the last of two or four is alpha */
-	for (size_t i = 0; mask != NULL && i < (size_t)width * height * channels; i++) {
-		if (i % channels < colours && pixels[i] > 0.0f) mask[i / channels] = 1;
+	ts_verdicts_free(c->verdicts);
+	ts_trace_close(c->candidate);
+	ts_trace_close(c->reference);
+	ts_context_close(c->context);
+}
+
+const ts_verdict_info *ts_compared_find(const ts_compared *c, const char *buffer, size_t *place)
+{
+	const ts_verdict_info *v;
+	for (*place = 0; (v = ts_verdicts_at(c->verdicts, *place)) != NULL && strcmp(v->buffer, buffer) != 0; ++*place) {
 	}
-	free(pixels);
-	relaxations->mask = mask;
-	relaxations->mask_width = width;
-	relaxations->mask_height = height;
-	return mask != NULL ? TS_OK : TS_ERROR;
+	return v;
+}
+
+typedef struct {
+	const ts_cli *cli;
+	ts_compared of;
+	u8 *mask;
+	json_t *cases; /* of shards; NULL: there are none */
+	char *own;     /* those of this one */
+	const char *relaxed;
+	ts_compare_lists lists;
+	ts_outcomes outcomes;
+} comparison;
+
+/* The buffer that a trace of one file has. */
+static const char *only_buffer(const ts_trace *trace)
+{
+	const ts_buffer_info *buffer;
+	for (size_t i = 0; (buffer = ts_buffer_at(i)) != NULL; i++) {
+		if (ts_trace_has(trace, buffer->name)) return buffer->name;
+	}
+	return "";
+}
+
+static ts_status open_buffers(ts_compared *c, const ts_cli *cli)
+{
+	const char *ref = cli->arguments[0], *cand = cli->arguments[1];
+	if (ts_trace_open_npy(c->context, &c->reference, ref) != TS_OK) return TS_ERROR;
+	if (ts_trace_open_npy(c->context, &c->candidate, cand) != TS_OK) return TS_ERROR;
+	const char *a = only_buffer(c->reference), *b = only_buffer(c->candidate);
+	if (cli->judging.mask != NULL && !ts_buffer_is_image(a)) {
+		return ts_fail("--mask: means something for pixels only; %s holds %s: leave the option out", ref, a);
+	}
+	return strcmp(a, b) == 0 ? TS_OK : ts_fail("%s: holds %s, and the reference %s", cand, b, a);
+}
+
+static ts_status open_traces(ts_compared *c, const ts_cli *cli)
+{
+	const char *cand = cli->arguments[1], *layout = cli->judging.layout;
+	if (ts_trace_open(c->context, &c->reference, cli->arguments[0]) != TS_OK) return TS_ERROR;
+	if (layout == NULL) return ts_trace_open(c->context, &c->candidate, cand);
+	return ts_trace_open_list(c->context, &c->candidate, cand, layout, cli->job.how.arrival, c->reference);
+}
+
+static ts_status open_sides(ts_compared *c, const ts_cli *cli, kind is)
+{
+	ts_status status = ts_client_open(&c->context, cli);
+	if (status == TS_OK) status = is == BUFFERS ? open_buffers(c, cli) : open_traces(c, cli);
+	if (status == TS_OK) c->of = ts_trace_about(c->reference);
+	return status;
+}
+
+/* How to judge, but for what the lists say. */
+static ts_status read_options(comparison *c)
+{
+	const ts_judging *judging = &c->cli->judging;
+	const ts_relaxations *r = &judging->relaxations;
+	ts_compare_options *o = &c->of.options;
+	*o = (ts_compare_options){.bytes = sizeof *o,
+	                          .forced = judging->forced,
+	                          .decided = r->decided,
+	                          .ulp = r->ulp,
+	                          .abs = r->abs,
+	                          .rel = r->rel,
+	                          .allow = r->allow,
+	                          .first = judging->first};
+	ts_status status = ts_relaxed_mask(&c->mask, &o->mask_width, &o->mask_height, c->cli);
+	o->mask = c->mask;
+	if (status != TS_OK || c->cli->job.shard.of == 0) return status;
+	c->cases = ts_compare_cases(c->of.of);
+	c->own = c->cases != NULL ? ts_compare_own(c->cases, c->cli->job.shard) : NULL;
+	o->stages = c->own;
+	return c->own != NULL ? TS_OK : TS_ERROR;
+}
+
+static ts_status judge(comparison *c)
+{
+	ts_status status = read_options(c);
+	if (status == TS_OK) status = ts_compare_lists_read(&c->lists, c->cli, c->of.of);
+	if (status != TS_OK) return status;
+	c->lists.stages = c->own;
+	c->of.options.ignore = c->lists.ignore;
+	return ts_compared_judge(&c->of);
 }
 
 static ts_status draw_all(const void *user)
 {
-	const sides *s = user;
-	return ts_compare_draw(s->comparison, s->reference, s->candidate, &s->relaxations);
+	const comparison *c = user;
+	return ts_compare_draw(&c->of);
 }
 
-static ts_status show_all(ts_page *page, const json_t *said, const void *user)
+static ts_status show_all(ts_html *page, const char *said, const void *user)
 {
-	const sides *s = user;
-	if (ts_page_add_trace(page, s->reference) != TS_OK || ts_page_add_trace(page, s->candidate) != TS_OK)
+	const comparison *c = user;
+	const ts_compared *of = &c->of;
+	if (ts_html_add_trace(page, of->reference) != TS_OK || ts_html_add_trace(page, of->candidate) != TS_OK)
 		return TS_ERROR;
-	return ts_page_add_comparison(page, s->comparison, s->reference, s->candidate, &s->relaxations, said);
+	return ts_html_add_verdicts(page, of->verdicts, of->reference, of->candidate, &of->options, said);
 }
 
 static void report_all(ts_report *report, const void *user)
 {
-	const sides *s = user;
-	ts_compare_report(report, s->comparison, s->reference, s->candidate, s->cli);
-	ts_compare_report_known(report, &s->lists, s->comparison);
-	bool failed = ts_outcomes_count(&s->outcomes, TS_FAILED) > 0;
+	const comparison *c = user;
+	ts_compare_report(report, &c->of, c->relaxed);
+	ts_compare_report_known(report, &c->lists, &c->of);
+	bool failed = ts_outcomes_count(&c->outcomes, TS_FAILED) > 0;
 	ts_report_value(report, "verdict", json_string(failed ? "different" : "same"));
-	ts_report_value(report, "stages", json_incref(s->outcomes.rows));
+	ts_report_value(report, "stages", json_incref(c->outcomes.rows));
 }
 
-static ts_status judge_own(const sides *s)
+static ts_status tell(ts_cli *cli, comparison *c)
 {
-	if (!s->cli->judging.forced) return ts_compare_traces(s->comparison, s->reference, s->candidate, &s->relaxations);
-	if (ts_selftest_require() != TS_OK) return TS_ERROR;
-	return ts_compare_forced(s->comparison, s->reference, s->candidate, &s->relaxations, s->cli->job.how.threads);
-}
-
-static ts_status judge(sides *s)
-{
-	ts_shard shard = s->cli->job.shard;
-	if (s->lists.ignore != NULL) s->relaxations.ignore = s->lists.ignore;
-	if (shard.of > 0) {
-		if (ts_compare_own(s->own, s->reference, s->candidate, &s->relaxations, shard) != TS_OK) return TS_ERROR;
-		s->relaxations.only = s->own;
-	}
-	s->lists.only = s->relaxations.only;
-	ts_status status = judge_own(s);
-	if (status != TS_DIFFERENT || shard.of == 0 || s->comparison->forced) return status;
-	return ts_compare_aside(s->comparison, s->reference, s->candidate, &s->relaxations) == TS_OK ? status : TS_ERROR;
-}
-
-static ts_status tell(ts_cli *cli, sides *s)
-{
-	ts_status status;
-	char class_name[64];
-	snprintf(class_name, sizeof class_name, "touchstone.%s", s->reference->pipeline->name);
-	char relaxed[TS_RELAXED_TEXT];
-	ts_telling telling = {"compare", &s->outcomes, relaxed, NULL, TS_OK, report_all, false, draw_all, show_all, s};
-	ts_compare_relaxed(relaxed, cli);
-	if (ts_outcomes_begin(&s->outcomes, "stage", class_name) != TS_OK) return TS_ERROR;
-	ts_compare_outcomes(&s->outcomes, s->comparison, s->reference, &s->lists);
-	telling.status = status = ts_outcomes_count(&s->outcomes, TS_FAILED) > 0 ? TS_DIFFERENT : TS_OK;
-	if (cli->job.shard.of > 0) {
-		telling.cases = ts_compare_cases(s->reference->pipeline);
-		if (telling.cases == NULL) return TS_ERROR;
-		const size_t n = json_array_size(telling.cases);
-		if (cli->job.shard.index > n) ts_shard_say_empty(cli->job.shard, n);
-	}
-	if (ts_tell(cli, &telling, true) != TS_OK) status = TS_ERROR;
-	json_decref(telling.cases);
-	return status;
+	char class_name[64], relaxed[TS_RELAXED_TEXT];
+	snprintf(class_name, sizeof class_name, "touchstone.%s", c->of.of->method);
+	ts_relaxed_text(relaxed, cli);
+	c->relaxed = relaxed;
+	if (ts_outcomes_begin(&c->outcomes, "stage", class_name) != TS_OK) return TS_ERROR;
+	ts_compare_outcomes(&c->outcomes, &c->of, &c->lists);
+	ts_status status = ts_outcomes_count(&c->outcomes, TS_FAILED) > 0 ? TS_DIFFERENT : TS_OK;
+	const ts_telling telling = {"compare",  &c->outcomes, relaxed,  c->cases, status,
+	                            report_all, false,        draw_all, show_all, c};
+	const size_t n = json_array_size(c->cases);
+	if (c->cases != NULL && cli->job.shard.index > n) ts_shard_say_empty(cli->job.shard, n);
+	return ts_tell(cli, &telling, true) == TS_OK ? status : TS_ERROR;
 }
 
 ts_status ts_compare_command(ts_cli *cli)
@@ -183,19 +212,16 @@ ts_status ts_compare_command(ts_cli *cli)
 	kind is = kind_of(cli->arguments[0]);
 	if (check_options(cli, is) != TS_OK) return TS_ERROR;
 	if (is == IMAGES) return ts_compare_images(cli);
-	sides s = {.cli = cli, .relaxations = cli->judging.relaxations};
-	s.comparison = ts_comparison_make(cli->judging.first);
-	ts_status status = s.comparison != NULL ? open_sides(&s, is) : TS_ERROR;
-	if (status == TS_OK) status = ts_compare_mask(&s.relaxations, cli);
-	if (status == TS_OK) status = ts_compare_lists_read(&s.lists, cli, s.reference->pipeline);
-	if (status == TS_OK) status = judge(&s);
-	if (status != TS_ERROR) status = tell(cli, &s);
-	ts_outcomes_end(&s.outcomes);
-	ts_compare_lists_free(&s.lists);
-	ts_trace_close(s.reference);
-	ts_trace_close(s.candidate);
-	free((void *)s.relaxations.mask);
-	ts_comparison_free(s.comparison);
+	comparison c = {.cli = cli};
+	ts_status status = open_sides(&c.of, cli, is);
+	if (status == TS_OK) status = judge(&c);
+	if (status != TS_ERROR) status = tell(cli, &c);
+	ts_outcomes_end(&c.outcomes);
+	ts_compare_lists_free(&c.lists);
+	ts_compared_end(&c.of);
+	json_decref(c.cases);
+	free(c.own);
+	free(c.mask);
 	return status;
 }
 

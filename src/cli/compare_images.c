@@ -9,7 +9,9 @@
 #include "../scene/print.h"
 #include "../trace/field.h"
 #include "../study/folder.h"
-#include "compare.h"
+#include "../compare/line.h"
+#include "relaxed.h"
+#include "tell.h"
 
 typedef struct {
 	f32 *pixels;
@@ -80,12 +82,21 @@ static ts_status make_comparable(images *s)
 	return TS_OK;
 }
 
+static ts_status read_mask(images *s)
+{
+	u8 *mask;
+	ts_relaxations *r = &s->relaxations;
+	ts_status status = ts_relaxed_mask(&mask, &r->mask_width, &r->mask_height, s->cli);
+	r->mask = mask;
+	return status;
+}
+
 static ts_status open_images(images *s)
 {
 	for (u32 i = 0; i < 2; i++) {
 		if (read_picture(&s->p[i], s->cli->arguments[i]) != TS_OK) return TS_ERROR;
 	}
-	if (make_comparable(s) != TS_OK || ts_compare_mask(&s->relaxations, s->cli) != TS_OK) return TS_ERROR;
+	if (make_comparable(s) != TS_OK || read_mask(s) != TS_OK) return TS_ERROR;
 	if (check_sizes(s) != TS_OK) return TS_ERROR;
 	s->marks = ts_alloc_zero(s->p[0].width, s->p[0].height, "a picture of differences");
 	s->first = ts_alloc(s->cli->judging.first, sizeof *s->first, "first differences");
@@ -159,7 +170,7 @@ static void show(char text[TS_DIFFERENCE_TEXT], const images *s, u64 value)
 static void sum_up(char text[TS_LINE_TEXT], const images *s)
 {
 	char relaxed[TS_RELAXED_TEXT];
-	ts_compare_relaxed(relaxed, s->cli);
+	ts_relaxed_text(relaxed, s->cli);
 	snprintf(text, TS_LINE_TEXT,
 	         "%" PRIu64 " values, %" PRIu64 " different in %.4g %% of the pixels, largest difference %.9g, root mean "
 	         "square %.9g%s%s",
@@ -184,7 +195,7 @@ static json_t *number(double value) { return isfinite(value) ? json_real(value) 
 static void put_values(ts_report *report, const images *s)
 {
 	char relaxed[TS_RELAXED_TEXT];
-	ts_compare_relaxed(relaxed, s->cli);
+	ts_relaxed_text(relaxed, s->cli);
 	ts_report_value(report, "reference", ts_text_json(s->cli->arguments[0]));
 	ts_report_value(report, "candidate", ts_text_json(s->cli->arguments[1]));
 	ts_report_value(report, "verdict", json_string(s->same ? "same" : "different"));
@@ -228,7 +239,7 @@ static ts_status draw(const void *user)
 }
 
 /* As a display shows it; a channel or two are grey, and the last of two or four is alpha. */
-static ts_status show_picture(ts_page *page, const picture *p, const char *path)
+static ts_status show_picture(ts_html *page, const picture *p, const char *path)
 {
 	const u32 colours = p->channels < 3 ? 1 : 3;
 	const size_t n = (size_t)p->width * p->height;
@@ -238,18 +249,18 @@ static ts_status show_picture(ts_page *page, const picture *p, const char *path)
 		f32 v = p->pixels[i / 3 * p->channels + (colours == 3 ? i % 3 : 0)];
 		rgb[i] = (u8)(p->linear ? (f32)ts_srgb_byte(v) : v * 255.0f + 0.5f);
 	}
-	ts_status status = ts_page_add_picture(page, path, path, rgb, p->width, p->height);
+	ts_status status = ts_html_add_picture(page, path, path, rgb, p->width, p->height);
 	free(rgb);
 	return status;
 }
 
-static ts_status show_images(ts_page *page, const json_t *said, const void *user)
+static ts_status show_images(ts_html *page, const char *said, const void *user)
 {
 	const images *s = user;
 	for (u32 i = 0; i < 2; i++) {
 		if (show_picture(page, &s->p[i], s->cli->arguments[i]) != TS_OK) return TS_ERROR;
 	}
-	return ts_page_add_picture_comparison(page, said);
+	return ts_html_add_pair(page, said);
 }
 
 static ts_status tell(ts_cli *cli, const images *s)
@@ -258,7 +269,7 @@ static ts_status tell(ts_cli *cli, const images *s)
 	char text[TS_LINE_TEXT], relaxed[TS_RELAXED_TEXT];
 	const ts_status found = s->same ? TS_OK : TS_DIFFERENT;
 	const ts_telling telling = {"compare", &outcomes, relaxed, NULL, found, report_images, false, draw, show_images, s};
-	ts_compare_relaxed(relaxed, cli);
+	ts_relaxed_text(relaxed, cli);
 	ts_status status = ts_outcomes_begin(&outcomes, "image", "touchstone.images");
 	if (status == TS_OK) {
 		ts_outcomes_add(&outcomes, cli->arguments[1], s->same ? "same" : "different", s->same ? TS_PASSED : TS_FAILED,

@@ -1,18 +1,16 @@
 /* Pictures of what differs: white, in rows and columns, and on the faces of cubes. */
+#include "compare.h"
 #include <inttypes.h>
 #include <stdlib.h>
-#include <touchstone/image.h>
+#include <string.h>
 #include "../study/folder.h"
-#include "../trace/emit.h"
-#include "../trace/reader.h"
-#include "compare.h"
 
 enum { MOST_FACE = 1 << 14 };
 
 /* The marks of a buffer, 0 or 1. */
 typedef struct {
-	const ts_trace *reference;
-	ts_buffer_id id;
+	const ts_compared *compared;
+	const ts_buffer_view *view; /* the reference's */
 	u8 *of;
 	u64 n, every; /* marks; marks a pixel or texel */
 } marks;
@@ -28,12 +26,12 @@ static ts_status write_picture(const char *name, const u8 *picture, u32 width, u
 static ts_status draw_rows(marks *m)
 {
 	char name[96];
-	const ts_npy *npy = &m->reference->item[m->id].npy;
-	u64 pixels = npy->shape[0] * npy->shape[1];
+	const u64 *shape = m->view->shape;
+	u64 pixels = shape[0] * shape[1];
 	m->every = m->n / pixels;
 	for (u64 i = 0; i < pixels; i++) m->of[i] = is_marked(m->of + i * m->every, m->every) ? 255 : 0;
-	snprintf(name, sizeof name, "%s.png", ts_buffer_table[m->id].name);
-	return write_picture(name, m->of, (u32)npy->shape[1], (u32)npy->shape[0]);
+	snprintf(name, sizeof name, "%s.png", m->view->name);
+	return write_picture(name, m->of, (u32)shape[1], (u32)shape[0]);
 }
 
 /* Six faces of n x n texels, side by side. */
@@ -61,24 +59,22 @@ static ts_status draw_cube(const marks *m, u64 cube, const u8 *of, u32 n, bool m
 		draw_faces(picture + (size_t)top * width, width, of, m->every, size);
 		of += texels_of(size, false) * m->every;
 	}
-	snprintf(name, sizeof name, "%s-cube-%" PRIu64 ".png", ts_buffer_table[m->id].name, cube);
+	snprintf(name, sizeof name, "%s-cube-%" PRIu64 ".png", m->view->name, cube);
 	ts_status status = write_picture(name, picture, width, height);
 	free(picture);
 	return status;
 }
 
 /* Each of n cubes that differs; the levels of cubes follow one another. */
-static ts_status draw_cubes(marks *m, ts_reader *faces, u64 n, bool mips)
+static ts_status draw_cubes(marks *m, const ts_buffer_view *faces, bool mips)
 {
-	u64 held, levels = 0;
-	for (u64 r = 0; r < n; r++) {
-		const ts_face *face = ts_reader_at(faces, r, &held);
-		if (face == NULL) return TS_ERROR;
+	u64 levels = 0;
+	const ts_face *face = faces->data;
+	for (u64 r = 0; r < faces->shape[0]; r++, face++) {
 		u64 first = mips ? levels : face->offset, texels = face->n > 0 ? texels_of(face->n, mips) : 0;
 		if (face->n > MOST_FACE || first > m->n / m->every || texels > m->n / m->every - first) {
 			return ts_fail("%s: cube %" PRIu64 " of %u texels a side at %" PRIu64 ": %s has %" PRIu64 " texels",
-			               m->reference->dir, r, (unsigned)face->n, first, ts_buffer_table[m->id].name,
-			               m->n / m->every);
+			               m->compared->of->folder, r, (unsigned)face->n, first, m->view->name, m->n / m->every);
 		}
 		levels += texels;
 		const u8 *of = m->of + first * m->every;
@@ -88,54 +84,51 @@ static ts_status draw_cubes(marks *m, ts_reader *faces, u64 n, bool mips)
 	return TS_OK;
 }
 
+/* Whether the first dimension of the buffer is that. */
+static bool counts(const char *buffer, const char *what)
+{
+	const ts_buffer_info *info;
+	size_t i = 0;
+	while ((info = ts_buffer_at(i)) != NULL && strcmp(info->name, buffer) != 0) i++;
+	size_t n = strcspn(info->shape, " ");
+	return n == strlen(what) && strncmp(info->shape, what, n) == 0;
+}
+
 static ts_status draw_texels(marks *m)
 {
-	const ts_trace_item *item = &m->reference->item[TS_B_cube_size_face];
-	ts_reader *faces = ts_trace_read(item, TS_B_cube_size_face);
+	const ts_buffer_view *faces = ts_trace_buffer(m->compared->reference, "cube_size.face");
 	if (faces == NULL) return TS_ERROR;
-	m->every = m->n / m->reference->item[m->id].npy.shape[0];
-	bool mips = ts_axis_counts(&ts_buffer_shape(m->id)->axis[0]) == TS_DIM_mip_texels;
-	ts_status status = draw_cubes(m, faces, item->npy.n, mips);
-	ts_reader_close(faces);
-	return status;
+	m->every = m->n / m->view->shape[0];
+	return draw_cubes(m, faces, counts(m->view->name, "mip_texels"));
 }
 
 /* Whether its elements are texels of cubes. */
-static bool is_of_cubes(ts_buffer_id id, const ts_trace *reference)
+static bool is_of_cubes(const ts_compared *c, const char *buffer)
 {
-	const ts_axis *axis = &ts_buffer_shape(id)->axis[0];
-	ts_dim of = ts_axis_counts(axis);
-	return (of == TS_DIM_texels || of == TS_DIM_mip_texels) && axis->more == 0 &&
-	       reference->item[TS_B_cube_size_face].path != NULL;
+	return (counts(buffer, "texels") || counts(buffer, "mip_texels")) && ts_trace_has(c->reference, "cube_size.face");
 }
 
-static ts_status draw_buffer(ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
-                             const ts_order *order, const ts_relaxations *relaxations)
+static ts_status draw_buffer(const ts_compared *c, const char *buffer)
 {
-	marks m = {.reference = reference, .id = id, .n = reference->item[id].npy.n};
-	bool rows = ts_shape_is_image(ts_buffer_shape(id));
-	if (m.n == 0 || (!rows && !is_of_cubes(id, reference))) return TS_OK;
+	marks m = {.compared = c, .view = ts_trace_look(c->reference, buffer), .n = 1};
+	bool rows = ts_buffer_is_image(buffer);
+	if (m.view == NULL) return TS_ERROR;
+	for (u32 i = 0; i < m.view->n_dims; i++) m.n *= m.view->shape[i];
+	if (m.n == 0 || (!rows && !is_of_cubes(c, buffer))) return TS_OK;
 	m.of = ts_alloc_zero((size_t)m.n, 1, "a picture of differences");
 	if (m.of == NULL) return TS_ERROR;
-	ts_verdict v = {.marks = m.of};
-	ts_status status = ts_compare_buffer(&v, id, reference, candidate, order, relaxations);
-	if (status == TS_OK) status = rows ? draw_rows(&m) : draw_texels(&m);
+	ts_status status = ts_compare_marks(c->context, m.of, (size_t)m.n, buffer, c->reference, c->candidate, &c->options);
+	if (status != TS_ERROR) status = rows ? draw_rows(&m) : draw_texels(&m);
 	free(m.of);
 	return status;
 }
 
-ts_status ts_compare_draw(const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
-                          const ts_relaxations *relaxations)
+ts_status ts_compare_draw(const ts_compared *c)
 {
-	ts_order order;
-	ts_buffer_id ids[TS_N_BUFFERS];
-	ts_emit_order(ids, reference->pipeline);
-	ts_status status = ts_order_make(&order, ts_order_key(), reference, candidate);
-	for (u32 i = 0; i < TS_N_BUFFERS && status == TS_OK; i++) {
-		ts_buffer_id id = ids[i];
-		if (c->verdict[id].judgement != TS_UNLIKE || c->verdict[id].aside) continue;
-		status = draw_buffer(id, reference, candidate, &order, relaxations);
+	const ts_verdict_info *v;
+	ts_status status = TS_OK;
+	for (size_t i = 0; (v = ts_verdicts_at(c->verdicts, i)) != NULL && status == TS_OK; i++) {
+		if (v->judgement == TS_UNLIKE) status = draw_buffer(c, v->buffer);
 	}
-	ts_order_free(&order);
 	return status;
 }

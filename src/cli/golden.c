@@ -48,10 +48,13 @@ static ts_status check_options(const ts_cli *cli, u32 action)
 	return TS_OK;
 }
 
-static const ts_pipeline *pipeline_of(const void *user, const char *name)
+static ts_status method_of(const void *user, const char *name, const char **effect, const char **method)
 {
 	const ts_case *found = ts_cases_find(user, name);
-	return found != NULL ? found->pipeline : NULL;
+	if (found == NULL) return TS_ERROR;
+	*effect = found->pipeline->effect->name;
+	*method = found->pipeline->name;
+	return TS_OK;
 }
 
 static ts_status check_name(const void *user, const char *name)
@@ -63,7 +66,7 @@ static ts_status read_lists(ts_goldens *goldens, const ts_cli *cli)
 {
 	ts_status status = TS_OK;
 	const char *baseline = cli->judging.baseline, *skip = cli->judging.skip;
-	if (baseline != NULL) status = ts_baseline_read(&goldens->known, baseline, pipeline_of, goldens);
+	if (baseline != NULL) status = ts_baseline_read(&goldens->known, baseline, method_of, goldens);
 	if (skip != NULL && status == TS_OK) status = ts_baseline_skips(&goldens->skips, skip, check_name, goldens);
 	return status;
 }

@@ -39,7 +39,7 @@ static ts_case_end compare(char *text, const ts_goldens *goldens, const ts_case 
 	status = ts_golden_read(&stored, dir, c->pipeline);
 	if (status == TS_OK) status = ts_case_check_changes(dir);
 	if (status == TS_OK) {
-		bool listed = ts_baseline_find(&goldens->known, c->name, TS_N_BUFFERS) != NULL;
+		bool listed = ts_baseline_find(&goldens->known, c->name, NULL) != NULL;
 		status = ts_case_compute(&computed, c, &goldens->cli->job.how);
 		if (status == TS_OK) status = ts_case_compare(text, c, dir, &stored, &computed);
 		if (status == TS_DIFFERENT && listed) status = compute_again(text, goldens, c, &computed);
@@ -106,17 +106,18 @@ static void put_wrong_entry(ts_checked *checked, const ts_baseline *known, const
 /* A case that the baseline lists differs first where that says, or fails. */
 static void judge_known(ts_checked *checked, const ts_goldens *goldens)
 {
-	const ts_entry *e = ts_baseline_find(&goldens->known, checked->of->name, TS_N_BUFFERS);
+	const ts_entry *e = ts_baseline_find(&goldens->known, checked->of->name, NULL);
 	if (e == NULL || checked->end > TS_CASE_DIFFERENT) return;
-	if (checked->first != e->buffer) put_wrong_entry(checked, &goldens->known, e);
-	if (checked->first == e->buffer) checked->why = e->reason;
-	checked->end = checked->first == e->buffer ? TS_CASE_KNOWN : TS_CASE_DIFFERENT;
+	const bool known = checked->first != TS_N_BUFFERS && strcmp(ts_buffer_table[checked->first].name, e->buffer) == 0;
+	if (!known) put_wrong_entry(checked, &goldens->known, e);
+	if (known) checked->why = e->reason;
+	checked->end = known ? TS_CASE_KNOWN : TS_CASE_DIFFERENT;
 }
 
 static void check(ts_checked *checked, const ts_goldens *goldens, const ts_case *c)
 {
 	double began = ts_seconds();
-	const ts_entry *skip = ts_baseline_find(&goldens->skips, c->name, TS_N_BUFFERS);
+	const ts_entry *skip = ts_baseline_find(&goldens->skips, c->name, NULL);
 	*checked = (ts_checked){.of = c, .end = TS_CASE_SKIPPED, .first = TS_N_BUFFERS, .why = ""};
 	if (skip != NULL) {
 		checked->why = skip->reason;

@@ -98,7 +98,7 @@ void ts_render_report_pictures(const ts_render *render, ts_table *table);
 /* The page of --report: refused where there are no pictures, or within the folder that a later --force replaces; and
  * written, of the folder that was. */
 ts_status ts_render_page_check(const ts_job *job);
-ts_status ts_render_page(const ts_job *job);
+ts_status ts_render_page(const ts_cli *cli);
 /* A line where the picture shows none of the mirrors or is nearly black, with what to try. */
 void ts_render_advise(const ts_render *render);
 

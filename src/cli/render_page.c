@@ -1,6 +1,5 @@
 /* The page of a render, made of the folder that it wrote. */
-#include "../image/flip.h"
-#include "../report/report.h"
+#include "client.h"
 #include "render.h"
 
 ts_status ts_render_page_check(const ts_job *job)
@@ -13,11 +12,15 @@ ts_status ts_render_page_check(const ts_job *job)
 	               dir);
 }
 
-ts_status ts_render_page(const ts_job *job)
+ts_status ts_render_page(const ts_cli *cli)
 {
-	ts_page *page = ts_page_make(TS_FLIP_PPD, TS_PAGE_PROBES);
-	ts_status status = page != NULL ? ts_page_add_folder(page, ts_render_output(job)) : TS_ERROR;
-	if (status == TS_OK) status = ts_page_write(page, job->output.report);
-	ts_page_free(page);
+	ts_context *context;
+	ts_html *page = NULL;
+	ts_status status = ts_client_open(&context, cli);
+	if (status == TS_OK) status = ts_html_open(context, &page, NULL);
+	if (status == TS_OK) status = ts_html_add_folder(page, ts_render_output(&cli->job));
+	if (status == TS_OK) status = ts_html_write(page, cli->job.output.report);
+	ts_html_close(page);
+	ts_context_close(context);
 	return status;
 }

@@ -1,8 +1,9 @@
 /* What was judged, in the forms that were asked for. */
 #include "tell.h"
-#include "../image/flip.h"
+#include <stdlib.h>
+#include <string.h>
 #include "../study/folder.h"
-#include "compare.h"
+#include "relaxed.h"
 #include "sharded.h"
 
 static ts_status write_files(ts_report *report, const ts_cli *cli, const ts_telling *t)
@@ -39,10 +40,18 @@ static ts_status write_junit(const ts_cli *cli, const ts_telling *t)
 
 static ts_status write_page(const ts_report *report, const ts_cli *cli, const ts_telling *t)
 {
-	ts_page *page = ts_page_make(TS_FLIP_PPD, TS_PAGE_PROBES);
-	ts_status status = page != NULL ? t->show(page, report->root, t->user) : TS_ERROR;
-	if (status == TS_OK) status = ts_page_write(page, cli->job.output.report);
-	ts_page_free(page);
+	ts_context *context;
+	ts_html *page = NULL;
+	char *said = json_dumps(report->root, JSON_COMPACT);
+	ts_status status = said != NULL ? ts_client_open(&context, cli) : ts_fail("the page: out of memory");
+	if (status == TS_OK) {
+		status = ts_html_open(context, &page, NULL);
+		if (status == TS_OK) status = t->show(page, said, t->user);
+		if (status == TS_OK) status = ts_html_write(page, cli->job.output.report);
+		ts_html_close(page);
+		ts_context_close(context);
+	}
+	free(said);
 	return status;
 }
 
@@ -84,7 +93,7 @@ void ts_tell_failed(const ts_cli *cli, const char *command)
 	snprintf(why, sizeof why, "%s", ts_error_message());
 	snprintf(class_name, sizeof class_name, "touchstone.%.*s", (int)strcspn(command, " "), command);
 	const ts_telling telling = {.command = command, .outcomes = &outcomes, .relaxed = relaxed};
-	ts_compare_relaxed(relaxed, cli);
+	ts_relaxed_text(relaxed, cli);
 	if (ts_outcomes_begin(&outcomes, "case", class_name) == TS_OK) {
 		ts_outcomes_add(&outcomes, "comparison", "not compared", TS_BROKEN, "", 0);
 		ts_outcomes_line(&outcomes, why);

@@ -1,9 +1,8 @@
 /* What a command that judges says: as text or JSON, as TAP, as JUnit XML, and as a folder of results. */
 #ifndef TS_CLI_TELL_H
 #define TS_CLI_TELL_H
-#include "../report/report.h"
+#include "client.h"
 #include "../study/table.h"
-#include "cli.h"
 #include "outcomes.h"
 
 typedef struct {
@@ -15,8 +14,8 @@ typedef struct {
 	void (*report)(ts_report *report, const void *user);
 	bool lines;                          /* the report has the lines of the outcomes */
 	ts_status (*draw)(const void *user); /* pictures into the folder of -o; NULL: none */
-	/* Both sides, and what was said of them, into the page of --report; NULL: there is none. */
-	ts_status (*show)(ts_page *page, const json_t *said, const void *user);
+	/* Both sides, and what was said of them as JSON, into the page of --report; NULL: there is none. */
+	ts_status (*show)(ts_html *page, const char *said, const void *user);
 	const void *user;
 } ts_telling;
 /* Says all that cli asks for. Whether the report is printed, with `print`, or was, as it came. */

@@ -54,6 +54,12 @@ static ts_status judge_given(ts_verdict *verdict, ts_buffer_id id, const ts_trac
 	return status;
 }
 
+#define LACKS_ORDER "points in the order of their arrival are told apart by %s, which is not there"
+static bool lacks_order(ts_buffer_id id, const ts_trace *candidate, const ts_order *order)
+{
+	return candidate->arrival && !order->given && ts_order_is_of_points(id);
+}
+
 static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
                            const ts_order *order, const ts_relaxations *relaxations)
 {
@@ -64,10 +70,9 @@ static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *re
 		v->judgement = TS_IGNORED;
 	} else if (candidate->item[id].path == NULL) {
 		v->judgement = TS_MISSING;
-	} else if (candidate->arrival && !order->given && ts_order_is_of_points(id)) {
+	} else if (lacks_order(id, candidate, order)) {
 		v->judgement = TS_UNABLE;
-		snprintf(v->why, sizeof v->why, "points in the order of their arrival are told apart by %s, which is not there",
-		         ts_buffer_table[ts_order_key()].name);
+		snprintf(v->why, sizeof v->why, LACKS_ORDER, ts_buffer_table[ts_order_key()].name);
 	} else {
 		double began = ts_seconds();
 		status = judge_given(v, id, reference, candidate, order, relaxations);
@@ -89,17 +94,21 @@ static ts_status judge_all(ts_comparison *c, const ts_trace *reference, const ts
 	return status;
 }
 
+static ts_status match(const ts_trace *reference, const ts_trace *candidate)
+{
+	if (reference->pipeline != candidate->pipeline) {
+		return ts_fail("%s: a trace of %s; the reference's is of %s", candidate->dir, candidate->pipeline->name,
+		               reference->pipeline->name);
+	}
+	return reference->arrival ? ts_fail("%s: in order of arrival, so it is no reference", reference->dir) : TS_OK;
+}
+
 ts_status ts_compare_traces(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
                             const ts_relaxations *relaxations)
 {
 	ts_order order;
 	ts_comparison_begin(comparison);
-	if (reference->pipeline != candidate->pipeline) {
-		return ts_fail("%s: a trace of %s; the reference's is of %s", candidate->dir, candidate->pipeline->name,
-		               reference->pipeline->name);
-	}
-	if (reference->arrival) return ts_fail("%s: in order of arrival, so it is no reference", reference->dir);
-	if (ts_relax_check(relaxations) != TS_OK) return TS_ERROR;
+	if (match(reference, candidate) != TS_OK || ts_relax_check(relaxations) != TS_OK) return TS_ERROR;
 	ts_status status = ts_order_make(&order, ts_order_key(), reference, candidate);
 	if (status == TS_OK) status = judge_all(comparison, reference, candidate, &order, relaxations);
 	ts_order_free(&order);
@@ -108,4 +117,22 @@ ts_status ts_compare_traces(ts_comparison *comparison, const ts_trace *reference
 		return ts_fail("%s: no buffer that the reference has too: nothing to judge", candidate->dir);
 	}
 	return comparison->n_unlike > 0 ? TS_DIFFERENT : TS_OK;
+}
+
+ts_status ts_compare_alone(ts_verdict *verdict, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
+                           const ts_relaxations *relaxations)
+{
+	ts_order order;
+	if (match(reference, candidate) != TS_OK || ts_relax_check(relaxations) != TS_OK) return TS_ERROR;
+	for (u32 s = 0; s < 2; s++) {
+		const ts_trace *side = s == 0 ? reference : candidate;
+		if (side->item[id].path == NULL) return ts_fail("%s: there is no %s", side->dir, ts_buffer_table[id].name);
+	}
+	ts_status status = ts_order_make(&order, ts_order_key(), reference, candidate);
+	if (status == TS_OK && lacks_order(id, candidate, &order)) {
+		status = ts_fail("%s: " LACKS_ORDER, candidate->dir, ts_buffer_table[ts_order_key()].name);
+	}
+	if (status == TS_OK) status = judge_given(verdict, id, reference, candidate, &order, relaxations);
+	ts_order_free(&order);
+	return status;
 }

@@ -5,17 +5,9 @@
 #include "difference.h"
 #include "order.h"
 #include "relax.h"
+#include <touchstone/compare.h>
 
 enum { TS_WHY_TEXT = 1024 };
-
-typedef enum {
-	TS_NOT_JUDGED, /* the reference lacks it, or neither has it */
-	TS_MISSING,    /* the candidate lacks it */
-	TS_IGNORED,
-	TS_UNABLE, /* what is right cannot be known: `why` */
-	TS_SAME,
-	TS_UNLIKE,
-} ts_judgement;
 
 typedef struct {
 	ts_judgement judgement;
@@ -61,6 +53,10 @@ void ts_comparison_begin(ts_comparison *comparison);
  * cases. */
 ts_status ts_compare_traces(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
                             const ts_relaxations *relaxations);
+
+/* Judges one buffer that both must have, as ts_compare_traces does. Of *verdict only `marks` and `list` are read. */
+ts_status ts_compare_alone(ts_verdict *verdict, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
+                           const ts_relaxations *relaxations);
 
 /* Judges one buffer that both have. Of *verdict only `marks` and `list` are read. */
 ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,

@@ -184,6 +184,7 @@ static ts_status pair_last(ts_page *page, json_t *o, json_int_t reference, json_
 
 ts_status ts_page_add_picture_comparison(ts_page *page, const json_t *said)
 {
+	if (page->n_pictures < 2) return ts_fail("the page: a comparison of two pictures, of which it has fewer");
 	json_t *o = begin(page, said);
 	json_int_t n = (json_int_t)page->n_pictures;
 	return ts_page_check(page) == TS_OK ? pair_last(page, o, n - 2, n - 1) : TS_ERROR;

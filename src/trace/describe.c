@@ -29,7 +29,7 @@ static json_t *plan_of(const ts_plan *plan)
 	return object;
 }
 
-static json_t *names_of(const ts_trace_about *about, const ts_buffer_id *ids)
+static json_t *names_of(const ts_trace_description *about, const ts_buffer_id *ids)
 {
 	json_t *names = json_array();
 	for (; *ids != TS_N_BUFFERS; ids++) {
@@ -39,7 +39,7 @@ static json_t *names_of(const ts_trace_about *about, const ts_buffer_id *ids)
 }
 
 /* SHA-256 of the lines "sha256  name" of these buffers. */
-static json_t *chain(const ts_trace_about *about, const ts_buffer_id *ids)
+static json_t *chain(const ts_trace_description *about, const ts_buffer_id *ids)
 {
 	ts_digest digest;
 	char hex[TS_DIGEST_BYTES], line[TS_DIGEST_BYTES + TS_EMIT_NAME];
@@ -54,7 +54,7 @@ static json_t *chain(const ts_trace_about *about, const ts_buffer_id *ids)
 	return json_string(hex);
 }
 
-static json_t *stage_of(const ts_trace_about *about, const ts_stage *stage, u32 number)
+static json_t *stage_of(const ts_trace_description *about, const ts_stage *stage, u32 number)
 {
 	const ts_buffer_id *inputs = ts_stage_inputs(stage);
 	return json_pack("{s:i, s:s, s:s, s:s, s:s, s:o, s:o, s:o}", "number", (int)number, "name", stage->name, "kind",
@@ -62,7 +62,7 @@ static json_t *stage_of(const ts_trace_about *about, const ts_stage *stage, u32 
 	                 names_of(about, ts_stage_outputs(stage)), "inputs_sha256", chain(about, inputs));
 }
 
-static json_t *stages_of(const ts_trace_about *about)
+static json_t *stages_of(const ts_trace_description *about)
 {
 	json_t *stages = json_array();
 	for (const ts_step *step = ts_pipeline_steps(about->pipeline); step->stage != NULL; step++) {
@@ -74,7 +74,7 @@ static json_t *stages_of(const ts_trace_about *about)
 	return stages;
 }
 
-static json_t *buffer_of(const ts_trace_about *about, ts_buffer_id id)
+static json_t *buffer_of(const ts_trace_description *about, ts_buffer_id id)
 {
 	const ts_buffer_info *info = &ts_buffer_table[id];
 	const ts_trace_file *file = &about->files[id];
@@ -90,7 +90,7 @@ static json_t *buffer_of(const ts_trace_about *about, ts_buffer_id id)
 	return root;
 }
 
-static json_t *buffers_of(const ts_trace_about *about)
+static json_t *buffers_of(const ts_trace_description *about)
 {
 	json_t *buffers = json_array();
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
@@ -136,7 +136,7 @@ static json_t *conventions(void)
 		"matrices", "none: views are stored as axes");
 }
 
-json_t *ts_trace_describe(const ts_trace_about *about)
+json_t *ts_trace_describe(const ts_trace_description *about)
 {
 	static const ts_buffer_id scene[] = {TS_B_scene_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_slot,
 	                                     TS_B_scene_image,  TS_B_scene_texel,    TS_B_scene_light,    TS_B_scene_object,

@@ -33,10 +33,10 @@ typedef struct {
 	const ts_trace_file *files; /* TS_N_BUFFERS */
 	const u32 *crop;
 	int version;
-} ts_trace_about;
+} ts_trace_description;
 
 /* A new reference, or NULL without memory. The same run gives the same text. */
-json_t *ts_trace_describe(const ts_trace_about *about);
+json_t *ts_trace_describe(const ts_trace_description *about);
 /* Writes trace.json, and gives back `root`. */
 ts_status ts_trace_write_json(const char *path, json_t *root);
 

@@ -35,6 +35,7 @@ struct ts_trace {
 	char producer[128]; /* its name and version, clean */
 	ts_trace_item item[TS_N_BUFFERS];
 	ts_buffer_view view[TS_N_BUFFERS];    /* as ts_trace_buffer handed them out */
+	ts_trace_info info;                   /* as ts_trace_about did */
 	ts_counter counters[TS_MAX_COUNTERS]; /* of the run that made it */
 	u32 n_counters;
 };

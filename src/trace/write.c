@@ -174,7 +174,7 @@ ts_status ts_trace_write_end(ts_trace_writer *w, const ts_run *run)
 {
 	const char *path = w->options.place(w->options.user, "trace.json");
 	if (path == NULL) return TS_ERROR;
-	const ts_trace_about about = {w->pipeline, run, w->files, w->options.crop, version_of(w)};
+	const ts_trace_description about = {w->pipeline, run, w->files, w->options.crop, version_of(w)};
 	json_t *root = ts_trace_describe(&about);
 	if (root == NULL) return ts_fail("%s: out of memory", path);
 	return ts_trace_write_json(path, root);

@@ -101,6 +101,17 @@ static void test_traces(void **state)
 	REFUSED(ts_trace_open(NULL, &made, "."), "context");
 	REFUSED(ts_trace_open(context, NULL, "."), "trace");
 	REFUSED(ts_trace_open(context, &made, NULL), "folder");
+	REFUSED(ts_trace_open_npy(NULL, &made, "a.npy"), "context");
+	REFUSED(ts_trace_open_npy(context, NULL, "a.npy"), "trace");
+	REFUSED(ts_trace_open_npy(context, &made, NULL), "path");
+	REFUSED(ts_trace_open_list(NULL, &made, ".", "a=b", 0, trace), "context");
+	REFUSED(ts_trace_open_list(context, NULL, ".", "a=b", 0, trace), "trace");
+	REFUSED(ts_trace_open_list(context, &made, NULL, "a=b", 0, trace), "folder");
+	REFUSED(ts_trace_open_list(context, &made, ".", NULL, 0, trace), "list");
+	REFUSED(ts_trace_open_list(context, &made, ".", "a=b", 0, NULL), "reference");
+	assert_null(ts_trace_about(NULL));
+	assert_null(ts_trace_look(NULL, "eye.view"));
+	assert_null(ts_trace_look(trace, NULL));
 	REFUSED(ts_trace_candidate(NULL, &made, trace, 0), "context");
 	REFUSED(ts_trace_candidate(context, NULL, trace, 0), "trace");
 	REFUSED(ts_trace_candidate(context, &made, NULL, 0), "reference");
@@ -149,6 +160,46 @@ static void test_verdicts(void **state)
 	assert_null(made);
 	assert_null(ts_verdicts_at(NULL, 0));
 	assert_null(ts_verdicts_first(NULL));
+	assert_null(ts_verdicts_difference(NULL, 0, 0));
+	assert_null(ts_verdicts_field(NULL, 0, 0));
+	assert_null(ts_verdicts_tree(NULL));
+	uint8_t marks[4];
+	REFUSED(ts_compare_marks(NULL, marks, 4, "eye.view", trace, trace, NULL), "context");
+	REFUSED(ts_compare_marks(context, NULL, 4, "eye.view", trace, trace, NULL), "marks");
+	REFUSED(ts_compare_marks(context, marks, 4, NULL, trace, trace, NULL), "buffer");
+	REFUSED(ts_compare_marks(context, marks, 4, "eye.view", NULL, trace, NULL), "reference");
+	REFUSED(ts_compare_marks(context, marks, 4, "eye.view", trace, NULL, NULL), "candidate");
+}
+
+static void test_pages(void **state)
+{
+	(void)state;
+	ts_html *page;
+	ts_verdicts *verdicts;
+	const uint8_t rgb[3] = {0};
+	REFUSED(ts_html_open(NULL, &page, NULL), "context");
+	REFUSED(ts_html_open(context, NULL, NULL), "page");
+	done(ts_html_open(context, &page, NULL));
+	done(ts_compare(context, &verdicts, trace, trace, NULL));
+	REFUSED(ts_html_add_picture(NULL, "a", "a", rgb, 1, 1), "page");
+	REFUSED(ts_html_add_picture(page, NULL, "a", rgb, 1, 1), "name");
+	REFUSED(ts_html_add_picture(page, "a", NULL, rgb, 1, 1), "from");
+	REFUSED(ts_html_add_picture(page, "a", "a", NULL, 1, 1), "rgb");
+	REFUSED(ts_html_add_folder(NULL, "a"), "page");
+	REFUSED(ts_html_add_folder(page, NULL), "folder");
+	REFUSED(ts_html_add_trace(NULL, trace), "page");
+	REFUSED(ts_html_add_trace(page, NULL), "trace");
+	REFUSED(ts_html_add_verdicts(NULL, verdicts, trace, trace, NULL, NULL), "page");
+	REFUSED(ts_html_add_verdicts(page, NULL, trace, trace, NULL, NULL), "verdicts");
+	REFUSED(ts_html_add_verdicts(page, verdicts, NULL, trace, NULL, NULL), "reference");
+	REFUSED(ts_html_add_verdicts(page, verdicts, trace, NULL, NULL, NULL), "candidate");
+	REFUSED(ts_html_add_pair(NULL, "{}"), "page");
+	REFUSED(ts_html_add_pair(page, NULL), "json");
+	REFUSED(ts_html_write(NULL, "/tmp/page.html"), "page");
+	REFUSED(ts_html_write(page, NULL), "path");
+	ts_verdicts_free(verdicts);
+	ts_html_close(page);
+	ts_html_close(NULL);
 }
 
 static void test_truth(void **state)
@@ -178,6 +229,11 @@ static void test_answers(void **state)
 	REFUSED(ts_probe_point(NULL, &answer, trace, 0), "context");
 	REFUSED(ts_probe_point(context, NULL, trace, 0), "answer");
 	REFUSED(ts_probe_point(context, &answer, NULL, 0), "trace");
+	const int64_t key[3] = {0};
+	REFUSED(ts_probe_point_key(NULL, &answer, trace, key), "context");
+	REFUSED(ts_probe_point_key(context, NULL, trace, key), "answer");
+	REFUSED(ts_probe_point_key(context, &answer, NULL, key), "trace");
+	REFUSED(ts_probe_point_key(context, &answer, trace, NULL), "key");
 	assert_null(answer);
 	assert_int_equal(ts_tree_kind_of(NULL), TS_TREE_NULL);
 	assert_int_equal(ts_tree_n(NULL), 0);
@@ -207,6 +263,9 @@ static void test_vectors(void **state)
 	assert_null(ts_stage_output(NULL, 0));
 	assert_null(ts_method_stage(NULL, "epr", 0));
 	assert_null(ts_method_stage("reflections", NULL, 0));
+	assert_int_equal(ts_method_stage_number(NULL, "epr", 0), 0);
+	assert_int_equal(ts_method_stage_number("reflections", NULL, 0), 0);
+	assert_int_equal(ts_buffer_is_image(NULL), 0);
 }
 
 static void test_images(void **state)
@@ -258,7 +317,7 @@ int main(void)
 		cmocka_unit_test(test_release), cmocka_unit_test(test_params),   cmocka_unit_test(test_scenes),
 		cmocka_unit_test(test_traces),  cmocka_unit_test(test_verdicts), cmocka_unit_test(test_answers),
 		cmocka_unit_test(test_truth),   cmocka_unit_test(test_vectors),  cmocka_unit_test(test_images),
-		cmocka_unit_test(test_metrics),
+		cmocka_unit_test(test_metrics), cmocka_unit_test(test_pages),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

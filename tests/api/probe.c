@@ -1,5 +1,6 @@
 /* Answers: of a trace in memory they are those of the same trace in a folder, which the command prints. */
 #include "api.h"
+#include <inttypes.h>
 
 static void test_answers(void **state)
 {
@@ -27,6 +28,21 @@ static void test_answers(void **state)
 	ts_tree_free(answer);
 	done(ts_probe_point(context, &answer, trace, 0));
 	ts_tree_free(answer);
+	/* By its key a point is the same. */
+	int64_t key[3];
+	done(ts_probe_point(context, &answer, trace, 3));
+	char *by_index = ts_tree_json(answer), *by_key;
+	const char *text = ts_tree_text(ts_tree_get(answer, "key"));
+	assert_int_equal(sscanf(text, "%" SCNd64 ",%" SCNd64 ",%" SCNd64, &key[0], &key[1], &key[2]), 3);
+	ts_tree_free(answer);
+	done(ts_probe_point_key(context, &answer, trace, key));
+	by_key = ts_tree_json(answer);
+	assert_string_equal(by_index, by_key);
+	ts_tree_free(answer);
+	free(by_index);
+	free(by_key);
+	key[0] = 4000000;
+	refused(ts_probe_point_key(context, &answer, trace, key), "4000000");
 	refused(ts_probe_pixel(context, &answer, trace, 64, 0, NULL), "64");
 	assert_null(answer);
 	refused(ts_probe_pixel(context, &answer, trace, 0, 0, "window"), "window");
@@ -37,8 +53,24 @@ static void test_answers(void **state)
 	ts_context_close(context);
 }
 
+/* Each row is of an option of the command, and all rows of one stand together. */
+static void test_table(void **state)
+{
+	(void)state;
+	static const char *const options[] = {"--pixel X,Y", "--pixel X,Y --view VIEW", "--triangle T", "--point P"};
+	const ts_probe_info *row;
+	size_t n = 0, option = 0;
+	for (; (row = ts_probe_at(n)) != NULL; n++) {
+		while (option < 4 && strcmp(row->option, options[option]) != 0) option++;
+		assert_true(option < 4 && row->tells[0] != 0 && strstr(row->methods, " by ") != NULL);
+		assert_int_equal(row->view[0] != 0, option == 1);
+	}
+	assert_int_equal(option, 3);
+	assert_true(n > 8);
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_answers)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_answers), cmocka_unit_test(test_table)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,6 +19,10 @@ static void test_methods(void **state)
 			assert_true(ts_stage_input(stage->name, 0) != NULL && ts_stage_output(stage->name, 0) != NULL);
 			assert_true(strcmp(stage->kind, "map") == 0 || strcmp(stage->kind, "emit") == 0 ||
 			            strcmp(stage->kind, "scatter") == 0);
+			const uint32_t number = ts_method_stage_number(method->effect, method->name, i);
+			const uint32_t before = i > 0 ? ts_method_stage_number(method->effect, method->name, i - 1) : 0;
+			assert_true(number == before || number == before + 1);
+			assert_true(number > 0 && (stage->margin_of == NULL || number == before));
 			if (stage->margin_of != NULL) {
 				assert_string_equal(stage->margin_of, ts_method_stage(method->effect, method->name, i - 1)->name);
 			}
@@ -30,6 +34,8 @@ static void test_methods(void **state)
 	assert_null(ts_stage_at(n_stages));
 	assert_string_equal(ts_method_at(0)->effect, "reflections");
 	assert_null(ts_method_stage("reflections", "magic", 0));
+	assert_int_equal(ts_method_stage_number("reflections", "magic", 0), 0);
+	assert_int_equal(ts_method_stage_number("reflections", "epr", 1000), 0);
 	assert_string_equal(ts_stage_output("eye", 0), "eye.depth_triangle");
 	assert_null(ts_stage_output("eye", 1));
 	assert_null(ts_stage_input("magic", 0));
@@ -52,6 +58,10 @@ static void test_buffers(void **state)
 		if (strncmp(buffer->element, "ts_", 3) == 0) assert_int_equal(bytes, buffer->element_bytes);
 		assert_true(strchr(buffer->name, '.') != NULL && buffer->doc[0] != 0 && buffer->shape[0] != 0);
 		if (strcmp(buffer->order, "set") == 0) assert_true(buffer->key[0] != 0);
+		const bool eyes = strncmp(buffer->shape, "height width", 12) == 0 ||
+		                  strncmp(buffer->shape, "eye_rows width", 14) == 0 ||
+		                  strncmp(buffer->shape, "sample_rows width", 17) == 0;
+		assert_int_equal(ts_buffer_is_image(buffer->name), eyes);
 	}
 	assert_true(n > 100);
 	assert_int_equal(sizeof(ts_vertex), 80);

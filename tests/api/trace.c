@@ -3,6 +3,7 @@
 #include "../../src/trace/sums.h"
 #include "../../src/scene/scene.h"
 #include "api.h"
+#include <unistd.h>
 
 static const char *scene_of(const char *effect)
 {
@@ -160,13 +161,75 @@ static void test_put(void **state)
 	ts_context_close(context);
 }
 
+static void write_file(const char *path, const char *head, const void *data, size_t bytes)
+{
+	FILE *file = fopen(path, "wb");
+	assert_non_null(file);
+	assert_true(fwrite(head, 1, strlen(head), file) == strlen(head) && fwrite(data, 1, bytes, file) == bytes);
+	assert_int_equal(fclose(file), 0);
+}
+
+/* Files without a trace.json: bare elements by a list, and one .npy by its name; looking reads nothing. */
+static void test_files(void **state)
+{
+	(void)state;
+	char folder[] = "/tmp/ts-trace-XXXXXX", path[64], head[129];
+	assert_non_null(mkdtemp(folder));
+	ts_context *context = open_context(1);
+	ts_params *params = small_params();
+	ts_scene *scene = small_scene(context, params);
+	ts_trace *trace = small_trace(context, scene, params, "mvr"), *own;
+	const ts_buffer_view *keys = ts_trace_buffer(trace, "eye.depth_triangle");
+	snprintf(path, sizeof path, "%s/keys.bin", folder);
+	write_file(path, "", keys->data, bytes_of(keys));
+	done(ts_trace_open_list(context, &own, folder, "eye.depth_triangle=keys.bin", 1, trace));
+	const ts_trace_info *about = ts_trace_about(own);
+	assert_string_equal(about->folder, folder);
+	assert_string_equal(about->effect, "reflections");
+	assert_string_equal(about->method, "mvr");
+	assert_true(about->arrival != 0 && ts_trace_about(trace)->arrival == 0 && ts_trace_about(trace)->has_params != 0);
+	const ts_buffer_view *look = ts_trace_look(own, "eye.depth_triangle");
+	assert_null(look->data);
+	assert_int_equal(count_of(look), 36 * 64);
+	assert_memory_equal(ts_trace_buffer(own, "eye.depth_triangle")->data, keys->data, bytes_of(keys));
+	assert_non_null(ts_trace_look(own, "eye.depth_triangle")->data);
+	assert_null(ts_trace_look(own, "image.srgb"));
+	ts_trace_close(own);
+	refused(ts_trace_open_list(context, &own, folder, "eye.depth_triangle=none.bin", 0, trace), "none.bin");
+	assert_null(own);
+	unlink(path);
+
+	snprintf(head, sizeof head, "\x93NUMPY\x01%c\x76%c{'descr': '<u8', 'fortran_order': False, 'shape': (36, 64), }",
+	         'x', 'x');
+	memset(head + strlen(head), ' ', 127 - strlen(head));
+	head[127] = '\n';
+	head[128] = 0;
+	snprintf(path, sizeof path, "%s/04-eye.depth_triangle.npy", folder);
+	write_file(path, head, keys->data, bytes_of(keys));
+	FILE *file = fopen(path, "r+b");
+	assert_non_null(file);
+	assert_true(fseek(file, 7, SEEK_SET) == 0 && fputc(0, file) == 0 && fseek(file, 9, SEEK_SET) == 0 &&
+	            fputc(0, file) == 0);
+	assert_int_equal(fclose(file), 0);
+	done(ts_trace_open_npy(context, &own, path));
+	assert_memory_equal(ts_trace_buffer(own, "eye.depth_triangle")->data, keys->data, bytes_of(keys));
+	assert_false(ts_trace_has(own, "image.srgb"));
+	ts_trace_close(own);
+	unlink(path);
+	refused(ts_trace_open_npy(context, &own, path), path);
+	refused(ts_trace_open_npy(context, &own, "/tmp/magic.npy"), "which buffer");
+	rmdir(folder);
+	ts_trace_close(trace);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_digests),
-		cmocka_unit_test(test_part),
-		cmocka_unit_test(test_image),
-		cmocka_unit_test(test_put),
+		cmocka_unit_test(test_files), cmocka_unit_test(test_digests), cmocka_unit_test(test_part),
+		cmocka_unit_test(test_image), cmocka_unit_test(test_put),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,183 @@
+/* From what was judged to what callers read. */
+#include "verdicts.h"
+#include <stdlib.h>
+#include <string.h>
+#include "../compare/json.h"
+#include "../compare/line.h"
+#include "../trace/emit.h"
+
+typedef struct {
+	ts_divergence divergence;
+	char field[64], spot[64], reference[TS_VALUE_TEXT], candidate[TS_VALUE_TEXT], line[TS_DIFFERENCE_TEXT];
+} difference;
+
+struct ts_told {
+	char first[TS_FIRST_TEXT], line[TS_LINE_TEXT], note[TS_LINE_TEXT], inputs[TS_INPUTS_TEXT];
+	ts_field_count fields[TS_MAX_FIELDS];
+	u32 n_fields, n;         /* n: differences of the list */
+	difference *differences; /* at least one: where the list is empty, as shapes differ, it tells of the buffer */
+};
+
+ts_verdicts *ts_verdicts_make(u32 most)
+{
+	ts_verdicts *v = ts_alloc_zero(1, sizeof *v, "verdicts");
+	if (v == NULL) return NULL;
+	v->comparison = ts_comparison_make(most);
+	if (v->comparison != NULL) return v;
+	free(v);
+	return NULL;
+}
+
+static const char *stage_of(const ts_trace *reference, ts_buffer_id id)
+{
+	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
+	return step != NULL ? step->stage : "scene";
+}
+
+static void tell_values(difference *to, ts_buffer_id id, const ts_difference *d)
+{
+	const ts_fields fields = ts_fields_of(id);
+	ts_divergence *told = &to->divergence;
+	snprintf(to->field, sizeof to->field, "%s", fields.field[d->field].name);
+	ts_difference_field(to->spot, id, d);
+	ts_difference_show(to->reference, id, d, d->ref);
+	ts_difference_show(to->candidate, id, d, d->cand);
+	told->component = d->component;
+	told->reference_bits = d->ref;
+	told->candidate_bits = d->cand;
+	told->ulps = ts_compare_ulps(id, d);
+	told->bytes = ts_sum_of(id) != NULL ? 0 : fields.field[d->field].bytes;
+}
+
+/* Difference i; of an empty list that of the buffer as a whole. */
+static void tell_difference(ts_told *told, const ts_verdict_info *info, ts_buffer_id id, const ts_verdict *v, u32 i)
+{
+	difference *to = &told->differences[i];
+	to->divergence = (ts_divergence){.stage = info->stage,
+	                                 .buffer = info->buffer,
+	                                 .how = ts_compare_how(TS_UNEQUAL),
+	                                 .where = "",
+	                                 .field = to->field,
+	                                 .spot = to->spot,
+	                                 .reference = to->reference,
+	                                 .candidate = to->candidate,
+	                                 .inputs = told->inputs,
+	                                 .line = i == 0 ? told->line : to->line};
+	if (i >= v->list.n) return;
+	const ts_named *named = &v->list.items[i];
+	to->divergence.how = ts_compare_how(named->difference.how);
+	to->divergence.element = named->difference.element;
+	to->divergence.where = named->where;
+	ts_compare_difference(to->line, id, named);
+	if (named->difference.how == TS_UNEQUAL) tell_values(to, id, &named->difference);
+}
+
+static ts_told *tell(const ts_verdicts *v, const ts_verdict_info *info, const ts_trace *reference, ts_buffer_id id)
+{
+	const ts_verdict *judged = &v->comparison->verdict[id];
+	const ts_fields fields = ts_fields_of(id);
+	const u32 n = judged->list.n > 0 ? judged->list.n : 1;
+	ts_told *told = ts_alloc_zero(1, sizeof *told, "verdicts");
+	if (told == NULL) return NULL;
+	told->differences = ts_alloc_zero(n, sizeof *told->differences, "verdicts");
+	if (told->differences == NULL) {
+		free(told);
+		return NULL;
+	}
+	ts_compare_inputs(told->inputs, v->comparison, reference, id);
+	ts_compare_first(told->first, id, judged);
+	ts_compare_line(told->line, v->comparison, reference, id);
+	if (!ts_compare_note(told->note, id, judged)) told->note[0] = 0;
+	told->n = judged->list.n;
+	for (u32 f = 0; f < fields.n && fields.n > 1; f++) {
+		if (judged->n_field[f] > 0)
+			told->fields[told->n_fields++] = (ts_field_count){fields.field[f].name, judged->n_field[f]};
+	}
+	for (u32 i = 0; i < n; i++) tell_difference(told, info, id, judged, i);
+	return told;
+}
+
+ts_status ts_verdicts_add(ts_verdicts *v, const ts_trace *reference, ts_buffer_id id)
+{
+	const ts_verdict *judged = &v->comparison->verdict[id];
+	ts_verdict_info *info = &v->info[v->n];
+	*info = (ts_verdict_info){.stage = stage_of(reference, id),
+	                          .number = ts_emit_number(reference->pipeline, id),
+	                          .buffer = ts_buffer_table[id].name,
+	                          .judgement = judged->judgement,
+	                          .verdict = ts_compare_word(judged->judgement),
+	                          .why = judged->why,
+	                          .n_reference = judged->n_ref,
+	                          .n_candidate = judged->n_cand,
+	                          .n_different = judged->n_different,
+	                          .n_missing = judged->n_missing,
+	                          .n_extra = judged->n_extra,
+	                          .n_relaxed = judged->n_relaxed,
+	                          .n_masked = judged->n_masked,
+	                          .n_undecided = judged->n_undecided,
+	                          .n_tied = judged->n_tied,
+	                          .by_counts = ts_sum_of(id) != NULL,
+	                          .worst_ulps = judged->worst_ulps,
+	                          .seconds = judged->seconds,
+	                          .has_first = judged->has_first,
+	                          .first_element = judged->first.element,
+	                          .first = "",
+	                          .line = "",
+	                          .note = ""};
+	if (judged->judgement == TS_UNLIKE) {
+		ts_told *told = v->told[v->n] = tell(v, info, reference, id);
+		if (told == NULL) return TS_ERROR;
+		info->first = told->first;
+		info->line = told->line;
+		info->note = told->note;
+		if (id == v->comparison->first) v->first = &told->differences[0].divergence;
+	}
+	v->n++;
+	return TS_OK;
+}
+
+ts_status ts_verdicts_end(ts_verdicts *v, const ts_trace *reference, const ts_trace *candidate)
+{
+	v->tree = ts_compare_json(v->comparison, reference, candidate);
+	return v->tree != NULL ? TS_OK : ts_fail("verdicts: out of memory");
+}
+
+static const ts_told *told_at(const ts_verdicts *v, size_t b) { return v != NULL && b < v->n ? v->told[b] : NULL; }
+
+const ts_verdict_info *ts_verdicts_at(const ts_verdicts *v, size_t i)
+{
+	return v != NULL && i < v->n ? &v->info[i] : NULL;
+}
+
+const ts_divergence *ts_verdicts_first(const ts_verdicts *v) { return v != NULL ? v->first : NULL; }
+
+const ts_divergence *ts_verdicts_difference(const ts_verdicts *v, size_t b, size_t i)
+{
+	const ts_told *told = told_at(v, b);
+	return told != NULL && i < told->n ? &told->differences[i].divergence : NULL;
+}
+
+const ts_field_count *ts_verdicts_field(const ts_verdicts *v, size_t b, size_t i)
+{
+	const ts_told *told = told_at(v, b);
+	return told != NULL && i < told->n_fields ? &told->fields[i] : NULL;
+}
+
+ts_tree *ts_verdicts_tree(const ts_verdicts *v)
+{
+	json_t *tree = v != NULL ? json_deep_copy(v->tree) : NULL;
+	if (v != NULL && tree == NULL) ts_fail("verdicts: out of memory");
+	return (ts_tree *)tree;
+}
+
+void ts_verdicts_free(ts_verdicts *v)
+{
+	if (v == NULL) return;
+	for (u32 b = 0; b < v->n; b++) {
+		if (v->told[b] != NULL) free(v->told[b]->differences);
+		free(v->told[b]);
+	}
+	json_decref(v->tree);
+	ts_comparison_free(v->comparison);
+	free(v);
+}

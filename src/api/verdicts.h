@@ -1,0 +1,31 @@
+/* Verdicts of comparisons and replays as structs. */
+#ifndef TS_API_VERDICTS_H
+#define TS_API_VERDICTS_H
+#include "api.h"
+#include <jansson.h>
+#include <touchstone/compare.h>
+#include "../compare/compare.h"
+
+typedef struct ts_told ts_told;
+
+struct ts_verdicts {
+	ts_comparison *comparison;
+	ts_verdict_info info[TS_N_BUFFERS];
+	ts_told *told[TS_N_BUFFERS]; /* of each; NULL: it does not differ */
+	u32 n;
+	const ts_divergence *first; /* NULL: nothing differs */
+	json_t *tree;
+};
+
+/* What a caller's options let pass. */
+ts_status ts_api_relax(ts_relaxations *relaxations, const ts_compare_options *options);
+
+/* Verdicts of nothing, with room for so many differences of a buffer; NULL with the message set on failure. Release by
+ * ts_verdicts_free. */
+ts_verdicts *ts_verdicts_make(u32 most);
+/* Lists how a buffer was judged; its strings are what the comparison has, which must not change any more. */
+ts_status ts_verdicts_add(ts_verdicts *verdicts, const ts_trace *reference, ts_buffer_id id);
+/* Ends: what the tree says. */
+ts_status ts_verdicts_end(ts_verdicts *verdicts, const ts_trace *reference, const ts_trace *candidate);
+
+#endif

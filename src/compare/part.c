@@ -1,0 +1,66 @@
+/* Stages by their names. */
+#include "part.h"
+#include <string.h>
+#include "../trace/emit.h"
+
+enum { NAME = 64 };
+
+static const char *stage_of(const ts_pipeline *pipeline, ts_buffer_id id)
+{
+	const ts_step *step = ts_pipeline_maker(pipeline, id);
+	return step != NULL ? step->stage : "scene";
+}
+
+static ts_status take_stage(bool part[TS_N_BUFFERS], const ts_pipeline *pipeline, const char *name)
+{
+	bool known = strcmp(name, "scene") == 0;
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
+		known |= strcmp(step->stage, name) == 0;
+	}
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) part[id] |= strcmp(stage_of(pipeline, (ts_buffer_id)id), name) == 0;
+	return known ? TS_OK : ts_fail("stages: \"%s\" is no stage of %s", name, pipeline->name);
+}
+
+ts_status ts_part_make(bool part[TS_N_BUFFERS], const char *stages, const ts_trace *reference,
+                       const ts_trace *candidate, const ts_relaxations *relaxations)
+{
+	char name[NAME];
+	u32 n = 0;
+	memset(part, 0, TS_N_BUFFERS * sizeof *part);
+	for (const char *at = stages; *at != 0; at += *at == ',') {
+		size_t length = strcspn(at, ",");
+		snprintf(name, sizeof name, "%.*s", (int)(length < NAME ? length : NAME - 1), at);
+		if (take_stage(part, reference->pipeline, name) != TS_OK) return TS_ERROR;
+		at += length;
+	}
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		bool both = reference->item[id].path != NULL && candidate->item[id].path != NULL;
+		n += both && !ts_relax_ignores(relaxations, ts_buffer_table[id].name);
+	}
+	return n > 0 ? TS_OK : ts_fail("%s: no buffer that the reference has too: nothing to judge", candidate->dir);
+}
+
+ts_status ts_part_inputs(ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
+                         const ts_relaxations *relaxations)
+{
+	bool wanted[TS_N_BUFFERS] = {false};
+	ts_relaxations others = *relaxations;
+	ts_comparison *aside = ts_comparison_make(1);
+	if (aside == NULL) return TS_ERROR;
+	others.only = wanted;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_step *step = ts_pipeline_maker(reference->pipeline, (ts_buffer_id)id);
+		if (c->verdict[id].judgement != TS_UNLIKE || step == NULL) continue;
+		const ts_buffer_id *input = ts_stage_inputs(ts_stage_find(step->stage));
+		for (; *input != TS_N_BUFFERS; input++) wanted[*input] = !relaxations->only[*input];
+	}
+	ts_status status = ts_compare_traces(aside, reference, candidate, &others);
+	for (u32 id = 0; id < TS_N_BUFFERS && status != TS_ERROR; id++) {
+		if (!wanted[id]) continue;
+		c->verdict[id] = aside->verdict[id];
+		c->verdict[id].list = (ts_differences){.n = 0};
+		c->verdict[id].aside = true;
+	}
+	ts_comparison_free(aside);
+	return status == TS_ERROR ? TS_ERROR : TS_OK;
+}

@@ -1,0 +1,257 @@
+/* All that verdicts say: bits planted at random places of several buffers are listed, counted by field and marked there
+ * and nowhere else; and a part of a comparison says what the whole does. */
+#include "api.h"
+
+enum { PLANTED = 7 };
+
+static ts_context *context;
+static ts_params *params;
+static ts_scene *scene;
+static ts_trace *reference, *candidate;
+
+static int set_up(void **state)
+{
+	(void)state;
+	const ts_buffer_info *buffer;
+	context = open_context(2);
+	params = small_params();
+	scene = small_scene(context, params);
+	reference = small_trace(context, scene, params, "epr");
+	done(ts_trace_candidate(context, &candidate, reference, 0));
+	for (size_t i = 0; (buffer = ts_buffer_at(i)) != NULL; i++) {
+		if (!ts_trace_has(reference, buffer->name)) continue;
+		const ts_buffer_view *v = ts_trace_buffer(reference, buffer->name);
+		done(ts_trace_put(candidate, v->name, v->n_dims, v->shape, v->data, bytes_of(v)));
+	}
+	return 0;
+}
+
+static int tear_down(void **state)
+{
+	(void)state;
+	ts_trace_close(candidate);
+	ts_trace_close(reference);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+	return 0;
+}
+
+static void put(const ts_buffer_view *v, const void *data)
+{
+	done(ts_trace_put(candidate, v->name, v->n_dims, v->shape, data, bytes_of(v)));
+}
+
+static uint32_t random_below(uint32_t *seed, size_t n)
+{
+	*seed = *seed * 1664525u + 1013904223u;
+	return (uint32_t)(((uint64_t)*seed * n) >> 32);
+}
+
+/* A copy of a buffer with the bit `bit` of each of some elements the other way, which `wrong` marks. */
+static uint8_t *plant(const ts_buffer_view *v, size_t bit, uint8_t *wrong, uint32_t *seed)
+{
+	uint8_t *copy = malloc(bytes_of(v));
+	assert_non_null(copy);
+	memcpy(copy, v->data, bytes_of(v));
+	for (uint32_t i = 0; i < PLANTED; i++) {
+		size_t e = random_below(seed, count_of(v));
+		if (wrong[e] != 0) continue;
+		copy[e * v->element_bytes + bit / 8] ^= (uint8_t)(1 << bit % 8);
+		wrong[e] = 1;
+	}
+	return copy;
+}
+
+static size_t place_of(const ts_verdicts *verdicts, const char *buffer)
+{
+	size_t i = 0;
+	while (strcmp(ts_verdicts_at(verdicts, i)->buffer, buffer) != 0) i++;
+	return i;
+}
+
+/* The list, the count, the first and the marks are those of `wrong`. */
+static void check(const ts_buffer_view *v, const uint8_t *wrong, const char *field, uint32_t most)
+{
+	ts_verdicts *verdicts;
+	const ts_divergence *d;
+	const ts_compare_options options = {.bytes = sizeof options, .first = most};
+	uint8_t *marks = malloc(count_of(v));
+	size_t n = 0, listed = 0;
+	assert_non_null(marks);
+	memset(marks, 7, count_of(v));
+	assert_int_equal(ts_compare(context, &verdicts, reference, candidate, &options), TS_DIFFERENT);
+	size_t place = place_of(verdicts, v->name);
+	for (size_t e = 0; e < count_of(v); e++) {
+		if (wrong[e] == 0) continue;
+		d = ts_verdicts_difference(verdicts, place, listed);
+		if (n++ >= (most > 0 ? most : 1)) continue;
+		assert_int_equal(d->element, e);
+		assert_string_equal(d->field, field);
+		assert_int_equal(strncmp(d->spot, field, strlen(field)), 0);
+		assert_int_equal(d->bytes, 4);
+		assert_non_null(strstr(d->line, d->where));
+		listed++;
+	}
+	assert_null(ts_verdicts_difference(verdicts, place, listed));
+	const ts_verdict_info *info = ts_verdicts_at(verdicts, place);
+	assert_int_equal(info->n_different, n);
+	assert_int_equal(info->judgement, TS_UNLIKE);
+	assert_true(info->has_first && wrong[info->first_element] != 0);
+	assert_string_equal(info->line, ts_verdicts_difference(verdicts, place, 0)->line);
+	if (field[0] != 0) {
+		assert_string_equal(ts_verdicts_field(verdicts, place, 0)->field, field);
+		assert_int_equal(ts_verdicts_field(verdicts, place, 0)->n_different, n);
+		assert_non_null(strstr(info->note, field));
+	}
+	assert_null(ts_verdicts_field(verdicts, place, field[0] != 0));
+	assert_int_equal(ts_compare_marks(context, marks, count_of(v), v->name, reference, candidate, &options),
+	                 TS_DIFFERENT);
+	assert_memory_equal(marks, wrong, count_of(v));
+	ts_verdicts_free(verdicts);
+	free(marks);
+}
+
+static void test_planted(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *buffer, *field;
+		size_t bit;
+	} places[] = {{"image.radiance", "", 0},
+	              {"mirror_pixel.record", "normal", 8 * offsetof(ts_pixel, normal)},
+	              {"pose.vertex", "normal", 8 * offsetof(ts_vertex, normal) + 3}};
+	uint32_t seed = 5;
+	for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+		if (!ts_trace_has(reference, places[i].buffer)) continue;
+		const ts_buffer_view *v = ts_trace_buffer(reference, places[i].buffer);
+		uint8_t *wrong = calloc(count_of(v), 1);
+		assert_non_null(wrong);
+		uint8_t *copy = plant(v, places[i].bit, wrong, &seed);
+		put(v, copy);
+		check(v, wrong, places[i].field, 0);
+		check(v, wrong, places[i].field, 3);
+		check(v, wrong, places[i].field, 100);
+		put(v, v->data);
+		free(copy);
+		free(wrong);
+	}
+}
+
+/* Of two buffers that differ each has its list; the first divergence is that of the first stage. */
+static void test_tree(void **state)
+{
+	(void)state;
+	ts_verdicts *verdicts;
+	const ts_buffer_view *early = ts_trace_buffer(reference, "pose.vertex");
+	const ts_buffer_view *late = ts_trace_buffer(reference, "image.radiance");
+	uint32_t seed = 9;
+	uint8_t *wrong = calloc(count_of(early) + count_of(late), 1);
+	assert_non_null(wrong);
+	uint8_t *a = plant(early, 0, wrong, &seed), *b = plant(late, 0, wrong + count_of(early), &seed);
+	put(early, a);
+	put(late, b);
+	assert_int_equal(ts_compare(context, &verdicts, reference, candidate, NULL), TS_DIFFERENT);
+	const ts_divergence *first = ts_verdicts_first(verdicts);
+	assert_string_equal(first->buffer, "pose.vertex");
+	ts_tree *tree = ts_verdicts_tree(verdicts);
+	const ts_tree *all = ts_tree_get(tree, "differences"), *divergence = ts_tree_get(tree, "divergence");
+	assert_int_equal(ts_tree_n(all), 2);
+	assert_string_equal(ts_tree_text(ts_tree_get(ts_tree_at(all, 0), "buffer")), "pose.vertex");
+	assert_string_equal(ts_tree_text(ts_tree_get(ts_tree_at(all, 1), "buffer")), "image.radiance");
+	assert_string_equal(ts_tree_text(ts_tree_get(tree, "first_divergence")), first->line);
+	assert_string_equal(ts_tree_text(ts_tree_get(divergence, "stage")), "pose");
+	assert_int_equal(ts_tree_integer(ts_tree_get(divergence, "element")), first->element);
+	ts_tree_free(tree);
+	ts_verdicts_free(verdicts);
+	put(early, early->data);
+	put(late, late->data);
+	free(wrong);
+	free(a);
+	free(b);
+}
+
+/* Only what the named stages make is judged; what they read is looked at, to say whether it is the same. */
+static void test_stages(void **state)
+{
+	(void)state;
+	ts_verdicts *verdicts;
+	const ts_verdict_info *info;
+	const ts_buffer_view *early = ts_trace_buffer(reference, "pose.vertex");
+	const ts_buffer_view *late = ts_trace_buffer(reference, "eye.depth_triangle");
+	uint32_t seed = 11;
+	uint8_t *wrong = calloc(count_of(early) + count_of(late), 1);
+	assert_non_null(wrong);
+	uint8_t *a = plant(early, 0, wrong, &seed), *b = plant(late, 0, wrong + count_of(early), &seed);
+	put(early, a);
+	put(late, b);
+	ts_compare_options options = {.bytes = sizeof options, .stages = "eye,image"};
+	assert_int_equal(ts_compare(context, &verdicts, reference, candidate, &options), TS_DIFFERENT);
+	for (size_t i = 0; (info = ts_verdicts_at(verdicts, i)) != NULL; i++) {
+		const bool own = strcmp(info->stage, "eye") == 0 || strcmp(info->stage, "image") == 0;
+		assert_int_equal(info->judgement >= TS_SAME, own);
+	}
+	assert_string_equal(ts_verdicts_first(verdicts)->buffer, "eye.depth_triangle");
+	assert_string_equal(ts_verdicts_first(verdicts)->inputs, "inputs differ: pose.vertex");
+	ts_verdicts_free(verdicts);
+	options.stages = "image";
+	done(ts_compare(context, &verdicts, reference, candidate, &options));
+	ts_verdicts_free(verdicts);
+	options.stages = "";
+	done(ts_compare(context, &verdicts, reference, candidate, &options));
+	ts_verdicts_free(verdicts);
+	options.stages = "image,eyes";
+	refused(ts_compare(context, &verdicts, reference, candidate, &options), "\"eyes\" is no stage of epr");
+	options = (ts_compare_options){.bytes = sizeof options, .stages = "eye", .forced = 1};
+	assert_int_equal(ts_compare(context, &verdicts, reference, candidate, &options), TS_DIFFERENT);
+	ts_verdicts_free(verdicts);
+	put(early, early->data);
+	put(late, late->data);
+	free(wrong);
+	free(a);
+	free(b);
+}
+
+static void test_marks(void **state)
+{
+	(void)state;
+	const ts_buffer_view *image = ts_trace_buffer(reference, "image.srgb");
+	uint8_t *marks = malloc(count_of(image));
+	assert_non_null(marks);
+	memset(marks, 1, count_of(image));
+	done(ts_compare_marks(context, marks, count_of(image), "image.srgb", reference, candidate, NULL));
+	for (size_t i = 0; i < count_of(image); i++) assert_int_equal(marks[i], 0);
+	refused(ts_compare_marks(context, marks, 5, "image.srgb", reference, candidate, NULL), "5 marks");
+	refused(ts_compare_marks(context, marks, 5, "image.blue", reference, candidate, NULL), "image.blue");
+	refused(ts_compare_marks(context, marks, 0, "mirror.radiance", reference, candidate, NULL), "mirror.radiance");
+	free(marks);
+}
+
+/* Another number of elements than the reference has is told, without a difference that could be listed. */
+static void test_shorter(void **state)
+{
+	(void)state;
+	ts_verdicts *verdicts;
+	const ts_buffer_view *v = ts_trace_buffer(reference, "split.piece");
+	const uint64_t shape[] = {v->shape[0] - 1};
+	assert_int_equal(v->n_dims, 1);
+	done(ts_trace_put(candidate, v->name, 1, shape, v->data, bytes_of(v) - v->element_bytes));
+	assert_int_equal(ts_compare(context, &verdicts, reference, candidate, NULL), TS_DIFFERENT);
+	const size_t place = place_of(verdicts, "split.piece");
+	assert_null(ts_verdicts_difference(verdicts, place, 0));
+	assert_string_equal(ts_verdicts_first(verdicts)->buffer, "split.piece");
+	assert_int_equal(ts_verdicts_at(verdicts, place)->has_first, 0);
+	assert_non_null(strstr(ts_verdicts_first(verdicts)->line, "equal as far as both go"));
+	assert_string_equal(ts_verdicts_first(verdicts)->line, ts_verdicts_at(verdicts, place)->line);
+	ts_verdicts_free(verdicts);
+	put(v, v->data);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_planted), cmocka_unit_test(test_tree),    cmocka_unit_test(test_stages),
+		cmocka_unit_test(test_marks),   cmocka_unit_test(test_shorter),
+	};
+	return cmocka_run_group_tests(tests, set_up, tear_down);
+}
