@@ -17,6 +17,8 @@
 #define TOUCHSTONE_TOUCHSTONE_H
 #include <touchstone/compare.h>
 #include <touchstone/context.h>
+#include <touchstone/explain.h>
+#include <touchstone/golden.h>
 #include <touchstone/html.h>
 #include <touchstone/image.h>
 #include <touchstone/params.h>

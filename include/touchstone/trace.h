@@ -40,6 +40,19 @@ typedef struct {
 TS_API ts_status ts_trace_run(ts_context *context, ts_trace **trace, const ts_scene *scene, const ts_params *params,
                               const char *effect, const char *method, const ts_run_options *options);
 
+/* How a trace is written; all but `bytes` may be 0. */
+typedef struct {
+	size_t bytes; /* sizeof(ts_write_options) */
+	int margins;  /* not 0: also how near each decision was to another */
+	int arrival;  /* not 0: points in the order of their arrival */
+	int compress; /* not 0: by zstd, a file each */
+} ts_write_options;
+
+/* Runs a method and writes its trace to a folder, which must be absent or empty, a buffer at a time while the run goes
+ * on: for traces larger than memory. The folder appears as a whole, or not at all. options NULL: all defaults. */
+TS_API ts_status ts_trace_write(ts_context *context, const char *folder, const ts_scene *scene, const ts_params *params,
+                                const char *effect, const char *method, const ts_write_options *options);
+
 /* Opens the trace in a folder by its trace.json. Files are untrusted: everything is checked, and nothing outside the
  * folder is opened but files of the folder "scene" beside it. The files must not change until ts_trace_close. */
 TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folder);

@@ -3,7 +3,7 @@
 #ifndef TS_API_API_H
 #define TS_API_API_H
 #include <touchstone/context.h>
-#include "../methods/stage.h"
+#include "../methods/pipeline.h"
 
 struct ts_context {
 	ts_how how;
@@ -17,6 +17,8 @@ void ts_api_ready(void);
 ts_status ts_api_enter(const ts_context *context);
 void ts_api_leave(void);
 
+/* Finds a method by names that a caller gave; NULL with the message set. */
+const ts_pipeline *ts_api_method(const char *effect, const char *method);
 /* Finds a buffer by a name that a caller gave. */
 ts_status ts_api_buffer(ts_buffer_id *id, const char *name);
 

@@ -10,7 +10,7 @@
 #include "../trace/keep.h"
 #include "../trace/sums.h"
 
-static const ts_pipeline *find_method(const char *effect, const char *method)
+const ts_pipeline *ts_api_method(const char *effect, const char *method)
 {
 	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
 	if (pipeline == NULL) ts_fail("%s by %s: no such method; `touchstone list methods` names them", effect, method);
@@ -72,7 +72,7 @@ ts_status ts_trace_run(ts_context *context, ts_trace **trace, const ts_scene *sc
 		return TS_ERROR;
 	}
 	if (ts_api_options(&ours, sizeof ours, options, "ts_run_options") != TS_OK) return TS_ERROR;
-	const ts_pipeline *pipeline = find_method(effect, method);
+	const ts_pipeline *pipeline = ts_api_method(effect, method);
 	return pipeline != NULL ? run_method(context, trace, scene, params, pipeline, &ours) : TS_ERROR;
 }
 
@@ -94,7 +94,7 @@ ts_status ts_run_digests(ts_context *context, const ts_scene *scene, const ts_pa
 		return TS_ERROR;
 	}
 	if (each == NULL) return ts_fail("ts_run_digests: each is NULL; a function would be right");
-	const ts_pipeline *pipeline = find_method(effect, method);
+	const ts_pipeline *pipeline = ts_api_method(effect, method);
 	ts_sums *sums = pipeline != NULL ? ts_alloc(1, sizeof *sums, "digests") : NULL;
 	ts_status status = sums != NULL ? ts_api_enter(context) : TS_ERROR;
 	if (status == TS_OK) {

@@ -170,6 +170,19 @@ ts_tree *ts_verdicts_tree(const ts_verdicts *v)
 	return (ts_tree *)tree;
 }
 
+int ts_float_passes(const ts_compare_options *options, float reference, float candidate)
+{
+	const ts_compare_options none = {.bytes = sizeof none}, *o = options != NULL ? options : &none;
+	const ts_relaxations relaxations = {.ulp = o->ulp, .abs = o->abs, .rel = o->rel};
+	return ts_relax_close(&relaxations, ts_f2u(reference), ts_f2u(candidate));
+}
+
+void ts_float_tell(char text[TS_FLOAT_TEXT], float value)
+{
+	static const ts_field field = {.name = "", .kind = 'f', .count = 1, .bytes = 4};
+	if (text != NULL) ts_field_show(text, &field, ts_f2u(value));
+}
+
 void ts_verdicts_free(ts_verdicts *v)
 {
 	if (v == NULL) return;

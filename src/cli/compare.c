@@ -136,19 +136,8 @@ static ts_status open_sides(ts_compared *c, const ts_cli *cli, kind is)
 /* How to judge, but for what the lists say. */
 static ts_status read_options(comparison *c)
 {
-	const ts_judging *judging = &c->cli->judging;
-	const ts_relaxations *r = &judging->relaxations;
 	ts_compare_options *o = &c->of.options;
-	*o = (ts_compare_options){.bytes = sizeof *o,
-	                          .forced = judging->forced,
-	                          .decided = r->decided,
-	                          .ulp = r->ulp,
-	                          .abs = r->abs,
-	                          .rel = r->rel,
-	                          .allow = r->allow,
-	                          .first = judging->first};
-	ts_status status = ts_relaxed_mask(&c->mask, &o->mask_width, &o->mask_height, c->cli);
-	o->mask = c->mask;
+	ts_status status = ts_relaxed_options(o, &c->mask, c->cli);
 	if (status != TS_OK || c->cli->job.shard.of == 0) return status;
 	c->cases = ts_compare_cases(c->of.of);
 	c->own = c->cases != NULL ? ts_compare_own(c->cases, c->cli->job.shard) : NULL;

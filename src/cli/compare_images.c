@@ -7,11 +7,11 @@
 #include "../image/format.h"
 #include "../kernels/base/srgb.h"
 #include "../scene/print.h"
-#include "../trace/field.h"
 #include "../study/folder.h"
-#include "../compare/line.h"
 #include "relaxed.h"
 #include "tell.h"
+
+enum { LINE = 2048, SHOWN = 512 };
 
 typedef struct {
 	f32 *pixels;
@@ -22,7 +22,8 @@ typedef struct {
 typedef struct {
 	const ts_cli *cli;
 	picture p[2];
-	ts_relaxations relaxations;
+	ts_compare_options relaxed;
+	u8 *mask;               /* of these */
 	u8 *marks;              /* of pixels: 255 where a channel differs */
 	u64 *first, n_first;    /* the first values that differ, as many as are shown */
 	u64 n_values, n_pixels; /* judged */
@@ -42,7 +43,7 @@ static ts_status read_picture(picture *p, const char *path)
 static ts_status check_sizes(const images *s)
 {
 	const picture *ref = &s->p[0], *cand = &s->p[1];
-	const ts_relaxations *r = &s->relaxations;
+	const ts_compare_options *r = &s->relaxed;
 	if (ref->width != cand->width || ref->height != cand->height || ref->channels != cand->channels) {
 		return ts_fail("%s: %u x %u with %u channels; the reference has %u x %u with %u", s->cli->arguments[1],
 		               (unsigned)cand->width, (unsigned)cand->height, (unsigned)cand->channels, (unsigned)ref->width,
@@ -82,21 +83,12 @@ static ts_status make_comparable(images *s)
 	return TS_OK;
 }
 
-static ts_status read_mask(images *s)
-{
-	u8 *mask;
-	ts_relaxations *r = &s->relaxations;
-	ts_status status = ts_relaxed_mask(&mask, &r->mask_width, &r->mask_height, s->cli);
-	r->mask = mask;
-	return status;
-}
-
 static ts_status open_images(images *s)
 {
 	for (u32 i = 0; i < 2; i++) {
 		if (read_picture(&s->p[i], s->cli->arguments[i]) != TS_OK) return TS_ERROR;
 	}
-	if (make_comparable(s) != TS_OK || read_mask(s) != TS_OK) return TS_ERROR;
+	if (make_comparable(s) != TS_OK || ts_relaxed_options(&s->relaxed, &s->mask, s->cli) != TS_OK) return TS_ERROR;
 	if (check_sizes(s) != TS_OK) return TS_ERROR;
 	s->marks = ts_alloc_zero(s->p[0].width, s->p[0].height, "a picture of differences");
 	s->first = ts_alloc(s->cli->judging.first, sizeof *s->first, "first differences");
@@ -117,7 +109,7 @@ static void judge_pixel(images *s, u64 pixel)
 		double apart = distance(ref, cand);
 		s->squares += apart * apart;
 		s->largest = fmax(s->largest, apart);
-		if (ts_relax_close(&s->relaxations, ts_f2u(ref), ts_f2u(cand))) continue;
+		if (ts_float_passes(&s->relaxed, ref, cand)) continue;
 		if (s->n_first < s->cli->judging.first) s->first[s->n_first++] = i;
 		s->n_unlike++;
 		s->marks[pixel] = 255;
@@ -136,9 +128,9 @@ static bool passes(const images *s)
 	const bool *given = s->cli->given;
 	const ts_tolerances *t = &s->cli->judging.tolerances;
 	if (!given[TS_OPTION_PERCENT] && !given[TS_OPTION_HARDFAIL] && !given[TS_OPTION_RMSE]) {
-		return s->n_unlike <= s->relaxations.allow;
+		return s->n_unlike <= s->relaxed.allow;
 	}
-	return (!given[TS_OPTION_ALLOW] || s->n_unlike <= s->relaxations.allow) &&
+	return (!given[TS_OPTION_ALLOW] || s->n_unlike <= s->relaxed.allow) &&
 	       (!given[TS_OPTION_PERCENT] || percent_of(s) <= t->percent) &&
 	       (!given[TS_OPTION_HARDFAIL] || s->largest <= t->hardfail) &&
 	       (!given[TS_OPTION_RMSE] || rmse_of(s) <= t->rmse);
@@ -146,7 +138,7 @@ static bool passes(const images *s)
 
 static ts_status judge(images *s)
 {
-	const u8 *mask = s->relaxations.mask;
+	const u8 *mask = s->relaxed.mask;
 	for (u64 i = 0; i < (u64)s->p[0].width * s->p[0].height; i++) {
 		if (mask == NULL || mask[i] != 0) judge_pixel(s, i);
 	}
@@ -156,22 +148,21 @@ static ts_status judge(images *s)
 }
 
 /* Where and how a value differs. */
-static void show(char text[TS_DIFFERENCE_TEXT], const images *s, u64 value)
+static void show(char text[SHOWN], const images *s, u64 value)
 {
-	static const ts_field field = {.name = "", .kind = 'f', .count = 1, .bytes = 4};
-	char ref[TS_VALUE_TEXT], cand[TS_VALUE_TEXT];
+	char ref[TS_FLOAT_TEXT], cand[TS_FLOAT_TEXT];
 	u64 pixel = value / s->p[0].channels;
-	ts_field_show(ref, &field, ts_f2u(s->p[0].pixels[value]));
-	ts_field_show(cand, &field, ts_f2u(s->p[1].pixels[value]));
-	snprintf(text, TS_DIFFERENCE_TEXT, "pixel (%" PRIu64 ", %" PRIu64 "), channel %" PRIu64 ": ref %s candidate %s",
+	ts_float_tell(ref, s->p[0].pixels[value]);
+	ts_float_tell(cand, s->p[1].pixels[value]);
+	snprintf(text, SHOWN, "pixel (%" PRIu64 ", %" PRIu64 "), channel %" PRIu64 ": ref %s candidate %s",
 	         pixel % s->p[0].width, pixel / s->p[0].width, value % s->p[0].channels, ref, cand);
 }
 
-static void sum_up(char text[TS_LINE_TEXT], const images *s)
+static void sum_up(char text[LINE], const images *s)
 {
 	char relaxed[TS_RELAXED_TEXT];
 	ts_relaxed_text(relaxed, s->cli);
-	snprintf(text, TS_LINE_TEXT,
+	snprintf(text, LINE,
 	         "%" PRIu64 " values, %" PRIu64 " different in %.4g %% of the pixels, largest difference %.9g, root mean "
 	         "square %.9g%s%s",
 	         s->n_values, s->n_unlike, percent_of(s), s->largest, rmse_of(s), relaxed[0] != 0 ? "; relaxed: " : "",
@@ -179,14 +170,14 @@ static void sum_up(char text[TS_LINE_TEXT], const images *s)
 }
 
 /* Line i of what is said of all: the figures, then what differs first. False: there are no more. */
-static bool line_of(char text[TS_LINE_TEXT], const images *s, u64 i)
+static bool line_of(char text[LINE], const images *s, u64 i)
 {
-	char first[TS_DIFFERENCE_TEXT];
+	char first[SHOWN];
 	if (i == 0) sum_up(text, s);
 	if (i == 0 || i > s->n_first) return i == 0;
 	show(first, s, s->first[i - 1]);
-	if (i == 1) snprintf(text, TS_LINE_TEXT, "%s — first of %" PRIu64, first, s->n_unlike);
-	if (i > 1) snprintf(text, TS_LINE_TEXT, "  %s", first);
+	if (i == 1) snprintf(text, LINE, "%s — first of %" PRIu64, first, s->n_unlike);
+	if (i > 1) snprintf(text, LINE, "  %s", first);
 	return true;
 }
 
@@ -214,7 +205,7 @@ static void put_values(ts_report *report, const images *s)
 static void report_images(ts_report *report, const void *user)
 {
 	const images *s = user;
-	char text[TS_LINE_TEXT], shown[TS_DIFFERENCE_TEXT];
+	char text[LINE], shown[SHOWN];
 	json_t *first = json_array();
 	for (u64 i = 0; line_of(text, s, i); i++) ts_report_line(report, "%s", text);
 	put_values(report, s);
@@ -266,7 +257,7 @@ static ts_status show_images(ts_html *page, const char *said, const void *user)
 static ts_status tell(ts_cli *cli, const images *s)
 {
 	ts_outcomes outcomes;
-	char text[TS_LINE_TEXT], relaxed[TS_RELAXED_TEXT];
+	char text[LINE], relaxed[TS_RELAXED_TEXT];
 	const ts_status found = s->same ? TS_OK : TS_DIFFERENT;
 	const ts_telling telling = {"compare", &outcomes, relaxed, NULL, found, report_images, false, draw, show_images, s};
 	ts_relaxed_text(relaxed, cli);
@@ -283,13 +274,13 @@ static ts_status tell(ts_cli *cli, const images *s)
 
 ts_status ts_compare_images(ts_cli *cli)
 {
-	images s = {.cli = cli, .relaxations = cli->judging.relaxations};
+	images s = {.cli = cli};
 	ts_status status = open_images(&s);
 	if (status == TS_OK) status = judge(&s);
 	if (status == TS_OK) status = tell(cli, &s);
 	free(s.p[0].pixels);
 	free(s.p[1].pixels);
-	free((void *)s.relaxations.mask);
+	free(s.mask);
 	free(s.marks);
 	free(s.first);
 	return status == TS_OK && !s.same ? TS_DIFFERENT : status;

@@ -111,14 +111,5 @@ void ts_case_path(char path[TS_CASE_PATH], const ts_goldens *goldens, const ts_c
 
 ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how)
 {
-	ts_scene *scene;
-	memset(golden, 0, sizeof *golden);
-	if (ts_builtin_open(&scene, c->scene, &c->params, NULL) != TS_OK) return TS_ERROR;
-	u64 need = ts_pipeline_estimate(c->pipeline, scene, &c->params, true), limit = ts_memory_limit();
-	ts_golden_job job = {c->pipeline, scene, &c->params, *how};
-	ts_status status = need <= limit ? ts_golden_compute(golden, &job)
-	                                 : ts_fail("%s: needs about %llu MiB; %llu are there", c->name,
-	                                           (unsigned long long)(need >> 20), (unsigned long long)(limit >> 20));
-	ts_scene_free(scene);
-	return status;
+	return ts_golden_make(golden, c->name, c->pipeline, c->scene, &c->params, how);
 }

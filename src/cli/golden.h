@@ -2,12 +2,12 @@
 #ifndef TS_CLI_GOLDEN_H
 #define TS_CLI_GOLDEN_H
 #include <touchstone/image.h>
-#include "../golden/golden.h"
+#include "../golden/beside.h"
+#include "../golden/params.h"
 #include "baseline.h"
 #include "cli.h"
 
-enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_CASE_TEXT = 512, TS_CASE_PIXELS = 1 << 20 };
-enum { TS_REASON_BYTES = 400, TS_REASONS_BYTES = 1 << 20 }; /* one; all that CHANGES holds */
+enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_CASE_TEXT = TS_GOLDEN_TEXT };
 
 /* A line of cases.txt. */
 typedef struct {
@@ -45,10 +45,6 @@ ts_status ts_case_write_params(const ts_case *c);
  * name, because it is younger, must have its default. */
 ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir);
 
-/* A reason to bless: one line that says something, of at most TS_REASON_BYTES. */
-ts_status ts_reason_check(const char *reason);
-/* Whether CHANGES of a folder is lines of reasons. */
-ts_status ts_case_check_changes(const ts_golden_dir *dir);
 /* As ts_golden_compare; then the folder's preview with the computed picture, in a program that reads PNG. */
 ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir, const ts_golden *stored,
                           const ts_golden *computed);
@@ -94,8 +90,7 @@ ts_status ts_golden_bless_action(const ts_goldens *goldens);
 typedef struct {
 	ts_status (*write)(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels,
 	                   const ts_image_text *texts);
-	ts_status (*read)(u8 **rgba, u32 *width, u32 *height, const void *file, size_t bytes, u64 most_pixels,
-	                  const char *what);
+	ts_golden_decoder *read;
 } ts_preview;
 extern const ts_preview ts_golden_preview;
 

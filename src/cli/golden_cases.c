@@ -7,7 +7,7 @@
 #include "golden.h"
 #include "../study/methods.h"
 
-enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100, MOST_FRAME = 1000 };
+enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100 };
 
 /* A line after its name is a command line of its own. */
 static const ts_command line_command = {
@@ -82,9 +82,9 @@ static ts_status take_line(ts_case *c, ts_cli *cli)
 		return ts_fail("\"%.60s\" is not a built-in scene", scene);
 	}
 	strcpy(c->scene, scene);
-	if ((u64)TS_PARAM(p, width) * TS_PARAM(p, height) > TS_CASE_PIXELS || TS_PARAM(p, frame) > MOST_FRAME) {
+	if ((u64)TS_PARAM(p, width) * TS_PARAM(p, height) > TS_GOLDEN_PIXELS || TS_PARAM(p, frame) > TS_GOLDEN_FRAME) {
 		return ts_fail("%u x %u pixels, frame %u: a golden has at most %d pixels and frame %d", TS_PARAM(p, width),
-		               TS_PARAM(p, height), TS_PARAM(p, frame), TS_CASE_PIXELS, MOST_FRAME);
+		               TS_PARAM(p, height), TS_PARAM(p, frame), TS_GOLDEN_PIXELS, TS_GOLDEN_FRAME);
 	}
 	return TS_OK;
 }

@@ -31,13 +31,22 @@ static ts_status compute_again(char *text, const ts_goldens *goldens, const ts_c
 	return status == TS_ERROR ? TS_ERROR : TS_DIFFERENT;
 }
 
+/* The buffers, then the preview in a program that reads PNG. */
+ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir, const ts_golden *stored,
+                          const ts_golden *computed)
+{
+	ts_status status = ts_golden_compare(text, TS_CASE_TEXT, stored, computed, c->pipeline, c->small);
+	if (status != TS_OK || ts_golden_preview.read == NULL) return status;
+	return ts_golden_check_preview(text, dir, computed, ts_golden_preview.read);
+}
+
 static ts_case_end compare(char *text, const ts_goldens *goldens, const ts_case *c, const ts_golden_dir *dir)
 {
 	ts_golden stored, computed;
 	ts_status status = ts_case_check_params(text, TS_CASE_TEXT, c, dir);
 	if (status != TS_OK) return of_status(status);
 	status = ts_golden_read(&stored, dir, c->pipeline);
-	if (status == TS_OK) status = ts_case_check_changes(dir);
+	if (status == TS_OK) status = ts_golden_check_changes(dir);
 	if (status == TS_OK) {
 		bool listed = ts_baseline_find(&goldens->known, c->name, NULL) != NULL;
 		status = ts_case_compute(&computed, c, &goldens->cli->job.how);
@@ -72,18 +81,6 @@ static ts_case_end check_case(char *text, const ts_goldens *goldens, const ts_ca
 	ts_case_end end = missing != NULL ? TS_CASE_MISSING : compare(text, goldens, c, &dir);
 	ts_golden_dir_close(&dir);
 	return end;
-}
-
-/* The buffer whose file the text names; TS_N_BUFFERS: none. */
-static ts_buffer_id named(const char *text, const ts_pipeline *pipeline)
-{
-	char name[TS_EMIT_NAME];
-	u32 id = 0;
-	for (; id < TS_N_BUFFERS; id++) {
-		ts_emit_name(name, pipeline, (ts_buffer_id)id);
-		if (strncmp(text, name, strlen(name)) == 0 && text[strlen(name)] == ':') break;
-	}
-	return (ts_buffer_id)id;
 }
 
 /* What is to be changed where a listed case does not differ first in the buffer of its entry. */
@@ -125,7 +122,7 @@ static void check(ts_checked *checked, const ts_goldens *goldens, const ts_case 
 	}
 	checked->end = check_case(checked->text, goldens, c);
 	if (checked->end >= TS_CASE_MISSING) snprintf(checked->text, sizeof checked->text, "%s", ts_error_message());
-	checked->first = named(checked->text, c->pipeline);
+	checked->first = ts_golden_named(checked->text, c->pipeline);
 	judge_known(checked, goldens);
 	checked->seconds = ts_seconds() - began;
 }

@@ -3,7 +3,6 @@
 #define TS_CLI_MERGE_H
 #include <jansson.h>
 #include "cli.h"
-#include "tell.h"
 
 /* A shard's folder. */
 typedef struct {

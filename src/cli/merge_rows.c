@@ -1,5 +1,6 @@
 /* Shards of a command that judges: rows of their reports stand in the order of the cases again. */
 #include "merge.h"
+#include "tell.h"
 #include <string.h>
 #include "../output/file.h"
 #include "../study/folder.h"

@@ -2,6 +2,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include "../model/order.h"
+#include "../trace/emit.h"
 #include "golden.h"
 
 static void add(char *text, size_t text_bytes, const char *format, ...) __attribute__((format(printf, 3, 4)));
@@ -129,4 +130,15 @@ ts_status ts_golden_compare(char *text, size_t text_bytes, const ts_golden *stor
 	}
 	text[0] = 0;
 	return TS_OK;
+}
+
+ts_buffer_id ts_golden_named(const char *text, const ts_pipeline *pipeline)
+{
+	char name[TS_EMIT_NAME];
+	u32 id = 0;
+	for (; id < TS_N_BUFFERS; id++) {
+		ts_emit_name(name, pipeline, (ts_buffer_id)id);
+		if (strncmp(text, name, strlen(name)) == 0 && text[strlen(name)] == ':') break;
+	}
+	return (ts_buffer_id)id;
 }

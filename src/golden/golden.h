@@ -71,6 +71,8 @@ bool ts_golden_is_small(const ts_golden *computed, ts_buffer_id id);
  * TS_ERROR, with the message set: `small` and a file that should be stored is not. */
 ts_status ts_golden_compare(char *text, size_t text_bytes, const ts_golden *stored, const ts_golden *computed,
                             const ts_pipeline *pipeline, bool small);
+/* The buffer whose file such a text begins with; TS_N_BUFFERS: none. */
+ts_buffer_id ts_golden_named(const char *text, const ts_pipeline *pipeline);
 /* The first difference of two files of one buffer, as "element [3, 5], field centre[2]: golden ... here ..."; `text` is
  * empty if there is none. */
 void ts_golden_first(char *text, size_t text_bytes, ts_buffer_id id, const ts_golden_file *stored,

@@ -202,6 +202,29 @@ static void test_pages(void **state)
 	ts_html_close(NULL);
 }
 
+static void test_explained(void **state)
+{
+	(void)state;
+	ts_tree *answer;
+	ts_golden_judged judged = {.bytes = sizeof judged};
+	const ts_explain_options o = {.bytes = sizeof o, .stage = "eye"};
+	REFUSED(ts_explain_item(NULL, &answer, &o, trace, NULL, NULL), "context");
+	REFUSED(ts_explain_item(context, NULL, &o, trace, NULL, NULL), "answer");
+	REFUSED(ts_explain_item(context, &answer, NULL, trace, NULL, NULL), "options");
+	REFUSED(ts_explain_item(context, &answer, &o, NULL, NULL, NULL), "trace");
+	REFUSED(ts_explain_item(context, &answer, &(ts_explain_options){.bytes = sizeof o}, trace, NULL, NULL), "stage");
+	assert_null(answer);
+	REFUSED(ts_golden_check(NULL, &judged, "."), "context");
+	REFUSED(ts_golden_check(context, NULL, "."), "judged");
+	REFUSED(ts_golden_check(context, &judged, NULL), "folder");
+	REFUSED(ts_trace_write(NULL, "/tmp/none", scene, params, "reflections", "epr", NULL), "context");
+	REFUSED(ts_trace_write(context, NULL, scene, params, "reflections", "epr", NULL), "folder");
+	REFUSED(ts_trace_write(context, "/tmp/none", NULL, params, "reflections", "epr", NULL), "scene");
+	REFUSED(ts_trace_write(context, "/tmp/none", scene, NULL, "reflections", "epr", NULL), "params");
+	REFUSED(ts_trace_write(context, "/tmp/none", scene, params, NULL, "epr", NULL), "effect");
+	REFUSED(ts_trace_write(context, "/tmp/none", scene, params, "reflections", NULL, NULL), "method");
+}
+
 static void test_truth(void **state)
 {
 	(void)state;
@@ -317,7 +340,7 @@ int main(void)
 		cmocka_unit_test(test_release), cmocka_unit_test(test_params),   cmocka_unit_test(test_scenes),
 		cmocka_unit_test(test_traces),  cmocka_unit_test(test_verdicts), cmocka_unit_test(test_answers),
 		cmocka_unit_test(test_truth),   cmocka_unit_test(test_vectors),  cmocka_unit_test(test_images),
-		cmocka_unit_test(test_metrics), cmocka_unit_test(test_pages),
+		cmocka_unit_test(test_metrics), cmocka_unit_test(test_pages),    cmocka_unit_test(test_explained),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -225,11 +225,54 @@ static void test_files(void **state)
 	ts_context_close(context);
 }
 
+/* A trace on disk, compressed or not, is that in memory; a folder that holds something stays as it is. */
+static void test_write(void **state)
+{
+	(void)state;
+	char folder[] = "/tmp/ts-trace-XXXXXX", path[64], command[96];
+	assert_non_null(mkdtemp(folder));
+	ts_context *context = open_context(2);
+	ts_params *params = small_params();
+	ts_scene *scene = small_scene(context, params);
+	ts_trace *trace = small_trace(context, scene, params, "epr"), *written;
+	ts_verdicts *verdicts;
+	snprintf(path, sizeof path, "%s/made/trace", folder);
+	for (int compress = 0; compress < 2; compress++) {
+		const ts_write_options options = {.bytes = sizeof options, .compress = compress};
+		done(ts_trace_write(context, path, scene, params, "reflections", "epr", &options));
+		done(ts_trace_open(context, &written, path));
+		done(ts_compare(context, &verdicts, trace, written, NULL));
+		assert_true(ts_verdicts_at(verdicts, 20)->judgement == TS_SAME);
+		ts_verdicts_free(verdicts);
+		assert_int_equal(ts_trace_about(written)->has_params, 1);
+		ts_trace_close(written);
+		refused(ts_trace_write(context, path, scene, params, "reflections", "mvr", NULL), path);
+		done(ts_trace_open(context, &written, path));
+		assert_string_equal(ts_trace_about(written)->method, "epr");
+		ts_trace_close(written);
+		snprintf(command, sizeof command, "rm -r %s", path);
+		assert_int_equal(system(command), 0);
+	}
+	const ts_write_options margins = {.bytes = sizeof margins, .margins = 1};
+	done(ts_trace_write(context, path, scene, params, "reflections", "epr", &margins));
+	done(ts_trace_open(context, &written, path));
+	assert_true(ts_trace_has(written, "eye.margin"));
+	ts_trace_close(written);
+	refused(ts_trace_write(context, "/proc/none/trace", scene, params, "reflections", "epr", NULL), "/proc/none/trace");
+	refused(ts_trace_write(context, path, scene, params, "reflections", "magic", NULL), "magic");
+	snprintf(command, sizeof command, "rm -r %s", folder);
+	assert_int_equal(system(command), 0);
+	ts_trace_close(trace);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_files), cmocka_unit_test(test_digests), cmocka_unit_test(test_part),
-		cmocka_unit_test(test_image), cmocka_unit_test(test_put),
+		cmocka_unit_test(test_write), cmocka_unit_test(test_files), cmocka_unit_test(test_digests),
+		cmocka_unit_test(test_part),  cmocka_unit_test(test_image), cmocka_unit_test(test_put),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -127,3 +127,43 @@ def test_callbacks():
 	with pytest.raises(touchstone.Error, match="cancelled"):
 		context.run(scene, "reflections", "mvr", SMALL)
 	assert heard
+
+
+def test_verdicts(context, reference, tmp_path):
+	port = reference.candidate()
+	vertices = reference["pose.vertex"].copy()
+	vertices["normal"][[3, 8, 20], 1] += np.float32(1)
+	port["pose.vertex"] = vertices
+	verdicts = context.compare(reference, port, first=2)
+	row = next(i for i, row in enumerate(verdicts) if row.buffer == "pose.vertex")
+	assert [d.element for d in verdicts.differences(row)] == [3, 8]
+	assert [d.spot for d in verdicts.differences(row)] == ["normal[1]", "normal[1]"]
+	assert verdicts.fields(row) == {"normal": 3} and verdicts.fields(row + 1) == {}
+	assert verdicts.tree()["first_divergence"] == verdicts.first.line
+	marks = context.marks("pose.vertex", reference, port)
+	assert list(np.flatnonzero(marks)) == [3, 8, 20]
+	page = context.page(probes=1)
+	page.add(reference)
+	page.add(port)
+	page.add_verdicts(verdicts, reference, port)
+	page.add_picture("mine", reference["image.srgb"])
+	page.write(tmp_path / "page.html")
+	assert "normal[1]" in (tmp_path / "page.html").read_text()
+
+
+def test_explained(reference):
+	told = reference.explain("image", buffer="image.radiance", element=5)
+	lines = [line for launch in told["launches"] for line in launch["lines"]]
+	assert lines[told["stores"] - 1]["to"] == "image.radiance:5"
+	with pytest.raises(touchstone.Error, match="the nearest is splat"):
+		reference.explain("splat", item=0, kernel="splatt")
+
+
+def test_folders(context, scene, reference, tmp_path):
+	context.write(tmp_path / "made", scene, "reflections", "epr", SMALL, compress=True)
+	assert context.compare(reference, context.open(tmp_path / "made"))
+	golden = pathlib.Path("reference/small-mvr").absolute()
+	judged = context.golden(golden)
+	assert judged.same and judged.method == "mvr" and judged.text == ""
+	with pytest.raises(touchstone.Error, match="No such file"):
+		context.golden(tmp_path / "none")

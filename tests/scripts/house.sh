@@ -27,7 +27,7 @@ gives() {
 	result $? "$name"
 }
 
-for script in rooms named letters nouns lengths; do
+for script in rooms clients named letters nouns lengths; do
 	"$scripts/$script" > "$folder/out" 2>&1
 	result $? "the tree itself: $script"
 done
@@ -61,6 +61,20 @@ for source in src/*/*.c; do ${CC:-gcc} -c "$source" -o "obj/$source.o"; done
 BUILD=. gives 1 "upward: model -> trace" "an include line that goes up a floor" "$scripts/rooms"
 BUILD=. gives 1 "circle: model trace" "rooms that include each other" "$scripts/rooms"
 BUILD=. gives 1 "src/model/a.c -> src/cli/c.c" "a symbol of a floor above" "$scripts/rooms" --files
+mkdir -p include/touchstone
+echo 'TS_API int ts_asked(void);' > include/touchstone/a.h
+echo 'struct context;' > src/cli/client.h
+echo '#include "client.h"' > src/cli/own.h
+printf '#include "own.h"\nint ts_hidden(void);\nint g(void) { return ts_hidden(); }\n' > src/cli/g.c
+printf 'int ts_asked(void) { return 1; }\nint ts_hidden(void) { return 0; }\n' > src/trace/asked.c
+for source in src/cli/g.c src/trace/asked.c; do ${CC:-gcc} -c "$source" -o "obj/$source.o"; done
+BUILD=. gives 1 "g.c: ts_hidden of ./obj/src/trace/asked.c.o" "a client that needs what no public header has" "$scripts/clients"
+printf '#include "own.h"\nint ts_asked(void);\nint g(void) { return ts_asked(); }\n' > src/cli/g.c
+${CC:-gcc} -c src/cli/g.c -o obj/src/cli/g.c.o
+BUILD=. gives 0 "1 of 2 files" "a client of the public headers" "$scripts/clients"
+echo '#include "../trace/b.h"' >> src/cli/g.c
+BUILD=. gives 1 "g.c: ../trace/b.h" "a client that includes a room's header" "$scripts/clients"
+rm src/cli/g.c src/cli/own.h src/trace/asked.c
 echo '#include "../model/a.h"' > src/cli/b.h
 rm src/trace/b.h src/model/a.c
 BUILD=. gives 0 "by symbol: 0 arrows" "rooms in order" "$scripts/rooms"

@@ -78,6 +78,10 @@ def _made(kind, release, function, *arguments):
 	return ffi.gc(handle[0], release), status == lib.TS_OK
 
 
+def _tree(tree):
+	return json.loads(_text(ffi.gc(lib.ts_tree_json(tree), lib.free)))
+
+
 def version():
 	return _text(lib.ts_version())
 
@@ -206,10 +210,28 @@ class Context:
 		                  _params(params), _bytes(effect), _bytes(method), options)
 		return Trace(self, handle, scene)
 
+	def write(self, folder, scene, effect, method, params=None, **options):
+		"""Runs a method and writes its trace to a new folder; options are members of ts_write_options: margins, arrival and
+		compress."""
+		wanted, _ = _options("ts_write_options", **{name: int(value) for name, value in options.items()})
+		_check(lib.ts_trace_write(self._handle, _bytes(folder), scene._handle, _params(params), _bytes(effect), _bytes(method), wanted))
+
 	def open(self, folder):
 		"""Opens the trace in a folder."""
 		handle, _ = _made("ts_trace", lib.ts_trace_close, lib.ts_trace_open, self._handle, _made, _bytes(folder))
 		return Trace(self, handle)
+
+	def golden(self, folder):
+		"""Runs again what a golden is of, and compares: a namespace, of which `same` is True or False."""
+		judged = ffi.new("ts_golden_judged *", {"bytes": ffi.sizeof("ts_golden_judged")})
+		same = _check(lib.ts_golden_check(self._handle, judged, _bytes(folder)))
+		names = ("effect", "method", "scene", "stage", "buffer", "text")
+		return types.SimpleNamespace(same=same, **{name: _text(getattr(judged, name)) for name in names})
+
+	def page(self, ppd=0, probes=None):
+		"""An empty page of HTML."""
+		options, _ = _options("ts_html_options", ppd=ppd, probes=probes, probes_said=int(probes is not None))
+		return Page(self, _made("ts_html", lib.ts_html_close, lib.ts_html_open, self._handle, _made, options)[0])
 
 	def compare(self, reference, candidate, mask=None, **options):
 		"""Verdicts of a candidate; options are members of ts_compare_options, such as ulp=1 or forced=True. mask: an
@@ -220,6 +242,14 @@ class Context:
 		wanted, kept = _options("ts_compare_options", **{n: int(v) if isinstance(v, bool) else v for n, v in options.items()})
 		return Verdicts(*_made("ts_verdicts", lib.ts_verdicts_free, lib.ts_compare, self._handle, _made, reference._handle,
 		                       candidate._handle, wanted))
+
+	def marks(self, buffer, reference, candidate, **options):
+		"""Which elements of a buffer differ, as an array of its shape."""
+		wrong = np.zeros(reference[buffer].shape, np.uint8)
+		wanted, kept = _options("ts_compare_options", **options)
+		_check(lib.ts_compare_marks(self._handle, ffi.cast("uint8_t *", wrong.ctypes.data), wrong.size, _bytes(buffer),
+		                            reference._handle, candidate._handle, wanted))
+		return wrong != 0
 
 	def replay(self, stage, reference, candidate=None):
 		"""Verdicts of one stage's outputs, given the candidate's own inputs."""
@@ -303,9 +333,18 @@ class Trace(collections.abc.Mapping):
 	def probe_point(self, point):
 		return self._ask(lib.ts_probe_point, point)
 
+	def explain(self, stage, inputs=None, other=None, **question):
+		"""What one item of a stage computes, line by line, as `explain --json` has it; the question is members of
+		ts_explain_options, such as buffer="splat.depth_index", element=12."""
+		if "item" in question:
+			question["item_said"] = 1
+		options, kept = _options("ts_explain_options", stage=stage, **question)
+		tree, _ = _made("ts_tree", lib.ts_tree_free, lib.ts_explain_item, self._context._handle, _made, options, self._handle,
+		                *[side._handle if side is not None else ffi.NULL for side in (inputs, other)])
+		return _tree(tree)
+
 	def _ask(self, function, *question):
-		tree, _ = _made("ts_tree", lib.ts_tree_free, function, self._context._handle, _made, self._handle, *question)
-		return json.loads(_text(ffi.gc(lib.ts_tree_json(tree), lib.free)))
+		return _tree(_made("ts_tree", lib.ts_tree_free, function, self._context._handle, _made, self._handle, *question)[0])
 
 
 class _View:
@@ -334,3 +373,46 @@ class Verdicts(collections.abc.Sequence):
 
 	def __len__(self):
 		return len(self._rows)
+
+	def differences(self, i):
+		"""Those of row i, as many as the option `first` asked for."""
+		return _rows(lambda k: lib.ts_verdicts_difference(self._handle, i, k))
+
+	def fields(self, i):
+		"""How many elements of row i differ in which field of their records."""
+		return {row.field: row.n_different for row in _rows(lambda k: lib.ts_verdicts_field(self._handle, i, k))}
+
+	def tree(self):
+		"""All that differs, as `compare --json` has it."""
+		return _tree(ffi.gc(lib.ts_verdicts_tree(self._handle), lib.ts_tree_free))
+
+
+class Page:
+	"""A page of HTML, as `touchstone report` writes it."""
+
+	def __init__(self, context, handle):
+		self._context, self._handle = context, handle
+
+	def add(self, trace):
+		"""Adds a trace: its picture, and what it says of itself."""
+		_check(lib.ts_html_add_trace(self._handle, trace._handle))
+
+	def add_folder(self, folder):
+		"""Adds what render or compare wrote to a folder."""
+		_check(lib.ts_html_add_folder(self._handle, _bytes(folder)))
+
+	def add_picture(self, name, rgb, source=""):
+		"""Adds rows of pixels of 8-bit sRGB."""
+		rgb = _array(rgb, np.dtype("u1"), 3, name)
+		if rgb.shape[2] != 3:
+			raise Error(f"{name}: 3 bytes a pixel would be right")
+		_check(lib.ts_html_add_picture(self._handle, _bytes(name), _bytes(source), ffi.cast("uint8_t *", rgb.ctypes.data),
+		                               rgb.shape[1], rgb.shape[0]))
+
+	def add_verdicts(self, verdicts, reference, candidate, **options):
+		"""Adds how a candidate was judged, both sides being added already; options as of that comparison."""
+		wanted, kept = _options("ts_compare_options", **options)
+		_check(lib.ts_html_add_verdicts(self._handle, verdicts._handle, reference._handle, candidate._handle, wanted, ffi.NULL))
+
+	def write(self, path):
+		_check(lib.ts_html_write(self._handle, _bytes(path)))

@@ -1,7 +1,7 @@
 /* What a golden has beside its buffers: a picture to look at, and the reasons for which it was blessed. */
+#include "beside.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "golden.h"
 
 ts_status ts_reason_check(const char *reason)
 {
@@ -14,7 +14,7 @@ ts_status ts_reason_check(const char *reason)
 	return ts_fail("a reason is one line, without control characters");
 }
 
-ts_status ts_case_check_changes(const ts_golden_dir *dir)
+ts_status ts_golden_check_changes(const ts_golden_dir *dir)
 {
 	char *text, *end;
 	size_t bytes;
@@ -41,7 +41,7 @@ static ts_status compare_pictures(char *text, const picture *stored, const pictu
 {
 	const u8 *s = stored->pixels, *c = computed->pixels;
 	if (stored->width != computed->width || stored->height != computed->height) {
-		snprintf(text, TS_CASE_TEXT, "%s: golden %u by %u pixels here %u by %u", TS_GOLDEN_PREVIEW,
+		snprintf(text, TS_GOLDEN_TEXT, "%s: golden %u by %u pixels here %u by %u", TS_GOLDEN_PREVIEW,
 		         (unsigned)stored->width, (unsigned)stored->height, (unsigned)computed->width,
 		         (unsigned)computed->height);
 		return TS_DIFFERENT;
@@ -52,33 +52,27 @@ static ts_status compare_pictures(char *text, const picture *stored, const pictu
 		c += computed->channels;
 	}
 	if (i == n) return TS_OK;
-	snprintf(text, TS_CASE_TEXT, "%s: pixel [%u, %u]: golden %u %u %u here %u %u %u", TS_GOLDEN_PREVIEW,
+	snprintf(text, TS_GOLDEN_TEXT, "%s: pixel [%u, %u]: golden %u %u %u here %u %u %u", TS_GOLDEN_PREVIEW,
 	         (unsigned)(i / stored->width), (unsigned)(i % stored->width), s[0], s[1], s[2], c[0], c[1], c[2]);
 	return TS_DIFFERENT;
 }
 
-static ts_status check_preview(char *text, const ts_golden_dir *dir, const ts_golden *computed)
+ts_status ts_golden_check_preview(char text[TS_GOLDEN_TEXT], const ts_golden_dir *dir, const ts_golden *computed,
+                                  ts_golden_decoder *decode)
 {
 	picture stored = {.channels = 4}, here = {.channels = 3};
 	char *file, path[TS_GOLDEN_PATH + sizeof TS_GOLDEN_PREVIEW];
 	size_t bytes;
 	u8 *rgba;
 	here.pixels = ts_golden_image(computed, &here.width, &here.height);
-	if (here.pixels == NULL || ts_golden_preview.read == NULL) return TS_OK;
+	if (here.pixels == NULL) return TS_OK;
 	ts_status status = ts_golden_read_file(&file, &bytes, dir, TS_GOLDEN_PREVIEW, TS_GOLDEN_FILE_BYTES);
 	if (status != TS_OK) return status;
 	snprintf(path, sizeof path, "%s/%s", dir->path, TS_GOLDEN_PREVIEW);
-	status = ts_golden_preview.read(&rgba, &stored.width, &stored.height, file, bytes, TS_CASE_PIXELS, path);
+	status = decode(&rgba, &stored.width, &stored.height, file, bytes, TS_GOLDEN_PIXELS, path);
 	stored.pixels = rgba;
 	if (status == TS_OK) status = compare_pictures(text, &stored, &here);
 	free(rgba);
 	free(file);
 	return status;
-}
-
-ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir, const ts_golden *stored,
-                          const ts_golden *computed)
-{
-	ts_status status = ts_golden_compare(text, TS_CASE_TEXT, stored, computed, c->pipeline, c->small);
-	return status == TS_OK ? check_preview(text, dir, computed) : status;
 }

@@ -1,13 +1,29 @@
 /* Lines of explanations, and the same as objects. */
-#include "explain_report.h"
+#include "report.h"
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdio.h>
-#include "../kernels/base/compat.h"
-#include "../model/core.h"
 #include "../scene/print.h"
 #include "../trace/emit.h"
 
-enum { PLACE = 64, MARGIN = 30 };
+enum { PLACE = 64, MARGIN = 30, LINE = TS_TOLD_TEXT + 256 };
+
+/* Lines of text; without memory one is missing, and `failed` set. */
+typedef struct {
+	json_t *lines;
+	bool failed;
+} report;
+
+__attribute__((format(printf, 2, 3))) static void say(report *to, const char *format, ...)
+{
+	char text[LINE];
+	va_list arguments;
+	va_start(arguments, format);
+	vsnprintf(text, sizeof text, format, arguments);
+	va_end(arguments);
+	ts_line_clean(text);
+	to->failed |= json_array_append_new(to->lines, ts_text_json(text)) != 0;
+}
 
 static void show_where(char text[PLACE], const ts_told_line *line)
 {
@@ -15,76 +31,73 @@ static void show_where(char text[PLACE], const ts_told_line *line)
 }
 
 /* mark: which of two traces says so, or a blank; other: as ts_explain_text. */
-static void print_line(ts_report *report, char mark, const ts_explanation *e, size_t number,
-                       const ts_explanation *other)
+static void print_line(report *to, char mark, const ts_explanation *e, size_t number, const ts_explanation *other)
 {
 	char text[TS_TOLD_TEXT], where[PLACE];
 	const ts_told_line *line = &e->telling.lines[number];
 	show_where(where, line);
 	ts_explain_text(text, e, number, other);
-	ts_report_line(report, "%c%5zu %-*s%*s%s", mark, number + 1, MARGIN, where, 2 * (int)line->depth, "", text);
+	say(to, "%c%5zu %-*s%*s%s", mark, number + 1, MARGIN, where, 2 * (int)line->depth, "", text);
 }
 
 static bool has_item(const ts_explained_launch *launch) { return launch->item < launch->n; }
 
-static void print_launch(ts_report *report, const ts_explanation *e, size_t i)
+static void print_launch(report *to, const ts_explanation *e, size_t i)
 {
 	const ts_explained_launch *launch = &e->launch[i];
 	char items[64] = "";
 	if (has_item(launch)) snprintf(items, sizeof items, ", item %" PRIu64, launch->item);
-	ts_report_line(report, "launch %zu of %zu, kernel %s%s of %" PRIu64 " items", i + 1, e->n_launches,
-	               ts_kernel_name(launch->kernel), items, launch->n);
+	say(to, "launch %zu of %zu, kernel %s%s of %" PRIu64 " items", i + 1, e->n_launches, ts_kernel_name(launch->kernel),
+	    items, launch->n);
 }
 
-static void print_stores(ts_report *report, const ts_told_what *what)
+static void print_stores(report *to, const ts_told_what *what)
 {
 	const ts_question *q = what->question;
 	if (q->subject != TS_EXPLAIN_ELEMENT) return;
-	ts_report_line(report, "line %zu stores %s:%" PRIu64, what->a->telling.stores + 1, ts_buffer_table[q->buffer].name,
-	               q->element);
+	say(to, "line %zu stores %s:%" PRIu64, what->a->telling.stores + 1, ts_buffer_table[q->buffer].name, q->element);
 }
 
 /* Launches that have an item; all if none was asked about. */
-static void print_one(ts_report *report, const ts_explanation *e)
+static void print_one(report *to, const ts_explanation *e)
 {
 	for (size_t i = 0; i < e->n_launches; i++) {
 		const ts_explained_launch *launch = &e->launch[i];
 		if (!has_item(launch) && e->telling.n_lines > 0) continue;
-		print_launch(report, e, i);
-		for (size_t k = 0; k < launch->n_lines; k++) print_line(report, ' ', e, launch->first_line + k, NULL);
+		print_launch(to, e, i);
+		for (size_t k = 0; k < launch->n_lines; k++) print_line(to, ' ', e, launch->first_line + k, NULL);
 	}
 }
 
 /* A line that both have at the same place: once, or what differs. */
-static void print_beside(ts_report *report, const ts_told_what *what, size_t number)
+static void print_beside(report *to, const ts_told_what *what, size_t number)
 {
 	if (ts_explain_is_same(what->a, what->b, number)) {
-		print_line(report, ' ', what->a, number, NULL);
+		print_line(to, ' ', what->a, number, NULL);
 	} else {
-		print_line(report, '<', what->a, number, what->b);
-		print_line(report, '>', what->b, number, what->a);
+		print_line(to, '<', what->a, number, what->b);
+		print_line(to, '>', what->b, number, what->a);
 	}
 }
 
-static void print_both(ts_report *report, const ts_told_what *what)
+static void print_both(report *to, const ts_told_what *what)
 {
 	size_t i = 0;
-	for (; ts_explain_is_beside(what->a, what->b, i); i++) print_beside(report, what, i);
-	if (i < what->a->telling.n_lines || i < what->b->telling.n_lines)
-		ts_report_line(report, "from here on they go different ways:");
-	for (size_t k = i; k < what->a->telling.n_lines; k++) print_line(report, '<', what->a, k, NULL);
-	for (size_t k = i; k < what->b->telling.n_lines; k++) print_line(report, '>', what->b, k, NULL);
+	for (; ts_explain_is_beside(what->a, what->b, i); i++) print_beside(to, what, i);
+	if (i < what->a->telling.n_lines || i < what->b->telling.n_lines) say(to, "from here on they go different ways:");
+	for (size_t k = i; k < what->a->telling.n_lines; k++) print_line(to, '<', what->a, k, NULL);
+	for (size_t k = i; k < what->b->telling.n_lines; k++) print_line(to, '>', what->b, k, NULL);
 }
 
-static void print_first(ts_report *report, const ts_told_what *what, size_t number)
+static void print_first(report *to, const ts_told_what *what, size_t number)
 {
-	ts_report_line(report, "< is %s, > is %s; the first line that differs is", what->trace->dir, what->other->dir);
+	say(to, "< is %s, > is %s; the first line that differs is", what->trace->dir, what->other->dir);
 	if (ts_explain_is_beside(what->a, what->b, number)) {
-		print_beside(report, what, number);
+		print_beside(to, what, number);
 		return;
 	}
-	if (number < what->a->telling.n_lines) print_line(report, '<', what->a, number, NULL);
-	if (number < what->b->telling.n_lines) print_line(report, '>', what->b, number, NULL);
+	if (number < what->a->telling.n_lines) print_line(to, '<', what->a, number, NULL);
+	if (number < what->b->telling.n_lines) print_line(to, '>', what->b, number, NULL);
 }
 
 static json_t *scalar_json(const ts_told_leaf *leaf, const u8 *at)
@@ -160,49 +173,48 @@ static json_t *first_json(const ts_told_what *what, bool differ, size_t number)
 	                 number < b->n_lines ? line_json(what->b, &b->lines[number]) : json_null());
 }
 
-static void add_values(ts_report *report, const ts_told_what *what, bool differ, size_t number)
+json_t *ts_explain_json(const ts_told_what *what)
 {
+	size_t number = 0;
 	const ts_trace *inputs = what->inputs, *other = what->other;
 	u64 more = what->a->telling.n_more + (what->b != NULL ? what->b->telling.n_more : 0);
-	ts_report_value(report, "trace", ts_text_json(what->trace->dir));
-	ts_report_value(report, "inputs", inputs != NULL ? ts_text_json(inputs->dir) : json_null());
-	ts_report_value(report, "other", other != NULL ? ts_text_json(other->dir) : json_null());
-	ts_report_value(report, "stage", json_string(what->stage->name));
-	if (what->question->subject == TS_EXPLAIN_ELEMENT)
-		ts_report_value(report, "stores", json_integer((json_int_t)what->a->telling.stores + 1));
-	ts_report_value(report, "launches", launches_json(what->a));
-	if (what->b != NULL) ts_report_value(report, "other_launches", launches_json(what->b));
-	if (what->b != NULL) ts_report_value(report, "first_difference", first_json(what, differ, number));
-	ts_report_value(report, "more_lines", json_integer((json_int_t)more));
-}
-
-static void print_lines(ts_report *report, const ts_told_what *what, bool differ, size_t number)
-{
-	u64 more = what->a->telling.n_more;
-	u32 place = ts_emit_number(what->trace->pipeline, ts_stage_outputs(what->stage)[0]);
-	ts_report_line(report, "stage %02u %s of %s", (unsigned)place, what->stage->name, what->trace->dir);
-	if (differ) print_first(report, what, number);
-	if (what->b != NULL) {
-		if (!differ) ts_report_line(report, "the same lines in %s", what->other->dir);
-		print_both(report, what);
-	} else {
-		print_stores(report, what);
-		print_one(report, what->a);
+	json_t *root = json_pack("{s:o, s:o, s:o, s:s}", "trace", ts_text_json(what->trace->dir), "inputs",
+	                         inputs != NULL ? ts_text_json(inputs->dir) : json_null(), "other",
+	                         other != NULL ? ts_text_json(other->dir) : json_null(), "stage", what->stage->name);
+	int failed = root == NULL;
+	if (what->question->subject == TS_EXPLAIN_ELEMENT) {
+		failed |= json_object_set_new(root, "stores", json_integer((json_int_t)what->a->telling.stores + 1));
 	}
-	if (more > 0) ts_report_line(report, "%" PRIu64 " more lines; --lines N keeps more", more);
+	failed |= json_object_set_new(root, "launches", launches_json(what->a));
+	if (what->b != NULL) {
+		bool differ = ts_explain_differ(&number, what->a, what->b);
+		failed |= json_object_set_new(root, "other_launches", launches_json(what->b));
+		failed |= json_object_set_new(root, "first_difference", first_json(what, differ, number));
+	}
+	failed |= json_object_set_new(root, "more_lines", json_integer((json_int_t)more));
+	if (failed == 0) return root;
+	json_decref(root);
+	return NULL;
 }
 
-ts_status ts_explain_report(const ts_told_what *what, bool json)
+json_t *ts_explain_lines(const ts_told_what *what)
 {
-	ts_report report;
+	report whole = {.lines = json_array()}, *to = &whole;
 	size_t number = 0;
 	bool differ = what->b != NULL && ts_explain_differ(&number, what->a, what->b);
-	ts_report_begin(&report, json);
-	if (json) {
-		add_values(&report, what, differ, number);
+	u64 more = what->a->telling.n_more;
+	u32 place = ts_emit_number(what->trace->pipeline, ts_stage_outputs(what->stage)[0]);
+	say(to, "stage %02u %s of %s", (unsigned)place, what->stage->name, what->trace->dir);
+	if (differ) print_first(to, what, number);
+	if (what->b != NULL) {
+		if (!differ) say(to, "the same lines in %s", what->other->dir);
+		print_both(to, what);
 	} else {
-		print_lines(&report, what, differ, number);
+		print_stores(to, what);
+		print_one(to, what->a);
 	}
-	if (ts_report_end(&report) != TS_OK) return TS_ERROR;
-	return differ ? TS_DIFFERENT : TS_OK;
+	if (more > 0) say(to, "%" PRIu64 " more lines; --lines N keeps more", more);
+	if (!whole.failed && whole.lines != NULL) return whole.lines;
+	json_decref(whole.lines);
+	return NULL;
 }

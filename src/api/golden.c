@@ -1,0 +1,82 @@
+/* Checking goldens. */
+#include "api.h"
+#include <touchstone/golden.h>
+#include <touchstone/image.h>
+#include <stdio.h>
+#include <string.h>
+#include "../golden/beside.h"
+#include "../golden/params.h"
+#include "../scene/sources.h"
+
+/* What a golden is of, which is bounded: the file may be anybody's. */
+static ts_status find_method(const ts_pipeline **pipeline, const ts_golden_said *said, const ts_golden_dir *dir)
+{
+	const ts_params *p = &said->params;
+	*pipeline = ts_pipeline_find(said->effect, said->method);
+	if (*pipeline == NULL) return ts_fail("%s: %s by %s: no such method", dir->path, said->effect, said->method);
+	if (!ts_builtin_is(said->scene)) return ts_fail("%s: \"%s\" is not a built-in scene", dir->path, said->scene);
+	if ((u64)TS_PARAM(p, width) * TS_PARAM(p, height) <= TS_GOLDEN_PIXELS && TS_PARAM(p, frame) <= TS_GOLDEN_FRAME) {
+		return TS_OK;
+	}
+	return ts_fail("%s: %u x %u pixels, frame %u: a golden has at most %d pixels and frame %d", dir->path,
+	               TS_PARAM(p, width), TS_PARAM(p, height), TS_PARAM(p, frame), TS_GOLDEN_PIXELS, TS_GOLDEN_FRAME);
+}
+
+static void tell(ts_golden_judged *judged, const char *text, const ts_pipeline *pipeline)
+{
+	const ts_buffer_id id = ts_golden_named(text, pipeline);
+	const ts_step *step = id != TS_N_BUFFERS ? ts_pipeline_maker(pipeline, id) : NULL;
+	snprintf(judged->text, sizeof judged->text, "%s", text);
+	if (id == TS_N_BUFFERS) return;
+	snprintf(judged->stage, sizeof judged->stage, "%s", step != NULL ? step->stage : "scene");
+	snprintf(judged->buffer, sizeof judged->buffer, "%s", ts_buffer_table[id].name);
+}
+
+static ts_status compare(char text[TS_GOLDEN_TEXT], const ts_golden_dir *dir, const ts_golden *stored,
+                         const ts_golden *computed, const ts_pipeline *pipeline)
+{
+	const bool small = ts_golden_has(dir, "small");
+	ts_status status = ts_golden_compare(text, TS_GOLDEN_TEXT, stored, computed, pipeline, small);
+	return status == TS_OK ? ts_golden_check_preview(text, dir, computed, ts_image_decode) : status;
+}
+
+static ts_status check(ts_golden_judged *judged, const ts_golden_dir *dir, const ts_how *how)
+{
+	const ts_pipeline *pipeline;
+	ts_golden_said said;
+	ts_golden stored, computed;
+	char text[TS_GOLDEN_TEXT] = "";
+	if (ts_golden_read_params(&said, dir) != TS_OK || find_method(&pipeline, &said, dir) != TS_OK) return TS_ERROR;
+	memcpy(judged->effect, said.effect, sizeof judged->effect);
+	memcpy(judged->method, said.method, sizeof judged->method);
+	memcpy(judged->scene, said.scene, sizeof judged->scene);
+	ts_status status = ts_golden_read(&stored, dir, pipeline);
+	if (status == TS_OK) status = ts_golden_check_changes(dir);
+	if (status == TS_OK) {
+		status = ts_golden_make(&computed, dir->path, pipeline, said.scene, &said.params, how);
+		if (status == TS_OK) status = compare(text, dir, &stored, &computed, pipeline);
+		ts_golden_free(&computed);
+	}
+	ts_golden_free(&stored);
+	if (status == TS_DIFFERENT) tell(judged, text, pipeline);
+	return status;
+}
+
+ts_status ts_golden_check(ts_context *context, ts_golden_judged *judged, const char *folder)
+{
+	ts_golden_dir dir;
+	if (TS_LACKS(context) || TS_LACKS(judged) || TS_LACKS(folder)) return TS_ERROR;
+	ts_golden_judged told = {.bytes = judged->bytes};
+	if (ts_api_options(&told, sizeof told, judged, "ts_golden_judged") != TS_OK) return TS_ERROR;
+	told = (ts_golden_judged){.bytes = judged->bytes};
+	*judged = told;
+	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
+	ts_status status = ts_golden_dir_open(&dir, NULL, folder);
+	if (status == TS_OK) {
+		status = check(&told, &dir, &context->how);
+		ts_golden_dir_close(&dir);
+	}
+	ts_api_leave();
+	if (status != TS_ERROR) *judged = told;
+	return status;
+}
