@@ -32,6 +32,7 @@ typedef struct {
 	uint32_t mask_width, mask_height;
 	uint32_t first;     /* so many differences of each buffer are told; 0: one */
 	const char *stages; /* "scene,split,...": only what these make is judged; NULL: all */
+	int lent;           /* of ts_replay: not 0: outputs that the candidate lacks are judged as the reference has them */
 } ts_compare_options;
 
 /* Compares a candidate with a reference of the same method, in the order of the stages. The traces are not needed
@@ -46,7 +47,8 @@ TS_API ts_status ts_compare(ts_context *context, ts_verdicts **verdicts, const t
 /* Runs one stage on the candidate's inputs, and compares what the stage makes with the candidate's outputs. Inputs that
  * the candidate lacks are the reference's. An output that the candidate lacks is "missing"; without any output nothing
  * can be judged: TS_ERROR. The inputs are checked first; inputs that the stage cannot run on are refused.
- * In: candidate NULL: the reference is judged. options: as for ts_compare; `forced` means nothing here.
+ * In: candidate NULL: the reference is judged. options: as for ts_compare; `forced` and `stages` mean nothing here. With
+ * `lent` it is no error where nobody has an output; all are "missing" then.
  * Out, Returns: as for ts_compare. */
 TS_API ts_status ts_replay(ts_context *context, ts_verdicts **verdicts, const char *stage, const ts_trace *reference,
                            const ts_trace *candidate, const ts_compare_options *options);
@@ -89,6 +91,9 @@ typedef struct {
 	const char *first;      /* of what differs: its first difference and how many there are, */
 	const char *line;       /* the same with stage, buffer and the state of the inputs, */
 	const char *note;       /* and what else there is to say of it; else, and where there is nothing, "" */
+	const char *file;       /* of ts_replay: the file whose elements were judged, or the buffer's name; */
+	int cropped;            /* not 0: of a crop; */
+	const char *told;       /* and how they first differ from what is right */
 } ts_verdict_info;
 
 /* Buffer i, from 0, of the reference's buffers in the order of the stages; after a replay, of the stage's outputs. NULL

@@ -78,6 +78,18 @@ TS_API ts_status ts_trace_candidate(ts_context *context, ts_trace **trace, const
 TS_API ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_dims, const uint64_t *shape,
                               const void *data, size_t bytes);
 
+/* Writes the buffers that a trace has, a candidate's or what ts_trace_replay made for instance, and a trace.json to a
+ * folder, which must be absent or empty, and which appears as a whole or not at all. producer: who made them, which
+ * comparisons tell; NULL: this library. */
+TS_API ts_status ts_trace_save(ts_context *context, const ts_trace *trace, const char *folder, const char *producer);
+
+/* Fails unless a candidate can be replayed beside a reference: it is of the same method, and of the same parameters if it
+ * tells any, which the reference must. */
+TS_API ts_status ts_trace_match(const ts_trace *reference, const ts_trace *candidate);
+
+/* Not 0 if the run that a trace is of took the stage: parameters leave some out. */
+TS_API int ts_trace_takes(const ts_trace *trace, const char *stage);
+
 /* A buffer of a trace. */
 typedef struct {
 	const char *name;    /* "stage.buffer" */

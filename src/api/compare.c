@@ -2,6 +2,7 @@
 #include "verdicts.h"
 #include <float.h>
 #include <inttypes.h>
+#include <stdlib.h>
 #include <string.h>
 #include "../compare/part.h"
 #include "../replay/forced.h"
@@ -120,46 +121,59 @@ ts_status ts_compare_marks(ts_context *context, uint8_t *marks, size_t n, const 
 	return status;
 }
 
-/* A candidate is judged by what it has alone. */
-static ts_status judge_output(ts_verdicts *v, const ts_load *load, ts_buffer_id id, const ts_relaxations *relaxations)
+/* Outputs of a stage, and how each was judged. */
+typedef struct {
+	ts_verdicts *verdicts;
+	const ts_load *load;
+	const ts_relaxations *relaxations;
+	bool lent;
+	ts_judged judged[TS_N_BUFFERS];
+} outputs;
+
+/* A candidate is judged by what it has alone, unless the reference lends its own. */
+static ts_status judge_output(outputs *o, ts_buffer_id id)
 {
-	ts_comparison *c = v->comparison;
-	ts_judged judged = {.verdict = c->verdict[id]};
-	if (load->candidate != NULL && load->candidate->item[id].path == NULL) {
+	ts_comparison *c = o->verdicts->comparison;
+	const ts_trace *candidate = o->load->candidate;
+	ts_judged *judged = &o->judged[id];
+	*judged = (ts_judged){.verdict = c->verdict[id]};
+	const bool own = o->lent || candidate == NULL || candidate->item[id].path != NULL;
+	if (own && ts_judge(judged, o->load, id, o->relaxations) == TS_ERROR) return TS_ERROR;
+	if (judged->item == NULL) {
 		c->verdict[id].judgement = TS_MISSING;
 		return TS_OK;
 	}
-	if (ts_judge(&judged, load, id, relaxations) == TS_ERROR) return TS_ERROR;
-	c->verdict[id] = judged.verdict;
-	if (judged.shape_differs) snprintf(c->verdict[id].why, TS_WHY_TEXT, "%s", judged.text);
-	c->n_judged += judged.item != NULL;
-	c->n_unlike += judged.verdict.judgement == TS_UNLIKE;
-	if (judged.verdict.judgement == TS_UNLIKE && c->first == TS_N_BUFFERS) c->first = id;
+	c->verdict[id] = judged->verdict;
+	if (judged->shape_differs) snprintf(c->verdict[id].why, TS_WHY_TEXT, "%s", judged->text);
+	c->n_judged++;
+	c->n_unlike += judged->verdict.judgement == TS_UNLIKE;
+	if (judged->verdict.judgement == TS_UNLIKE && c->first == TS_N_BUFFERS) c->first = id;
 	return TS_OK;
 }
 
-static ts_status judge_outputs(ts_verdicts *v, const ts_load *load, const ts_stage *stage,
-                               const ts_relaxations *relaxations)
+static ts_status judge_outputs(outputs *o, const ts_stage *stage)
 {
-	const ts_comparison *c = v->comparison;
+	const ts_comparison *c = o->verdicts->comparison;
+	const ts_load *load = o->load;
 	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
-		if (!load->run.frame.buffer[*id].made) continue;
-		if (judge_output(v, load, *id, relaxations) == TS_OK) continue;
+		if (!load->run.frame.buffer[*id].made || judge_output(o, *id) == TS_OK) continue;
 		return ts_fail("stage %s: %s", stage->name, ts_error_message());
 	}
-	if (c->n_judged > 0) return c->n_unlike > 0 ? TS_DIFFERENT : TS_OK;
+	if (c->n_judged > 0 || o->lent) return c->n_unlike > 0 ? TS_DIFFERENT : TS_OK;
 	return ts_fail("stage %s: %s has none of its outputs to compare with", stage->name,
 	               load->candidate != NULL ? load->candidate->dir : load->reference->dir);
 }
 
-static ts_status list_outputs(ts_verdicts *v, const ts_load *load, const ts_stage *stage)
+static ts_status list_outputs(const outputs *o, const ts_stage *stage)
 {
-	ts_status status = TS_OK;
-	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS && status == TS_OK; id++) {
-		if (load->run.frame.buffer[*id].made) status = ts_verdicts_add(v, load->reference, *id);
+	ts_verdicts *v = o->verdicts;
+	const ts_trace *reference = o->load->reference, *candidate = o->load->candidate;
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+		if (!o->load->run.frame.buffer[*id].made) continue;
+		if (ts_verdicts_add(v, reference, *id) != TS_OK) return TS_ERROR;
+		if (ts_verdicts_tell(v, &o->judged[*id]) != TS_OK) return TS_ERROR;
 	}
-	const ts_trace *judged = load->candidate != NULL ? load->candidate : load->reference;
-	return status == TS_OK ? ts_verdicts_end(v, load->reference, judged) : status;
+	return ts_verdicts_end(v, reference, candidate != NULL ? candidate : reference);
 }
 
 /* Runs the stage of that name on the inputs of both. */
@@ -187,8 +201,14 @@ static ts_status replay(const ts_context *context, ts_verdicts *v, const char *n
 	if (run_stage(context, &load, &stage, name, reference, candidate) != TS_OK) return TS_ERROR;
 	ts_comparison_begin(v->comparison);
 	v->comparison->forced = candidate != NULL;
-	ts_status status = judge_outputs(v, load, stage, &relaxations);
-	if (status != TS_ERROR && list_outputs(v, load, stage) != TS_OK) status = TS_ERROR;
+	outputs *outs = ts_alloc(1, sizeof *outs, "verdicts");
+	ts_status status = outs != NULL ? TS_OK : TS_ERROR;
+	if (status == TS_OK) {
+		*outs = (outputs){.verdicts = v, .load = load, .relaxations = &relaxations, .lent = o->lent != 0};
+		status = judge_outputs(outs, stage);
+	}
+	if (status != TS_ERROR && list_outputs(outs, stage) != TS_OK) status = TS_ERROR;
+	free(outs);
 	ts_load_end(load);
 	return status;
 }
@@ -216,6 +236,7 @@ static ts_status keep_outputs(ts_trace **trace, const ts_load *load, const ts_st
 	made->pipeline = load->pipeline;
 	made->has_params = true;
 	made->params = load->run.params;
+	made->replayed = stage;
 	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS && status == TS_OK; id++) {
 		const ts_buffer *buffer = &load->run.frame.buffer[*id];
 		ts_npy npy = {.n_dims = buffer->n_dims, .n = buffer->n};

@@ -123,7 +123,9 @@ ts_status ts_verdicts_add(ts_verdicts *v, const ts_trace *reference, ts_buffer_i
 	                          .first_element = judged->first.element,
 	                          .first = "",
 	                          .line = "",
-	                          .note = ""};
+	                          .note = "",
+	                          .file = "",
+	                          .told = ""};
 	if (judged->judgement == TS_UNLIKE) {
 		ts_told *told = v->told[v->n] = tell(v, info, reference, id);
 		if (told == NULL) return TS_ERROR;
@@ -133,6 +135,19 @@ ts_status ts_verdicts_add(ts_verdicts *v, const ts_trace *reference, ts_buffer_i
 		if (id == v->comparison->first) v->first = &told->differences[0].divergence;
 	}
 	v->n++;
+	return TS_OK;
+}
+
+ts_status ts_verdicts_tell(ts_verdicts *v, const ts_judged *judged)
+{
+	const u32 b = v->n - 1;
+	if (judged->item == NULL) return TS_OK;
+	v->file[b] = strdup(judged->item->path);
+	v->text[b] = strdup(judged->text);
+	if (v->file[b] == NULL || v->text[b] == NULL) return ts_fail("verdicts: out of memory");
+	v->info[b].file = v->file[b];
+	v->info[b].told = v->text[b];
+	v->info[b].cropped = judged->item->cropped;
 	return TS_OK;
 }
 
@@ -189,6 +204,8 @@ void ts_verdicts_free(ts_verdicts *v)
 	for (u32 b = 0; b < v->n; b++) {
 		if (v->told[b] != NULL) free(v->told[b]->differences);
 		free(v->told[b]);
+		free(v->file[b]);
+		free(v->text[b]);
 	}
 	json_decref(v->tree);
 	ts_comparison_free(v->comparison);

@@ -4,14 +4,15 @@
 #include "api.h"
 #include <jansson.h>
 #include <touchstone/compare.h>
-#include "../compare/compare.h"
+#include "../replay/judge.h"
 
 typedef struct ts_told ts_told;
 
 struct ts_verdicts {
 	ts_comparison *comparison;
 	ts_verdict_info info[TS_N_BUFFERS];
-	ts_told *told[TS_N_BUFFERS]; /* of each; NULL: it does not differ */
+	ts_told *told[TS_N_BUFFERS];                   /* of each; NULL: it does not differ */
+	char *file[TS_N_BUFFERS], *text[TS_N_BUFFERS]; /* of replays; NULL: none */
 	u32 n;
 	const ts_divergence *first; /* NULL: nothing differs */
 	json_t *tree;
@@ -25,6 +26,8 @@ ts_status ts_api_relax(ts_relaxations *relaxations, const ts_compare_options *op
 ts_verdicts *ts_verdicts_make(u32 most);
 /* Lists how a buffer was judged; its strings are what the comparison has, which must not change any more. */
 ts_status ts_verdicts_add(ts_verdicts *verdicts, const ts_trace *reference, ts_buffer_id id);
+/* Adds to the last one what only a replay tells. */
+ts_status ts_verdicts_tell(ts_verdicts *verdicts, const ts_judged *judged);
 /* Ends: what the tree says. */
 ts_status ts_verdicts_end(ts_verdicts *verdicts, const ts_trace *reference, const ts_trace *candidate);
 

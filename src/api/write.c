@@ -2,9 +2,15 @@
 #include "api.h"
 #include <touchstone/trace.h>
 #include <pthread.h>
+#include <string.h>
+#include "../replay/replay.h"
 #include "../study/folder.h"
 #include "../study/measure.h"
 #include "../study/trace.h"
+#include "../trace/save.h"
+
+/* One folder at a time. */
+static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER;
 
 static const char *place(void *user, const char *name)
 {
@@ -28,7 +34,6 @@ static ts_status write_trace(const char *folder, const ts_pipeline *pipeline, co
 ts_status ts_trace_write(ts_context *context, const char *folder, const ts_scene *scene, const ts_params *params,
                          const char *effect, const char *method, const ts_write_options *options)
 {
-	static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER; /* folder at a time */
 	ts_write_options ours = {0};
 	if (TS_LACKS(context) || TS_LACKS(folder) || TS_LACKS(scene) || TS_LACKS(params)) return TS_ERROR;
 	if (TS_LACKS(effect) || TS_LACKS(method)) return TS_ERROR;
@@ -42,4 +47,37 @@ ts_status ts_trace_write(ts_context *context, const char *folder, const ts_scene
 	pthread_mutex_unlock(&one);
 	ts_api_leave();
 	return status;
+}
+
+static ts_status save(const ts_trace *trace, const char *folder, const char *producer)
+{
+	if (ts_results_begin(folder, false) != TS_OK) return TS_ERROR;
+	ts_status status = ts_trace_save_files(trace, producer, place, NULL);
+	if (status == TS_OK) status = ts_folder_commit();
+	if (status != TS_OK) ts_folder_discard();
+	return status;
+}
+
+ts_status ts_trace_save(ts_context *context, const ts_trace *trace, const char *folder, const char *producer)
+{
+	if (TS_LACKS(context) || TS_LACKS(trace) || TS_LACKS(folder) || ts_api_enter(context) != TS_OK) return TS_ERROR;
+	pthread_mutex_lock(&one);
+	ts_status status = save(trace, folder, producer);
+	pthread_mutex_unlock(&one);
+	ts_api_leave();
+	return status;
+}
+
+ts_status ts_trace_match(const ts_trace *reference, const ts_trace *candidate)
+{
+	return TS_LACKS(reference) || TS_LACKS(candidate) ? TS_ERROR : ts_load_match(reference, candidate);
+}
+
+int ts_trace_takes(const ts_trace *trace, const char *stage)
+{
+	if (trace == NULL || stage == NULL) return 0;
+	for (const ts_step *step = ts_pipeline_steps(trace->pipeline); step->stage != NULL; step++) {
+		if (strcmp(step->stage, stage) == 0) return ts_replay_takes(step, trace);
+	}
+	return 0;
 }

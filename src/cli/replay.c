@@ -1,103 +1,113 @@
 /* `replay TRACE`: one stage again, or every stage, from the buffers of a trace or of a port, judged by what they
  * hold. */
 #include <stdio.h>
-#include "../replay/judge.h"
-#include "../replay/outputs.h"
-#include "cli.h"
-#include "../study/folder.h"
+#include <string.h>
 #include "replay_report.h"
 
-static const char *place(void *user, const char *name)
+typedef struct {
+	const ts_cli *cli;
+	ts_context *context;
+	ts_trace *reference, *candidate; /* candidate: NULL if there is none */
+	ts_report report;
+} work;
+
+static bool is_judged(const ts_verdicts *verdicts)
 {
-	(void)user;
-	return ts_folder_file(name);
+	const ts_verdict_info *v;
+	bool any = false;
+	for (size_t i = 0; (v = ts_verdicts_at(verdicts, i)) != NULL; i++) any |= v->judgement >= TS_SAME;
+	return any;
 }
 
 /* What the stage makes of its inputs, and how that compares. `error` is set if it cannot run. */
-static void replay(ts_replayed *r, const ts_cli *cli, const ts_trace *reference, const ts_trace *candidate)
+static void replay(ts_replayed *r, const work *w)
 {
-	ts_load *load;
-	r->status = ts_replay_run(&load, r->stage, reference, candidate, cli->job.how.threads);
-	for (const ts_buffer_id *id = ts_stage_outputs(r->stage); *id != TS_N_BUFFERS && r->status != TS_ERROR; id++) {
-		if (!load->run.frame.buffer[*id].made) continue;
-		ts_status status = ts_judge(&r->judged[r->n_judged++], load, *id, NULL);
-		if (status == TS_ERROR) ts_fail("stage %s: %s", r->stage->name, ts_error_message());
-		r->status = status > r->status ? status : r->status;
-	}
-	bool writes = r->status != TS_ERROR && cli->job.output.dir != NULL;
-	if (writes && ts_outputs_write(load, r->stage, place, NULL) != TS_OK) {
-		r->status = ts_fail("stage %s: %s", r->stage->name, ts_error_message());
-	}
-	bool any = false;
-	for (u32 i = 0; i < r->n_judged; i++) any |= r->judged[i].item != NULL;
-	if (r->status == TS_OK && !any && cli->job.output.dir == NULL) {
-		r->status = ts_fail("stage %s: no file of its outputs to compare with", r->stage->name);
+	const ts_compare_options options = {.bytes = sizeof options, .lent = 1};
+	r->status = ts_replay(w->context, &r->verdicts, r->stage, w->reference, w->candidate, &options);
+	if (r->status == TS_OK && !is_judged(r->verdicts) && w->cli->job.output.dir == NULL) {
+		r->status = ts_fail("stage %s: no file of its outputs to compare with", r->stage);
 	}
 	if (r->status == TS_ERROR) snprintf(r->error, sizeof r->error, "%s", ts_error_message());
-	ts_load_end(load);
 }
 
-static ts_status replay_one(const ts_cli *cli, const ts_trace *reference, const ts_trace *candidate, ts_report *report)
+static ts_status write_outputs(const work *w, const char *stage)
 {
-	ts_replayed replayed = {.stage = ts_replay_find(cli->stage, reference->pipeline, &reference->params)};
-	if (replayed.stage == NULL) return TS_ERROR;
-	if (cli->job.output.dir != NULL && ts_results_begin(cli->job.output.dir, false) != TS_OK) return TS_ERROR;
-	replay(&replayed, cli, reference, candidate);
-	if (cli->job.output.dir != NULL && (replayed.status == TS_ERROR || ts_folder_commit() != TS_OK)) {
-		if (replayed.status != TS_ERROR) snprintf(replayed.error, sizeof replayed.error, "%s", ts_error_message());
-		replayed.status = TS_ERROR;
-		ts_folder_discard();
-	}
-	if (replayed.status == TS_ERROR) return ts_fail("%s", replayed.error);
-	ts_replay_report_outputs(report, &replayed, reference->pipeline);
-	return replayed.status;
+	ts_trace *made;
+	if (ts_trace_replay(w->context, &made, stage, w->reference, w->candidate) != TS_OK) return TS_ERROR;
+	ts_status status = ts_trace_save(w->context, made, w->cli->job.output.dir, NULL);
+	ts_trace_close(made);
+	return status;
 }
 
-static ts_status replay_all(const ts_cli *cli, const ts_trace *reference, const ts_trace *candidate, ts_report *report)
+/* Stage i of the method, NULL behind the last. */
+static const char *stage_at(const work *w, ts_replayed *r, size_t i)
+{
+	const ts_trace_info *of = ts_trace_about(w->reference);
+	const ts_stage_info *stage = ts_method_stage(of->effect, of->method, i);
+	*r = (ts_replayed){.number = ts_method_stage_number(of->effect, of->method, i)};
+	return r->stage = stage != NULL ? stage->name : NULL;
+}
+
+static ts_status replay_one(work *w, const char *name)
+{
+	ts_replayed r;
+	for (size_t i = 0; stage_at(w, &r, i) != NULL && strcmp(r.stage, name) != 0; i++) {
+	}
+	r.stage = name;
+	replay(&r, w);
+	ts_status status = r.status;
+	if (status != TS_ERROR && w->cli->job.output.dir != NULL && write_outputs(w, name) != TS_OK) status = TS_ERROR;
+	if (status != TS_ERROR) ts_replay_report_outputs(&w->report, &r);
+	ts_verdicts_free(r.verdicts);
+	return status;
+}
+
+static ts_status replay_all(work *w)
 {
 	u32 n = 0, n_failed = 0, n_different = 0;
-	for (const ts_step *step = ts_pipeline_steps(reference->pipeline); step->stage != NULL; step++) {
-		if (!ts_replay_takes(step, reference)) continue;
-		ts_replayed replayed = {.stage = ts_stage_find(step->stage)};
-		replay(&replayed, cli, reference, candidate);
-		ts_replay_report_stage(report, &replayed, reference->pipeline);
+	ts_replayed r;
+	for (size_t i = 0; stage_at(w, &r, i) != NULL; i++) {
+		if (!ts_trace_takes(w->reference, r.stage)) continue;
+		replay(&r, w);
+		ts_replay_report_stage(&w->report, &r);
 		n++;
-		n_failed += replayed.status == TS_ERROR;
-		n_different += replayed.status == TS_DIFFERENT;
+		n_failed += r.status == TS_ERROR;
+		n_different += r.status == TS_DIFFERENT;
+		ts_verdicts_free(r.verdicts);
 	}
 	if (n_failed > 0) return ts_fail("%u of %u stages could not be replayed", (unsigned)n_failed, (unsigned)n);
 	return n_different > 0 ? TS_DIFFERENT : TS_OK;
 }
 
-static ts_status replay_traces(const ts_cli *cli, const ts_trace *reference, const ts_trace *candidate)
+static ts_status work_on(work *w)
 {
-	ts_report report;
-	if (ts_load_match(reference, candidate) != TS_OK) return TS_ERROR;
-	ts_report_begin(&report, cli->job.output.json);
-	report.quiet = cli->job.output.quiet;
-	ts_replay_report_begin(&report, reference, candidate);
-	ts_status status = cli->stage != NULL ? replay_one(cli, reference, candidate, &report)
-	                                      : replay_all(cli, reference, candidate, &report);
+	char message[1024];
+	const ts_cli *cli = w->cli;
+	if (w->candidate != NULL && ts_trace_match(w->reference, w->candidate) != TS_OK) return TS_ERROR;
+	ts_report_begin(&w->report, cli->job.output.json);
+	w->report.quiet = cli->job.output.quiet;
+	ts_replay_report_begin(&w->report, w->reference, w->candidate);
+	ts_status status = cli->stage != NULL ? replay_one(w, cli->stage) : replay_all(w);
 	if (status == TS_ERROR && cli->stage != NULL) {
-		ts_report_discard(&report);
+		ts_report_discard(&w->report);
 		return status;
 	}
-	char message[1024];
 	snprintf(message, sizeof message, "%s", ts_error_message());
-	if (ts_report_end(&report) != TS_OK) return TS_ERROR;
+	if (ts_report_end(&w->report) != TS_OK) return TS_ERROR;
 	return status == TS_ERROR ? ts_fail("%s", message) : status;
 }
 
 ts_status ts_replay_command(ts_cli *cli)
 {
-	ts_trace *reference, *candidate = NULL;
+	work w = {.cli = cli};
 	if (cli->job.output.dir != NULL && cli->stage == NULL)
 		return ts_fail("replay: -o is for the outputs of one stage; add --stage");
-	if (ts_selftest_require() != TS_OK || ts_trace_open_folder(&reference, cli->arguments[0]) != TS_OK) return TS_ERROR;
-	ts_status status = TS_OK;
-	if (cli->inputs != NULL) status = ts_trace_open_folder(&candidate, cli->inputs);
-	if (status == TS_OK) status = replay_traces(cli, reference, candidate);
-	ts_trace_close(candidate);
-	ts_trace_close(reference);
+	ts_status status = ts_client_open(&w.context, cli);
+	if (status == TS_OK) status = ts_trace_open(w.context, &w.reference, cli->arguments[0]);
+	if (status == TS_OK && cli->inputs != NULL) status = ts_trace_open(w.context, &w.candidate, cli->inputs);
+	if (status == TS_OK) status = work_on(&w);
+	ts_trace_close(w.candidate);
+	ts_trace_close(w.reference);
+	ts_context_close(w.context);
 	return status;
 }

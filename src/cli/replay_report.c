@@ -2,101 +2,107 @@
 #include "replay_report.h"
 #include <inttypes.h>
 #include <stdio.h>
+#include <string.h>
 #include "../scene/print.h"
-#include "../trace/emit.h"
 
 enum { LINE = 8192 };
 
-void ts_replay_report_begin(ts_report *report, const ts_trace *reference, const ts_trace *candidate)
+void ts_replay_report_begin(ts_report *report, ts_trace *reference, ts_trace *candidate)
 {
-	ts_report_value(report, "trace", ts_text_json(reference->dir));
-	ts_report_value(report, "inputs", candidate != NULL ? ts_text_json(candidate->dir) : json_null());
-	ts_report_value(report, "pipeline", json_string(reference->pipeline->name));
+	const char *inputs = candidate != NULL ? ts_trace_about(candidate)->folder : NULL;
+	ts_report_value(report, "trace", ts_text_json(ts_trace_about(reference)->folder));
+	ts_report_value(report, "inputs", inputs != NULL ? ts_text_json(inputs) : json_null());
+	ts_report_value(report, "pipeline", json_string(ts_trace_about(reference)->method));
 	ts_report_value(report, "stages", json_array());
 }
 
+/* Nobody has a file of it. */
+static bool is_absent(const ts_verdict_info *v) { return v->judgement == TS_MISSING; }
+static bool differs(const ts_verdict_info *v) { return v->why[0] != 0 || v->n_different > 0; }
+
 /* "same, 12 elements", "different in 3 of 12 elements, first element 2: ...", "not compared: ...". */
-static void describe(char text[LINE], const ts_judged *v)
+static void describe(char text[LINE], const ts_verdict_info *v)
 {
-	if (v->item == NULL) {
+	if (is_absent(v)) {
 		snprintf(text, LINE, "not compared, because there is no file of it");
-	} else if (v->shape_differs) {
-		snprintf(text, LINE, "different, %s in %s", v->text, v->item->path);
-	} else if (v->verdict.n_different > 0) {
-		snprintf(text, LINE, "different in %" PRIu64 " of %" PRIu64 " elements, first %s in %s", v->verdict.n_different,
-		         v->verdict.n_ref, v->text, v->item->path);
+	} else if (v->why[0] != 0) {
+		snprintf(text, LINE, "different, %s in %s", v->told, v->file);
+	} else if (v->n_different > 0) {
+		snprintf(text, LINE, "different in %" PRIu64 " of %" PRIu64 " elements, first %s in %s", v->n_different,
+		         v->n_reference, v->told, v->file);
 	} else {
-		snprintf(text, LINE, "same, %" PRIu64 " elements%s", v->verdict.n_ref, v->item->cropped ? " of a crop" : "");
+		snprintf(text, LINE, "same, %" PRIu64 " elements%s", v->n_reference, v->cropped ? " of a crop" : "");
 	}
 }
 
-static json_t *verdict_json(const ts_judged *v)
+/* The first element of both that differs; NULL: there is none. */
+static const ts_divergence *first_of(const ts_verdicts *verdicts, size_t b)
 {
-	bool different = v->shape_differs || v->verdict.n_different > 0;
-	const char *verdict = v->item == NULL ? "not compared" : different ? "different" : "same";
-	json_t *root =
-		json_pack("{s:s, s:s, s:o, s:I, s:I, s:s}", "buffer", ts_buffer_table[v->id].name, "verdict", verdict, "file",
-	              v->item != NULL ? ts_text_json(v->item->path) : json_null(), "elements", (json_int_t)v->verdict.n_ref,
-	              "different", (json_int_t)v->verdict.n_different, "text", v->text);
-	if (!v->verdict.has_first) return root;
-	const ts_difference *d = &v->verdict.first;
-	const ts_fields fields = ts_fields_of(v->id);
-	char right[TS_VALUE_TEXT], found[TS_VALUE_TEXT];
-	ts_field_show(right, &fields.field[d->field], d->ref);
-	ts_field_show(found, &fields.field[d->field], d->cand);
-	json_t *first =
-		json_pack("{s:I, s:s, s:i, s:s, s:s}", "element", (json_int_t)d->element, "field", fields.field[d->field].name,
-	              "component", (int)d->component, "replayed", right, "found", found);
+	const ts_divergence *d;
+	for (size_t i = 0; (d = ts_verdicts_difference(verdicts, b, i)) != NULL; i++) {
+		if (strcmp(d->how, "different") == 0) return d;
+	}
+	return NULL;
+}
+
+static json_t *verdict_json(const ts_verdicts *verdicts, size_t b)
+{
+	const ts_verdict_info *v = ts_verdicts_at(verdicts, b);
+	const char *verdict = is_absent(v) ? "not compared" : differs(v) ? "different" : "same";
+	json_t *root = json_pack("{s:s, s:s, s:o, s:I, s:I, s:s}", "buffer", v->buffer, "verdict", verdict, "file",
+	                         is_absent(v) ? json_null() : ts_text_json(v->file), "elements", (json_int_t)v->n_reference,
+	                         "different", (json_int_t)v->n_different, "text", v->told);
+	const ts_divergence *d = first_of(verdicts, b);
+	if (d == NULL) return root;
+	json_t *first = json_pack("{s:I, s:s, s:i, s:s, s:s}", "element", (json_int_t)d->element, "field", d->field,
+	                          "component", (int)d->component, "replayed", d->reference, "found", d->candidate);
 	json_object_set_new(root, "first", first);
 	return root;
 }
 
-static void add_stage(ts_report *report, const ts_replayed *r, u32 number)
+static void add_stage(ts_report *report, const ts_replayed *r)
 {
 	static const char *const verdicts[] = {[TS_OK] = "same", [TS_DIFFERENT] = "different", [TS_ERROR] = "not replayed"};
 	json_t *outputs = json_array();
-	for (u32 i = 0; i < r->n_judged && r->status != TS_ERROR; i++) {
-		json_array_append_new(outputs, verdict_json(&r->judged[i]));
+	for (size_t b = 0; ts_verdicts_at(r->verdicts, b) != NULL && r->status != TS_ERROR; b++) {
+		json_array_append_new(outputs, verdict_json(r->verdicts, b));
 	}
-	json_t *stage = json_pack("{s:i, s:s, s:s, s:o, s:o}", "number", (int)number, "stage", r->stage->name, "verdict",
+	json_t *stage = json_pack("{s:i, s:s, s:s, s:o, s:o}", "number", (int)r->number, "stage", r->stage, "verdict",
 	                          verdicts[r->status], "error",
 	                          r->status == TS_ERROR ? ts_text_json(r->error) : json_null(), "outputs", outputs);
 	report->failed |= json_array_append_new(json_object_get(report->root, "stages"), stage) != 0;
 }
 
-void ts_replay_report_outputs(ts_report *report, const ts_replayed *r, const ts_pipeline *pipeline)
+void ts_replay_report_outputs(ts_report *report, const ts_replayed *r)
 {
 	char text[LINE];
-	u32 number = ts_emit_number(pipeline, ts_stage_outputs(r->stage)[0]);
-	for (u32 i = 0; i < r->n_judged; i++) {
-		const ts_judged *v = &r->judged[i];
-		bool failed = v->shape_differs || v->verdict.n_different > 0;
+	const ts_verdict_info *v;
+	for (size_t b = 0; (v = ts_verdicts_at(r->verdicts, b)) != NULL; b++) {
 		describe(text, v);
-		(failed ? ts_report_failure : ts_report_line)(report, "stage %02u %s, buffer %s: %s", (unsigned)number,
-		                                              r->stage->name, ts_buffer_table[v->id].name, text);
+		(differs(v) ? ts_report_failure : ts_report_line)(report, "stage %02u %s, buffer %s: %s", (unsigned)r->number,
+		                                                  r->stage, v->buffer, text);
 	}
-	add_stage(report, r, number);
+	add_stage(report, r);
 }
 
-void ts_replay_report_stage(ts_report *report, const ts_replayed *r, const ts_pipeline *pipeline)
+void ts_replay_report_stage(ts_report *report, const ts_replayed *r)
 {
 	char text[LINE] = "same";
 	const char *buffer = "";
-	u32 number = ts_emit_number(pipeline, ts_stage_outputs(r->stage)[0]);
-	for (u32 i = r->n_judged; i-- > 0;) {
-		const ts_judged *v = &r->judged[i];
-		if (v->item != NULL && !v->shape_differs && v->verdict.n_different == 0) continue;
+	const ts_verdict_info *v;
+	for (size_t b = 0; (v = ts_verdicts_at(r->verdicts, b)) != NULL && buffer[0] == 0; b++) {
+		if (!is_absent(v) && !differs(v)) continue;
 		describe(text, v);
-		buffer = ts_buffer_table[v->id].name;
+		buffer = v->buffer;
 	}
 	if (r->status == TS_ERROR) {
-		size_t name = strlen("stage : ") + strlen(r->stage->name); /* that the message begins with */
+		size_t name = strlen("stage : ") + strlen(r->stage); /* that the message begins with */
 		const char *why = strlen(r->error) > name ? r->error + name : r->error;
-		ts_report_failure(report, "stage %02u %s: not replayed: %s", (unsigned)number, r->stage->name, why);
+		ts_report_failure(report, "stage %02u %s: not replayed: %s", (unsigned)r->number, r->stage, why);
 	} else {
-		(r->status == TS_OK ? ts_report_line : ts_report_failure)(report, "stage %02u %s%s%s: %s", (unsigned)number,
-		                                                          r->stage->name, buffer[0] != 0 ? ", buffer " : "",
-		                                                          buffer, text);
+		(r->status == TS_OK ? ts_report_line : ts_report_failure)(report, "stage %02u %s%s%s: %s", (unsigned)r->number,
+		                                                          r->stage, buffer[0] != 0 ? ", buffer " : "", buffer,
+		                                                          text);
 	}
-	add_stage(report, r, number);
+	add_stage(report, r);
 }

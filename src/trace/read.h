@@ -30,6 +30,7 @@ struct ts_trace {
 	bool arrival;   /* points stand in any order */
 	bool old_names; /* some of its names are of renamed.def */
 	bool open;      /* a candidate that ts_trace_put fills */
+	const ts_stage *replayed; /* a stage that was replayed, whose outputs these are; NULL: it is of none */
 	bool has_params;
 	ts_params params;   /* if it has them */
 	char producer[128]; /* its name and version, clean */

@@ -140,6 +140,20 @@ static void test_replay(void **state)
 	memcpy(moved, view->data, bytes_of(view));
 	refused(ts_replay(context, &verdicts, "splat", reference, trace, NULL), "none of its outputs");
 
+	/* The reference's outputs are lent: what the candidate's inputs give is not what they are. Nobody's are missing. */
+	ts_trace *bare;
+	ts_compare_options lent = {.bytes = sizeof lent, .lent = 1};
+	done(ts_trace_candidate(context, &bare, reference, 0));
+	for (size_t i = 0; i < count_of(view); i++) moved[i].position[1] += 0.25f;
+	put(bare, view, moved);
+	assert_int_equal(ts_replay(context, &verdicts, "eye", reference, bare, &lent), TS_DIFFERENT);
+	const ts_verdict_info *info = ts_verdicts_at(verdicts, 0);
+	assert_non_null(strstr(info->told, "the candidate's inputs give"));
+	assert_string_equal(info->file, "eye.depth_triangle");
+	ts_verdicts_free(verdicts);
+	ts_trace_close(bare);
+	memcpy(moved, view->data, bytes_of(view));
+
 	/* What the stage should have made. */
 	ts_trace *right;
 	done(ts_trace_replay(context, &right, "eye", reference, trace));

@@ -217,6 +217,17 @@ static void test_explained(void **state)
 	REFUSED(ts_golden_check(NULL, &judged, "."), "context");
 	REFUSED(ts_golden_check(context, NULL, "."), "judged");
 	REFUSED(ts_golden_check(context, &judged, NULL), "folder");
+	REFUSED(ts_trace_save(NULL, trace, "/tmp/none", NULL), "context");
+	REFUSED(ts_trace_save(context, NULL, "/tmp/none", NULL), "trace");
+	REFUSED(ts_trace_save(context, trace, NULL, NULL), "folder");
+	REFUSED(ts_trace_match(NULL, trace), "reference");
+	REFUSED(ts_trace_match(trace, NULL), "candidate");
+	assert_int_equal(ts_trace_takes(NULL, "eye") + ts_trace_takes(trace, NULL), 0);
+	char text[TS_FLOAT_TEXT];
+	ts_float_tell(NULL, 1);
+	ts_float_tell(text, 1);
+	assert_string_equal(text, "1 = 0x1p+0 (3f800000)");
+	assert_int_equal(ts_float_passes(NULL, 1, 1) + 2 * ts_float_passes(NULL, 1, 1.0000001f), 1);
 	REFUSED(ts_trace_write(NULL, "/tmp/none", scene, params, "reflections", "epr", NULL), "context");
 	REFUSED(ts_trace_write(context, NULL, scene, params, "reflections", "epr", NULL), "folder");
 	REFUSED(ts_trace_write(context, "/tmp/none", NULL, params, "reflections", "epr", NULL), "scene");

@@ -225,6 +225,59 @@ static void test_files(void **state)
 	ts_context_close(context);
 }
 
+/* A candidate that is saved is the same when it is opened, and says who made it; so is what a replayed stage made. */
+static void test_save(void **state)
+{
+	(void)state;
+	char folder[] = "/tmp/ts-trace-XXXXXX", path[64], command[96];
+	assert_non_null(mkdtemp(folder));
+	ts_context *context = open_context(2);
+	ts_params *params = small_params();
+	ts_scene *scene = small_scene(context, params);
+	ts_trace *trace = small_trace(context, scene, params, "epr"), *own, *made;
+	ts_verdicts *verdicts;
+	const ts_buffer_view *keys = ts_trace_buffer(trace, "eye.depth_triangle");
+	uint64_t *copy = malloc(bytes_of(keys));
+	assert_non_null(copy);
+	memcpy(copy, keys->data, bytes_of(keys));
+	copy[100] ^= 2;
+	snprintf(path, sizeof path, "%s/port", folder);
+	done(ts_trace_candidate(context, &own, trace, 1));
+	done(ts_trace_put(own, "eye.depth_triangle", 2, keys->shape, copy, bytes_of(keys)));
+	done(ts_trace_save(context, own, path, "my port"));
+	refused(ts_trace_save(context, own, path, NULL), path);
+	ts_trace_close(own);
+	done(ts_trace_open(context, &own, path));
+	assert_int_equal(strncmp(ts_trace_about(own)->producer, "my port", 7), 0);
+	assert_true(ts_trace_about(own)->arrival != 0 && !ts_trace_has(own, "image.srgb"));
+	done(ts_trace_match(trace, own));
+	assert_memory_equal(ts_trace_buffer(own, "eye.depth_triangle")->data, copy, bytes_of(keys));
+	done(ts_trace_replay(context, &made, "eye", trace, NULL));
+	snprintf(path, sizeof path, "%s/made", folder);
+	done(ts_trace_save(context, made, path, NULL));
+	ts_trace_close(made);
+	done(ts_trace_open(context, &made, path));
+	done(ts_compare(context, &verdicts, trace, made, NULL));
+	ts_verdicts_free(verdicts);
+	ts_trace_close(made);
+	refused(ts_trace_save(context, own, "/proc/none/trace", NULL), "/proc/none/trace");
+	ts_trace_close(own);
+
+	/* A trace of a method matches none of another; a stage that parameters leave out was not taken. */
+	own = small_trace(context, scene, params, "mvr");
+	refused(ts_trace_match(trace, own), "mvr");
+	assert_true(ts_trace_takes(trace, "splat") && !ts_trace_takes(trace, "lookup.third"));
+	assert_false(ts_trace_takes(trace, "eye.margin") || ts_trace_takes(trace, "magic"));
+	ts_trace_close(own);
+	snprintf(command, sizeof command, "rm -r %s", folder);
+	assert_int_equal(system(command), 0);
+	free(copy);
+	ts_trace_close(trace);
+	ts_scene_free(scene);
+	ts_params_free(params);
+	ts_context_close(context);
+}
+
 /* A trace on disk, compressed or not, is that in memory; a folder that holds something stays as it is. */
 static void test_write(void **state)
 {
@@ -271,8 +324,9 @@ static void test_write(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_write), cmocka_unit_test(test_files), cmocka_unit_test(test_digests),
-		cmocka_unit_test(test_part),  cmocka_unit_test(test_image), cmocka_unit_test(test_put),
+		cmocka_unit_test(test_write),   cmocka_unit_test(test_save), cmocka_unit_test(test_files),
+		cmocka_unit_test(test_digests), cmocka_unit_test(test_part), cmocka_unit_test(test_image),
+		cmocka_unit_test(test_put),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
