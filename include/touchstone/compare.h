@@ -143,8 +143,8 @@ TS_API ts_status ts_compare_marks(ts_context *context, uint8_t *marks, size_t n,
                                   const ts_trace *reference, const ts_trace *candidate,
                                   const ts_compare_options *options);
 
-/* Not 0 if two floats are the same or pass for equal by ulp, abs and rel of the options; options NULL: the same value. A
- * NaN never does. */
+/* Not 0 if two floats are the same or pass for equal by ulp, abs and rel of the options; options NULL: the same value.
+ * A NaN never does. */
 TS_API int ts_float_passes(const ts_compare_options *options, float reference, float candidate);
 
 enum { TS_FLOAT_TEXT = 96 };

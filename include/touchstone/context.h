@@ -36,6 +36,19 @@ TS_API void ts_context_close(ts_context *context);
 /* Backend i, from 0, of those that this library was built with; NULL behind the last. */
 TS_API const char *ts_backend_at(size_t i);
 
+/* A device of a backend. Only `bytes` must be set before. */
+typedef struct {
+	size_t bytes; /* sizeof(ts_device_info) */
+	char name[128];
+	int rounded;           /* not 0: divides and takes roots with correct rounding */
+	int denormals;         /* not 0: keeps them; exact either way */
+	int atomics;           /* not 0: has atomics of 64 bits */
+	uint64_t memory, most; /* bytes in all; of one buffer */
+} ts_device_info;
+
+/* Describes device i of a backend, from 0. TS_SKIPPED: it has no more, or no driver is there. */
+TS_API ts_status ts_device_at(ts_device_info *device, const char *backend, uint32_t i);
+
 /* The version of the library that runs, "0.1.0", which may be newer than these headers. */
 TS_API const char *ts_version(void);
 

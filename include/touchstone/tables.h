@@ -13,6 +13,7 @@ extern "C" {
 typedef struct {
 	const char *effect, *name; /* as in `render EFFECT --method NAME` */
 	const char *paper, *doc;
+	int only_named; /* not 0: the command runs it only where --method names it */
 } ts_method_info;
 TS_API const ts_method_info *ts_method_at(size_t i);
 
@@ -51,6 +52,12 @@ typedef struct {
 TS_API const ts_buffer_info *ts_buffer_at(size_t i);
 /* Not 0 if its first dimensions are the rows and columns of the eye's pixels or of their samples. */
 TS_API int ts_buffer_is_image(const char *name);
+
+/* A size that shapes of buffers are of. */
+typedef struct {
+	const char *name, *noun, *doc; /* noun: one of what it counts */
+} ts_size_info;
+TS_API const ts_size_info *ts_size_at(size_t i);
 
 /* A field of a record. The fields of one record stand together. */
 typedef struct {

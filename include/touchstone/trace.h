@@ -83,8 +83,8 @@ TS_API ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_di
  * comparisons tell; NULL: this library. */
 TS_API ts_status ts_trace_save(ts_context *context, const ts_trace *trace, const char *folder, const char *producer);
 
-/* Fails unless a candidate can be replayed beside a reference: it is of the same method, and of the same parameters if it
- * tells any, which the reference must. */
+/* Fails unless a candidate can be replayed beside a reference: it is of the same method, and of the same parameters if
+ * it tells any, which the reference must. */
 TS_API ts_status ts_trace_match(const ts_trace *reference, const ts_trace *candidate);
 
 /* Not 0 if the run that a trace is of took the stage: parameters leave some out. */

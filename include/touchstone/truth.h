@@ -17,6 +17,7 @@ typedef struct {
 	const char *name;
 	const char *effects; /* that the truth judges, separated by blanks */
 	const char *doc;
+	const char *share, *against, *against_share; /* what its distance from a picture, and from that truth's, tells */
 } ts_truth_info;
 
 /* Truth i, from 0; NULL behind the last. */

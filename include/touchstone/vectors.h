@@ -18,6 +18,7 @@ typedef struct {
 	uint32_t items;                   /* rows */
 	uint32_t in_words, out_words;     /* of a row */
 	const char *in_dtype, *out_dtype; /* as numpy writes them */
+	int composed;                     /* not 0: of several primitives, whose bits follow if theirs are right */
 } ts_vector_info;
 
 /* Primitive i, from 0, in the order in which to port them: each relies on those before it. NULL behind the last. */

@@ -133,4 +133,23 @@ const char *ts_backend_at(size_t i)
 	return NULL;
 }
 
+ts_status ts_device_at(ts_device_info *device, const char *backend, uint32_t i)
+{
+	const ts_backend_kind *kind;
+	ts_device devices[TS_MAX_DEVICES];
+	if (TS_LACKS(device) || TS_LACKS(backend)) return TS_ERROR;
+	ts_device_info told = {.bytes = device->bytes};
+	if (ts_api_options(&told, sizeof told, device, "ts_device_info") != TS_OK) return TS_ERROR;
+	if (ts_backend_find(&kind, ts_backend_kinds, backend) != TS_OK) return TS_ERROR;
+	if (i >= kind->devices(devices)) {
+		ts_fail("%s: has no device %lu", backend, (unsigned long)i);
+		return TS_SKIPPED;
+	}
+	const ts_device *d = &devices[i];
+	told = (ts_device_info){device->bytes, "", d->rounded, d->denormals, d->atomics, d->memory, d->most};
+	memcpy(told.name, d->name, sizeof told.name);
+	*device = told;
+	return TS_OK;
+}
+
 const char *ts_version(void) { return TS_VERSION; }

@@ -19,7 +19,7 @@ static void make(void)
 	stages = ts_alloc(n_stages, sizeof *stages, "the table of stages");
 	for (size_t i = 0; i < n_methods && methods != NULL; i++) {
 		const ts_pipeline *p = ts_pipelines()[i];
-		methods[i] = (ts_method_info){p->effect->name, p->name, p->paper, p->doc};
+		methods[i] = (ts_method_info){p->effect->name, p->name, p->paper, p->doc, p->only_named};
 	}
 	for (size_t i = 0; i < n_stages && stages != NULL; i++) {
 		const ts_stage *s = ts_stages()[i];
@@ -96,6 +96,22 @@ const char *ts_stage_output(const char *stage, size_t i)
 }
 
 const ts_buffer_info *ts_buffer_at(size_t i) { return i < TS_N_BUFFERS ? &ts_buffer_table[i] : NULL; }
+
+static ts_size_info sizes[TS_N_DIMS];
+
+static void list_sizes(void)
+{
+	for (u32 i = 0; i < TS_N_DIMS; i++) {
+		sizes[i] = (ts_size_info){ts_dim_table[i].name, ts_dim_table[i].noun, ts_dim_table[i].doc};
+	}
+}
+
+const ts_size_info *ts_size_at(size_t i)
+{
+	static pthread_once_t once = PTHREAD_ONCE_INIT;
+	pthread_once(&once, list_sizes);
+	return i < TS_N_DIMS ? &sizes[i] : NULL;
+}
 
 int ts_buffer_is_image(const char *name)
 {

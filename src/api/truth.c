@@ -13,7 +13,8 @@ static void list(void)
 {
 	ts_api_ready();
 	for (const ts_truth_kind *const *kind = ts_truths(); *kind != NULL; kind++) {
-		infos[n_infos++] = (ts_truth_info){(*kind)->name, (*kind)->effects, (*kind)->doc};
+		infos[n_infos++] = (ts_truth_info){(*kind)->name,  (*kind)->effects, (*kind)->doc,
+		                                   (*kind)->share, (*kind)->against, (*kind)->against_share};
 	}
 }
 

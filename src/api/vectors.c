@@ -25,8 +25,15 @@ static void make(void)
 		row *r = &rows[i];
 		ts_vector_in_descr(r->in, v);
 		ts_vector_out_descr(r->out, v);
-		r->info = (ts_vector_info){
-			v->name, v->rule, v->doc, TS_VECTOR_ITEMS, ts_vector_in_words(v), ts_vector_out_words(v), r->in, r->out};
+		r->info = (ts_vector_info){v->name,
+		                           v->rule,
+		                           v->doc,
+		                           TS_VECTOR_ITEMS,
+		                           ts_vector_in_words(v),
+		                           ts_vector_out_words(v),
+		                           r->in,
+		                           r->out,
+		                           ts_vectors_place(i).composed};
 	}
 }
 

@@ -1,13 +1,9 @@
 /* `list WHAT`: the program's own tables, so never stale. */
 #include <string.h>
-#include "../model/frame.h"
-#include "../methods/pipeline.h"
 #include "../study/bench.h"
-#include "cli.h"
 #include "../study/methods.h"
 #include "../study/reads.h"
-#include "../study/truths.h"
-#include "../vectors/vectors.h"
+#include "client.h"
 
 static const ts_column stage_columns[] = {{"name", "stage", false},
                                           {"kind", "kind", false},
@@ -60,36 +56,43 @@ typedef struct {
 	u32 n_methods;
 } ts_listed;
 
-static void cell_buffers(ts_table *table, const ts_buffer_id *ids)
+enum { CELL = 1024 };
+
+/* Adds a name to others that blanks separate. */
+static void add_name(char text[CELL], const char *name)
 {
-	char text[1024] = "";
-	for (u32 i = 0; ids[i] != TS_N_BUFFERS; i++) {
-		size_t used = strlen(text);
-		snprintf(text + used, sizeof text - used, "%s%s", i > 0 ? " " : "", ts_buffer_table[ids[i]].name);
-	}
+	size_t used = strlen(text);
+	snprintf(text + used, CELL - used, "%s%s", used > 0 ? " " : "", name);
+}
+
+static void cell_buffers(ts_table *table, const char *stage, const char *(*at)(const char *stage, size_t i))
+{
+	char text[CELL] = "";
+	const char *name;
+	for (size_t i = 0; (name = at(stage, i)) != NULL; i++) add_name(text, name);
 	ts_table_text(table, text);
 }
 
 static ts_table list_stages(void)
 {
+	const ts_stage_info *s;
 	ts_table table = ts_table_begin("stages", "", stage_columns);
-	for (const ts_stage *const *at = ts_stages(); *at != NULL; at++) {
-		const ts_stage *s = *at;
+	for (size_t i = 0; (s = ts_stage_at(i)) != NULL; i++) {
 		ts_table_text(&table, s->name);
 		ts_table_text(&table, s->kind);
 		ts_table_text(&table, s->paper);
 		ts_table_text(&table, s->doc);
-		cell_buffers(&table, ts_stage_outputs(s));
-		cell_buffers(&table, ts_stage_inputs(s));
+		cell_buffers(&table, s->name, ts_stage_output);
+		cell_buffers(&table, s->name, ts_stage_input);
 	}
 	return table;
 }
 
 static ts_table list_buffers(void)
 {
+	const ts_buffer_info *b;
 	ts_table table = ts_table_begin("buffers", "", buffer_columns);
-	for (int i = 0; i < TS_N_BUFFERS; i++) {
-		const ts_buffer_info *b = &ts_buffer_table[i];
+	for (size_t i = 0; (b = ts_buffer_at(i)) != NULL; i++) {
 		char order[96];
 		snprintf(order, sizeof order, "%s%s%s", b->order, b->key[0] != 0 ? " by " : "", b->key);
 		ts_table_text(&table, b->name);
@@ -104,11 +107,12 @@ static ts_table list_buffers(void)
 
 static ts_table list_sizes(void)
 {
+	const ts_size_info *size;
 	ts_table table = ts_table_begin("sizes", "", size_columns);
-	for (u32 dim = 0; dim < TS_N_DIMS; dim++) {
-		ts_table_text(&table, ts_dim_table[dim].name);
-		ts_table_text(&table, ts_dim_table[dim].noun);
-		ts_table_text(&table, ts_dim_table[dim].doc);
+	for (size_t i = 0; (size = ts_size_at(i)) != NULL; i++) {
+		ts_table_text(&table, size->name);
+		ts_table_text(&table, size->noun);
+		ts_table_text(&table, size->doc);
 	}
 	return table;
 }
@@ -123,15 +127,14 @@ static bool is_read(const ts_listed *of, const char *param)
 
 static ts_table list_params(const ts_listed *of)
 {
-	size_t n;
-	const ts_param_info *p = ts_param_table(&n);
+	const ts_param_info *p;
 	ts_table table = ts_table_begin("params", "", param_columns);
-	ts_params defaults;
-	ts_params_default(&defaults);
-	for (size_t row = 0; row < n; row++, p++) {
+	ts_params *defaults;
+	table.failed |= ts_params_make(&defaults) != TS_OK;
+	for (size_t i = 0; (p = ts_param_at(i)) != NULL && !table.failed; i++) {
 		char value[64], range[128];
 		if (!is_read(of, p->name)) continue;
-		ts_params_format(&defaults, row, value, sizeof value);
+		table.failed |= ts_params_get(defaults, p->name, value, sizeof value) != TS_OK;
 		snprintf(range, sizeof range, "%s to %s", p->min, p->max);
 		ts_table_text(&table, p->name);
 		ts_table_text(&table, value);
@@ -140,44 +143,46 @@ static ts_table list_params(const ts_listed *of)
 		ts_table_text(&table, p->source);
 		ts_table_text(&table, p->help);
 	}
+	ts_params_free(defaults);
 	return table;
 }
 
-static void cell_steps(ts_table *table, const ts_step *steps)
+static void cell_stages(ts_table *table, const ts_method_info *method)
 {
-	char text[1024] = "";
-	for (const ts_step *step = steps; step->stage != NULL; step++) {
-		size_t used = strlen(text);
-		snprintf(text + used, sizeof text - used, "%s%s", used > 0 ? " " : "", step->stage);
+	char text[CELL] = "";
+	const ts_stage_info *stage;
+	for (size_t i = 0; (stage = ts_method_stage(method->effect, method->name, i)) != NULL; i++) {
+		add_name(text, stage->name);
 	}
 	ts_table_text(table, text);
 }
 
 static ts_table list_methods(void)
 {
+	const ts_method_info *m;
 	ts_table table = ts_table_begin("methods", "", method_columns);
-	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
-		const ts_pipeline *p = *at;
-		ts_table_text(&table, p->name);
-		ts_table_text(&table, p->effect->name);
-		ts_table_text(&table, p->only_named ? "if named" : "by default");
-		ts_table_text(&table, p->paper);
-		ts_table_text(&table, p->doc);
-		cell_steps(&table, ts_pipeline_steps(p));
+	for (size_t i = 0; (m = ts_method_at(i)) != NULL; i++) {
+		ts_table_text(&table, m->name);
+		ts_table_text(&table, m->effect);
+		ts_table_text(&table, m->only_named ? "if named" : "by default");
+		ts_table_text(&table, m->paper);
+		ts_table_text(&table, m->doc);
+		cell_stages(&table, m);
 	}
 	return table;
 }
 
 static ts_table list_truths(void)
 {
+	const ts_truth_info *t;
 	ts_table table = ts_table_begin("truths", "", truth_columns);
-	for (const ts_truth_kind *const *kind = ts_truths(); *kind != NULL; kind++) {
-		ts_table_text(&table, (*kind)->name);
-		ts_table_text(&table, (*kind)->effects);
-		ts_table_text(&table, (*kind)->doc);
-		ts_table_text(&table, (*kind)->share);
-		ts_table_text(&table, (*kind)->against);
-		ts_table_text(&table, (*kind)->against_share);
+	for (size_t i = 0; (t = ts_truth_at(i)) != NULL; i++) {
+		ts_table_text(&table, t->name);
+		ts_table_text(&table, t->effects);
+		ts_table_text(&table, t->doc);
+		ts_table_text(&table, t->share);
+		ts_table_text(&table, t->against);
+		ts_table_text(&table, t->against_share);
 	}
 	return table;
 }
@@ -193,21 +198,27 @@ static ts_table list_scenes(void)
 	return table;
 }
 
+static void row_device(ts_table *table, const char *backend, u32 i, const ts_device_info *device)
+{
+	ts_table_text(table, backend);
+	ts_table_count(table, i);
+	ts_table_text(table, device->name);
+	ts_table_text(table, device->rounded ? "exact" : "not exact");
+	ts_table_text(table, device->denormals ? "kept" : "flushed");
+	ts_table_text(table, device->atomics ? "yes" : "no");
+	ts_table_count(table, (i64)(device->memory >> 20));
+	ts_table_count(table, (i64)(device->most >> 20));
+}
+
 static ts_table list_backends(void)
 {
+	const char *name;
 	ts_table table = ts_table_begin("backends", "", backend_columns);
-	for (u32 b = 0; ts_backend_kinds[b] != NULL; b++) {
-		ts_device devices[TS_MAX_DEVICES];
-		u32 n = ts_backend_kinds[b]->devices(devices);
-		for (u32 i = 0; i < n; i++) {
-			ts_table_text(&table, ts_backend_kinds[b]->name);
-			ts_table_count(&table, i);
-			ts_table_text(&table, devices[i].name);
-			ts_table_text(&table, devices[i].rounded ? "exact" : "not exact");
-			ts_table_text(&table, devices[i].denormals ? "kept" : "flushed");
-			ts_table_text(&table, devices[i].atomics ? "yes" : "no");
-			ts_table_count(&table, devices[i].memory >> 20);
-			ts_table_count(&table, devices[i].most >> 20);
+	for (size_t b = 0; (name = ts_backend_at(b)) != NULL; b++) {
+		ts_device_info device = {.bytes = sizeof device};
+		for (u32 i = 0; ts_device_at(&device, name, i) == TS_OK; i++) {
+			row_device(&table, name, i, &device);
+			device = (ts_device_info){.bytes = sizeof device};
 		}
 	}
 	return table;
@@ -215,13 +226,13 @@ static ts_table list_backends(void)
 
 static ts_table list_vectors(void)
 {
+	const ts_vector_info *v;
 	ts_table table = ts_table_begin("vectors", "", vector_columns);
-	for (u32 i = 0; i < ts_vectors_count(); i++) {
-		ts_vector_place at = ts_vectors_place(i);
-		ts_table_text(&table, at.vector->name);
-		ts_table_text(&table, at.vector->rule);
-		ts_table_text(&table, at.composed ? "composite" : "primitive");
-		ts_table_text(&table, at.vector->doc);
+	for (size_t i = 0; (v = ts_vector_at(i)) != NULL; i++) {
+		ts_table_text(&table, v->name);
+		ts_table_text(&table, v->rule);
+		ts_table_text(&table, v->composed ? "composite" : "primitive");
+		ts_table_text(&table, v->doc);
 	}
 	return table;
 }
@@ -252,23 +263,33 @@ static ts_status unknown(const char *name)
 	return ts_fail("list: no table \"%s\"%s; there are %s", name, ts_nearest_hint(&nearest, NULL), names);
 }
 
+/* Adds the methods of that name, of whatever effect. */
+static ts_status add_methods(ts_listed *of, const char *name)
+{
+	u32 n, before = of->n_methods;
+	const ts_method_info *m;
+	const ts_pipeline *found[TS_MAX_METHODS];
+	for (size_t i = 0; (m = ts_method_at(i)) != NULL; i++) {
+		if (strcmp(m->name, name) != 0) continue;
+		if (of->n_methods == TS_MAX_METHODS)
+			return ts_fail("list params: more than %d methods; say --effect", TS_MAX_METHODS);
+		if (ts_methods_find(found, &n, m->effect, name) != TS_OK) return TS_ERROR;
+		of->methods[of->n_methods++] = found[0];
+	}
+	return of->n_methods > before ? TS_OK : ts_fail("list params: no method \"%s\"; see: list methods", name);
+}
+
 /* Methods of the names and the effect that were said; none: of all. */
 static ts_status find_methods(ts_listed *of, const ts_job *job)
 {
+	char item[32];
+	ts_status status = TS_OK;
 	of->n_methods = 0;
 	if (job->effect != NULL) return ts_methods_find(of->methods, &of->n_methods, job->effect, job->method);
-	char item[32];
-	for (const char *names = job->method; ts_words_item(&names, item, sizeof item);) {
-		u32 before = of->n_methods;
-		for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
-			if (strcmp((*at)->name, item) != 0) continue;
-			if (of->n_methods == TS_MAX_METHODS)
-				return ts_fail("list params: more than %d methods; say --effect", TS_MAX_METHODS);
-			of->methods[of->n_methods++] = *at;
-		}
-		if (of->n_methods == before) return ts_fail("list params: no method \"%s\"; see: list methods", item);
+	for (const char *names = job->method; status == TS_OK && ts_words_item(&names, item, sizeof item);) {
+		status = add_methods(of, item);
 	}
-	return TS_OK;
+	return status;
 }
 
 static ts_status print_list(size_t i, const ts_job *job)

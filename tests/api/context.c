@@ -163,13 +163,31 @@ static void test_silence(void **state)
 	unlink(path);
 }
 
+/* Devices of each backend end somewhere; the backend in C has one, exact. */
+static void test_devices(void **state)
+{
+	(void)state;
+	const char *backend;
+	for (size_t b = 0; (backend = ts_backend_at(b)) != NULL; b++) {
+		uint32_t n = 0;
+		for (ts_device_info device = {.bytes = sizeof device}; ts_device_at(&device, backend, n) == TS_OK; n++) {
+			assert_true(device.name[0] != 0 && (b > 0 || (device.rounded && device.atomics)));
+			device = (ts_device_info){.bytes = sizeof device};
+		}
+		assert_true(n < 32 && (b > 0 || n == 1));
+	}
+	ts_device_info device = {.bytes = sizeof device};
+	assert_int_equal(ts_device_at(&device, "c", 1), TS_SKIPPED);
+	refused(ts_device_at(&device, "cc", 0), "cc");
+	device.bytes = 0;
+	refused(ts_device_at(&device, "c", 0), "bytes");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_options),
-		cmocka_unit_test(test_cancel),
-		cmocka_unit_test(test_threads),
-		cmocka_unit_test(test_silence),
+		cmocka_unit_test(test_options), cmocka_unit_test(test_cancel),  cmocka_unit_test(test_threads),
+		cmocka_unit_test(test_silence), cmocka_unit_test(test_devices),
 	};
 	return cmocka_run_group_tests(tests, share, unshare);
 }

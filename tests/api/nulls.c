@@ -300,6 +300,9 @@ static void test_vectors(void **state)
 	assert_int_equal(ts_method_stage_number(NULL, "epr", 0), 0);
 	assert_int_equal(ts_method_stage_number("reflections", NULL, 0), 0);
 	assert_int_equal(ts_buffer_is_image(NULL), 0);
+	ts_device_info device = {.bytes = sizeof device};
+	REFUSED(ts_device_at(NULL, "c", 0), "device");
+	REFUSED(ts_device_at(&device, NULL, 0), "backend");
 }
 
 static void test_images(void **state)

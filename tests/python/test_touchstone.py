@@ -162,6 +162,10 @@ def test_explained(reference):
 def test_folders(context, scene, reference, tmp_path):
 	context.write(tmp_path / "made", scene, "reflections", "epr", SMALL, compress=True)
 	assert context.compare(reference, context.open(tmp_path / "made"))
+	port = reference.candidate()
+	port["image.srgb"] = reference["image.srgb"]
+	port.save(tmp_path / "port", "my port")
+	assert list(context.open(tmp_path / "port")) == ["image.srgb"]
 	golden = pathlib.Path("reference/small-mvr").absolute()
 	judged = context.golden(golden)
 	assert judged.same and judged.method == "mvr" and judged.text == ""

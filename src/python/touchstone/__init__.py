@@ -314,6 +314,10 @@ class Trace(collections.abc.Mapping):
 		                  int(arrival))
 		return Trace(self._context, handle, writable=True)
 
+	def save(self, folder, producer=None):
+		"""Writes the buffers and a trace.json to a new folder; producer: who made them."""
+		_check(lib.ts_trace_save(self._context._handle, self._handle, _bytes(folder), _bytes(producer)))
+
 	def digest(self, name):
 		"""The SHA-256 of the buffer's file."""
 		digits = ffi.new("char[65]")
