@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/* The question; all but `bytes` and `stage` may be 0: then the launches of the stage are listed, and nothing is told. */
+/* The question; all but `bytes` and `stage` may be 0: then only the launches of the stage are listed. */
 typedef struct {
 	size_t bytes; /* sizeof(ts_explain_options) */
 	const char *stage;
