@@ -27,9 +27,9 @@ typedef struct {
 struct ts_trace {
 	char *dir;
 	const ts_pipeline *pipeline;
-	bool arrival;   /* points stand in any order */
-	bool old_names; /* some of its names are of renamed.def */
-	bool open;      /* a candidate that ts_trace_put fills */
+	bool arrival;             /* points stand in any order */
+	bool old_names;           /* some of its names are of renamed.def */
+	bool open;                /* a candidate that ts_trace_put fills */
 	const ts_stage *replayed; /* a stage that was replayed, whose outputs these are; NULL: it is of none */
 	bool has_params;
 	ts_params params;   /* if it has them */
