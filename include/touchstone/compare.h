@@ -47,8 +47,8 @@ TS_API ts_status ts_compare(ts_context *context, ts_verdicts **verdicts, const t
 /* Runs one stage on the candidate's inputs, and compares what the stage makes with the candidate's outputs. Inputs that
  * the candidate lacks are the reference's. An output that the candidate lacks is "missing"; without any output nothing
  * can be judged: TS_ERROR. The inputs are checked first; inputs that the stage cannot run on are refused.
- * In: candidate NULL: the reference is judged. options: as for ts_compare; `forced` and `stages` mean nothing here. With
- * `lent` it is no error where nobody has an output; all are "missing" then.
+ * In: candidate NULL: the reference is judged. options: as for ts_compare; `forced` and `stages` mean nothing here.
+ * With `lent` it is no error where nobody has an output; all are "missing" then.
  * Out, Returns: as for ts_compare. */
 TS_API ts_status ts_replay(ts_context *context, ts_verdicts **verdicts, const char *stage, const ts_trace *reference,
                            const ts_trace *candidate, const ts_compare_options *options);
@@ -113,8 +113,8 @@ typedef struct {
 	int64_t ulps;                      /* from the reference to the candidate; 0: not floats; INT64_MAX: one is a NaN */
 	const char *inputs;                /* "inputs identical", or which inputs differ or were not given */
 	const char *line;                  /* all of it in one line, as `touchstone compare` ends */
-	const char *spot;   /* field and component: "normal[1]"; "" of a scalar */
-	uint32_t bytes;     /* of each value; 0: counts, which no field holds: element is that of the sum behind */
+	const char *spot;                  /* field and component: "normal[1]"; "" of a scalar */
+	uint32_t bytes; /* of each value; 0: counts, which no field holds: element is that of the sum behind */
 } ts_divergence;
 
 /* NULL: nothing differs. */
@@ -137,8 +137,10 @@ TS_API const ts_field_count *ts_verdicts_field(const ts_verdicts *verdicts, size
  * by ts_tree_free; NULL without memory. */
 TS_API ts_tree *ts_verdicts_tree(const ts_verdicts *verdicts);
 
-/* Compares one buffer, which both have, and sets marks[e] to 1 for each element e of the reference's n that differs,
- * else to 0. options as of ts_compare; `forced` means nothing here. TS_OK: none does. TS_DIFFERENT. */
+/* Compares one buffer, which both have, and sets marks[e] to 1 for each element e of the reference's n that differs, and
+ * to 0 for all others. options: as for ts_compare; `forced` and `stages` mean nothing here.
+ * Returns: TS_OK if none differs, TS_DIFFERENT; TS_SKIPPED if the buffer is of points in an order that is not known,
+ * because the candidate lacks their keys. */
 TS_API ts_status ts_compare_marks(ts_context *context, uint8_t *marks, size_t n, const char *buffer,
                                   const ts_trace *reference, const ts_trace *candidate,
                                   const ts_compare_options *options);

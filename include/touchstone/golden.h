@@ -13,7 +13,7 @@ extern "C" {
 typedef struct {
 	size_t bytes; /* sizeof(ts_golden_judged) */
 	char effect[64], method[64], scene[64];
-	char stage[64], buffer[64]; /* the first that differs; both "" where none does, or parameters or the picture do */
+	char stage[64], buffer[64]; /* the first that differs; both "" where none does, or the picture does */
 	char text[512];             /* what differs: file, element, both values */
 } ts_golden_judged;
 

@@ -22,6 +22,9 @@ const ts_pipeline *ts_api_method(const char *effect, const char *method);
 /* Finds a buffer by a name that a caller gave. */
 ts_status ts_api_buffer(ts_buffer_id *id, const char *name);
 
+/* Whether a caller's struct to be filled, of so many bytes, has room for ours. */
+ts_status ts_api_room(size_t bytes, size_t our_bytes, const char *type);
+
 /* Copies a caller's struct of options, `type`. NULL: nothing. TS_ERROR: its size is none, or it sets what this library
  * does not know. Where a struct grows, callers of the older one stop short of our_bytes: then its first size is the
  * least. */

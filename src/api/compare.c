@@ -102,7 +102,8 @@ static ts_status mark(u8 *marks, size_t n, ts_buffer_id id, const ts_trace *refe
 		return ts_fail("%s: %zu marks; %" PRIu64 ", one an element, are right", ts_buffer_table[id].name, n, elements);
 	}
 	memset(marks, 0, n);
-	if (ts_compare_alone(&verdict, id, reference, candidate, &relaxations) == TS_ERROR) return TS_ERROR;
+	ts_status status = ts_compare_alone(&verdict, id, reference, candidate, &relaxations);
+	if (status != TS_OK) return status;
 	return verdict.judgement == TS_UNLIKE ? TS_DIFFERENT : TS_OK;
 }
 

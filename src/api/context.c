@@ -41,9 +41,6 @@ void ts_api_leave(void)
 	fesetenv(&environment);
 }
 
-/* Of no struct of options, ever. */
-enum { MOST_BYTES = 4096 };
-
 static bool is_zero(const char *bytes, size_t n)
 {
 	for (size_t i = 0; i < n; i++) {
@@ -52,15 +49,22 @@ static bool is_zero(const char *bytes, size_t n)
 	return true;
 }
 
+/* Of no struct of callers, ever. */
+enum { MOST_BYTES = 4096 };
+
+ts_status ts_api_room(size_t bytes, size_t our_bytes, const char *type)
+{
+	if (bytes >= our_bytes && bytes <= MOST_BYTES) return TS_OK;
+	return ts_fail("%s: its member `bytes` is %zu; the size of the struct, %zu, would be right", type, bytes,
+	               our_bytes);
+}
+
 ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, const char *type)
 {
 	size_t bytes;
 	if (options == NULL) return TS_OK;
 	memcpy(&bytes, options, sizeof bytes);
-	if (bytes < our_bytes || bytes > MOST_BYTES) {
-		return ts_fail("%s: its member `bytes` is %zu; the size of the struct, %zu, would be right", type, bytes,
-		               our_bytes);
-	}
+	if (ts_api_room(bytes, our_bytes, type) != TS_OK) return TS_ERROR;
 	if (!is_zero((const char *)options + our_bytes, bytes - our_bytes)) {
 		return ts_fail("%s: sets what this library, touchstone %s, does not know", type, TS_VERSION);
 	}
@@ -68,16 +72,17 @@ ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, cons
 	return TS_OK;
 }
 
-/* Drivers are opened one after the other. */
+/* Drivers are asked and opened one after the other. */
+static pthread_mutex_t drivers = PTHREAD_MUTEX_INITIALIZER;
+
 static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 device)
 {
-	static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 	const ts_backend_options wanted = {.device = device, .build = ""};
 	if (kind->open == NULL) return TS_OK;
-	pthread_mutex_lock(&mutex);
+	pthread_mutex_lock(&drivers);
 	ts_status status = kind->open(&how->backend, &wanted);
 	if (status == TS_OK) status = ts_vectors_verify(how->backend, false);
-	pthread_mutex_unlock(&mutex);
+	pthread_mutex_unlock(&drivers);
 	return status;
 }
 
@@ -138,10 +143,13 @@ ts_status ts_device_at(ts_device_info *device, const char *backend, uint32_t i)
 	const ts_backend_kind *kind;
 	ts_device devices[TS_MAX_DEVICES];
 	if (TS_LACKS(device) || TS_LACKS(backend)) return TS_ERROR;
-	ts_device_info told = {.bytes = device->bytes};
-	if (ts_api_options(&told, sizeof told, device, "ts_device_info") != TS_OK) return TS_ERROR;
+	ts_device_info told;
+	if (ts_api_room(device->bytes, sizeof told, "ts_device_info") != TS_OK) return TS_ERROR;
 	if (ts_backend_find(&kind, ts_backend_kinds, backend) != TS_OK) return TS_ERROR;
-	if (i >= kind->devices(devices)) {
+	pthread_mutex_lock(&drivers);
+	const u32 n = kind->devices(devices);
+	pthread_mutex_unlock(&drivers);
+	if (i >= n) {
 		ts_fail("%s: has no device %lu", backend, (unsigned long)i);
 		return TS_SKIPPED;
 	}

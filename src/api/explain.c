@@ -25,10 +25,8 @@ static ts_status take_element(ts_question *q, const ts_explain_options *o, const
 	}
 	q->subject = TS_EXPLAIN_ELEMENT;
 	q->element = o->element;
-	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
-		if (strcmp(ts_buffer_table[*id].name, o->buffer) == 0) q->buffer = *id;
-	}
-	if (q->buffer != TS_N_BUFFERS) return TS_OK;
+	if (ts_api_buffer(&q->buffer, o->buffer) != TS_OK) return TS_ERROR;
+	if (ts_stage_writes(stage, q->buffer)) return TS_OK;
 	return ts_fail("stage %s writes no buffer %s; see: touchstone list stages", stage->name, o->buffer);
 }
 

@@ -8,18 +8,14 @@
 #include "../golden/params.h"
 #include "../scene/sources.h"
 
-/* What a golden is of, which is bounded: the file may be anybody's. */
+/* The file may be anybody's. */
 static ts_status find_method(const ts_pipeline **pipeline, const ts_golden_said *said, const ts_golden_dir *dir)
 {
-	const ts_params *p = &said->params;
 	*pipeline = ts_pipeline_find(said->effect, said->method);
 	if (*pipeline == NULL) return ts_fail("%s: %s by %s: no such method", dir->path, said->effect, said->method);
 	if (!ts_builtin_is(said->scene)) return ts_fail("%s: \"%s\" is not a built-in scene", dir->path, said->scene);
-	if ((u64)TS_PARAM(p, width) * TS_PARAM(p, height) <= TS_GOLDEN_PIXELS && TS_PARAM(p, frame) <= TS_GOLDEN_FRAME) {
-		return TS_OK;
-	}
-	return ts_fail("%s: %u x %u pixels, frame %u: a golden has at most %d pixels and frame %d", dir->path,
-	               TS_PARAM(p, width), TS_PARAM(p, height), TS_PARAM(p, frame), TS_GOLDEN_PIXELS, TS_GOLDEN_FRAME);
+	if (ts_golden_bound(&said->params) == TS_OK) return TS_OK;
+	return ts_fail("%s: %s", dir->path, ts_error_message());
 }
 
 static void tell(ts_golden_judged *judged, const char *text, const ts_pipeline *pipeline)
@@ -67,8 +63,7 @@ ts_status ts_golden_check(ts_context *context, ts_golden_judged *judged, const c
 	ts_golden_dir dir;
 	if (TS_LACKS(context) || TS_LACKS(judged) || TS_LACKS(folder)) return TS_ERROR;
 	ts_golden_judged told = {.bytes = judged->bytes};
-	if (ts_api_options(&told, sizeof told, judged, "ts_golden_judged") != TS_OK) return TS_ERROR;
-	told = (ts_golden_judged){.bytes = judged->bytes};
+	if (ts_api_room(judged->bytes, sizeof told, "ts_golden_judged") != TS_OK) return TS_ERROR;
 	*judged = told;
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
 	ts_status status = ts_golden_dir_open(&dir, NULL, folder);

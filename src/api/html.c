@@ -80,6 +80,19 @@ static json_t *read_said(const char *text)
 	return NULL;
 }
 
+/* Whether verdicts can be of these traces: what differs is in both. */
+static ts_status match(const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate)
+{
+	bool both = reference->pipeline == candidate->pipeline;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_verdict *v = &c->verdict[id];
+		if (v->judgement != TS_UNLIKE || v->aside) continue;
+		both &= reference->item[id].path != NULL && candidate->item[id].path != NULL &&
+		        reference->item[id].npy.n == v->n_ref;
+	}
+	return both ? TS_OK : ts_fail("ts_html_add_verdicts: verdicts of other traces; those of that comparison are right");
+}
+
 ts_status ts_html_add_verdicts(ts_html *page, const ts_verdicts *verdicts, const ts_trace *reference,
                                const ts_trace *candidate, const ts_compare_options *options, const char *json)
 {
@@ -87,7 +100,8 @@ ts_status ts_html_add_verdicts(ts_html *page, const ts_verdicts *verdicts, const
 	ts_relaxations relaxations;
 	if (TS_LACKS(page) || TS_LACKS(verdicts) || TS_LACKS(reference) || TS_LACKS(candidate)) return TS_ERROR;
 	if (ts_api_options(&ours, sizeof ours, options, "ts_compare_options") != TS_OK) return TS_ERROR;
-	if (ts_api_relax(&relaxations, &ours) != TS_OK) return TS_ERROR;
+	if (ts_api_relax(&relaxations, &ours) != TS_OK || ts_relax_check(&relaxations) != TS_OK) return TS_ERROR;
+	if (match(verdicts->comparison, reference, candidate) != TS_OK) return TS_ERROR;
 	json_t *said = json != NULL ? read_said(json) : json_incref(verdicts->tree);
 	ts_status status = said != NULL ? ts_api_enter(page->context) : TS_ERROR;
 	if (status == TS_OK) {

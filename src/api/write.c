@@ -70,7 +70,7 @@ ts_status ts_trace_save(ts_context *context, const ts_trace *trace, const char *
 
 ts_status ts_trace_match(const ts_trace *reference, const ts_trace *candidate)
 {
-	return TS_LACKS(reference) || TS_LACKS(candidate) ? TS_ERROR : ts_load_match(reference, candidate);
+	return TS_LACKS(reference) ? TS_ERROR : ts_load_match(reference, candidate);
 }
 
 int ts_trace_takes(const ts_trace *trace, const char *stage)

@@ -3,7 +3,6 @@
 #define TS_CLI_CLI_H
 #include "../model/core.h"
 #include "../kernels/base/compat.h"
-#include "../compare/relax.h"
 #include "backends.h"
 #include "../study/job.h"
 #include "../study/words.h"
@@ -40,11 +39,20 @@ typedef struct {
 	double rmse;     /* and the root mean square of all differences is at most this */
 } ts_tolerances;
 
+/* What traces need not be, either. */
+typedef struct {
+	u64 ulp;
+	double abs, rel;
+	bool decided;
+	u64 allow;
+	const char *ignore;
+} ts_relaxed;
+
 /* How a comparison judges, and what it writes. Strings are NULL if nothing was said. */
 typedef struct {
-	ts_relaxations relaxations; /* but for the mask */
-	ts_tolerances tolerances;   /* of images */
-	const char *mask;           /* file */
+	ts_relaxed relaxations;
+	ts_tolerances tolerances; /* of images */
+	const char *mask;         /* file */
 	const char *layout;
 	bool forced;                 /* each stage by the candidate's own inputs */
 	u32 first;                   /* differences that are shown of a buffer, at least 1 */

@@ -1,7 +1,6 @@
 /* `explain TRACE [OTHER]`: what one item of a stage computes, line by line; of two traces, the first line that
  * differs. */
 #include <string.h>
-#include "../model/renamed.h"
 #include "../study/table.h"
 #include "client.h"
 
@@ -16,7 +15,7 @@ static ts_status take_element(ts_explain_options *o, char name[NAME], const char
 		return ts_fail("--element %s: not BUFFER:E, such as splat.depth_index:12", text);
 	snprintf(name, NAME, "%.*s", (int)(colon - text), text);
 	if (ts_words_count(&element, colon + 1, 0, 4294967295u, "--element") != TS_OK) return TS_ERROR;
-	o->buffer = ts_name_typed(TS_NAME_buffer, name);
+	o->buffer = name;
 	o->element = element;
 	return TS_OK;
 }

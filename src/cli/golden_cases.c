@@ -75,18 +75,13 @@ static ts_status find_method(ts_case *c, ts_cli *cli)
 static ts_status take_line(ts_case *c, ts_cli *cli)
 {
 	const char *scene = cli->arguments[1];
-	const ts_params *p = &cli->job.params;
 	if (find_method(c, cli) != TS_OK) return TS_ERROR;
-	c->params = *p;
+	c->params = cli->job.params;
 	if (!ts_builtin_is(scene) || strlen(scene) >= TS_CASE_SCENE) {
 		return ts_fail("\"%.60s\" is not a built-in scene", scene);
 	}
 	strcpy(c->scene, scene);
-	if ((u64)TS_PARAM(p, width) * TS_PARAM(p, height) > TS_GOLDEN_PIXELS || TS_PARAM(p, frame) > TS_GOLDEN_FRAME) {
-		return ts_fail("%u x %u pixels, frame %u: a golden has at most %d pixels and frame %d", TS_PARAM(p, width),
-		               TS_PARAM(p, height), TS_PARAM(p, frame), TS_GOLDEN_PIXELS, TS_GOLDEN_FRAME);
-	}
-	return TS_OK;
+	return ts_golden_bound(&c->params);
 }
 
 static ts_status read_case(ts_goldens *goldens, char *line)

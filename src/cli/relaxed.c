@@ -9,7 +9,7 @@
 void ts_relaxed_text(char text[TS_RELAXED_TEXT], const ts_cli *cli)
 {
 	const ts_judging *judging = &cli->judging;
-	const ts_relaxations *r = &judging->relaxations;
+	const ts_relaxed *r = &judging->relaxations;
 	const ts_tolerances *t = &judging->tolerances;
 	FILE *out = fmemopen(text, TS_RELAXED_TEXT, "w");
 	text[0] = 0;
@@ -51,7 +51,7 @@ static ts_status read_mask(u8 **to, u32 *width, u32 *height, const char *path)
 ts_status ts_relaxed_options(ts_compare_options *o, u8 **mask, const ts_cli *cli)
 {
 	const ts_judging *judging = &cli->judging;
-	const ts_relaxations *r = &judging->relaxations;
+	const ts_relaxed *r = &judging->relaxations;
 	*mask = NULL;
 	*o = (ts_compare_options){.bytes = sizeof *o,
 	                          .forced = judging->forced,

@@ -2,6 +2,7 @@
  * hold. */
 #include <stdio.h>
 #include <string.h>
+#include "../model/renamed.h"
 #include "replay_report.h"
 
 typedef struct {
@@ -53,7 +54,7 @@ static ts_status replay_one(work *w, const char *name)
 	ts_replayed r;
 	for (size_t i = 0; stage_at(w, &r, i) != NULL && strcmp(r.stage, name) != 0; i++) {
 	}
-	r.stage = name;
+	if (r.stage == NULL) r.stage = name; /* is none, which ts_replay says */
 	replay(&r, w);
 	ts_status status = r.status;
 	if (status != TS_ERROR && w->cli->job.output.dir != NULL && write_outputs(w, name) != TS_OK) status = TS_ERROR;
@@ -83,11 +84,11 @@ static ts_status work_on(work *w)
 {
 	char message[1024];
 	const ts_cli *cli = w->cli;
-	if (w->candidate != NULL && ts_trace_match(w->reference, w->candidate) != TS_OK) return TS_ERROR;
+	if (ts_trace_match(w->reference, w->candidate) != TS_OK) return TS_ERROR;
 	ts_report_begin(&w->report, cli->job.output.json);
 	w->report.quiet = cli->job.output.quiet;
 	ts_replay_report_begin(&w->report, w->reference, w->candidate);
-	ts_status status = cli->stage != NULL ? replay_one(w, cli->stage) : replay_all(w);
+	ts_status status = cli->stage != NULL ? replay_one(w, ts_name_typed(TS_NAME_stage, cli->stage)) : replay_all(w);
 	if (status == TS_ERROR && cli->stage != NULL) {
 		ts_report_discard(&w->report);
 		return status;

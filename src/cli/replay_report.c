@@ -96,8 +96,9 @@ void ts_replay_report_stage(ts_report *report, const ts_replayed *r)
 		buffer = v->buffer;
 	}
 	if (r->status == TS_ERROR) {
-		size_t name = strlen("stage : ") + strlen(r->stage); /* that the message begins with */
-		const char *why = strlen(r->error) > name ? r->error + name : r->error;
+		char begin[96];
+		snprintf(begin, sizeof begin, "stage %s: ", r->stage);
+		const char *why = strncmp(r->error, begin, strlen(begin)) == 0 ? r->error + strlen(begin) : r->error;
 		ts_report_failure(report, "stage %02u %s: not replayed: %s", (unsigned)r->number, r->stage, why);
 	} else {
 		(r->status == TS_OK ? ts_report_line : ts_report_failure)(report, "stage %02u %s%s%s: %s", (unsigned)r->number,

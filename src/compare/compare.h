@@ -54,7 +54,8 @@ void ts_comparison_begin(ts_comparison *comparison);
 ts_status ts_compare_traces(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
                             const ts_relaxations *relaxations);
 
-/* Judges one buffer that both must have, as ts_compare_traces does. Of *verdict only `marks` and `list` are read. */
+/* Judges one buffer that both must have, as ts_compare_traces does. Of *verdict only `marks` and `list` are read.
+ * TS_SKIPPED: its points stand in an order that is not known. */
 ts_status ts_compare_alone(ts_verdict *verdict, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
                            const ts_relaxations *relaxations);
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "../scene/sources.h"
+#include "beside.h"
 
 enum { MOST_BYTES = 16 << 10 };
 
@@ -44,6 +45,15 @@ ts_status ts_golden_read_params(ts_golden_said *s, const ts_golden_dir *dir)
 	if (status != TS_OK) ts_fail("%s/%s: %s", dir->path, TS_GOLDEN_PARAMS, ts_error_message());
 	free(text);
 	return status;
+}
+
+ts_status ts_golden_bound(const ts_params *p)
+{
+	if ((u64)TS_PARAM(p, width) * TS_PARAM(p, height) <= TS_GOLDEN_PIXELS && TS_PARAM(p, frame) <= TS_GOLDEN_FRAME) {
+		return TS_OK;
+	}
+	return ts_fail("%u x %u pixels, frame %u: a golden has at most %d pixels and frame %d", TS_PARAM(p, width),
+	               TS_PARAM(p, height), TS_PARAM(p, frame), TS_GOLDEN_PIXELS, TS_GOLDEN_FRAME);
 }
 
 ts_status ts_golden_make(ts_golden *golden, const char *name, const ts_pipeline *pipeline, const char *builtin,

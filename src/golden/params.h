@@ -14,6 +14,9 @@ typedef struct {
 
 ts_status ts_golden_read_params(ts_golden_said *said, const ts_golden_dir *dir);
 
+/* Refuses parameters of more than a golden may show. */
+ts_status ts_golden_bound(const ts_params *params);
+
 /* Opens a built-in scene and computes, as ts_golden_compute; refuses what does not fit the machine. name: of the
  * golden, in messages. ts_golden_free also after a failure. */
 ts_status ts_golden_make(ts_golden *golden, const char *name, const ts_pipeline *pipeline, const char *builtin,

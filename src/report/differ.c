@@ -92,7 +92,8 @@ static void place_firsts(differing *d)
 	json_t *unlike, *first;
 	ts_buffer_id id;
 	json_array_foreach (json_object_get(json_object_get(d->o, "said"), "differences"), i, unlike) {
-		if (!ts_trace_find(&id, json_string_value(json_object_get(unlike, "buffer"))) || !fits(d, id)) continue;
+		const char *buffer = json_string_value(json_object_get(unlike, "buffer"));
+		if (buffer == NULL || !ts_trace_find(&id, buffer) || !fits(d, id)) continue;
 		json_array_foreach (json_object_get(unlike, "first"), k, first) {
 			const json_t *element = json_object_get(first, "element");
 			if (element == NULL) continue;

@@ -50,6 +50,10 @@ static ts_status add_buffer(json_t *list, const ts_trace *trace, ts_buffer_id id
 		json_array_append_new(shape, json_integer((json_int_t)item->npy.shape[i]));
 	json_t *entry = json_pack("{s:s, s:s, s:s, s:o, s:s}", "name", ts_buffer_table[id].name, "file", name, "element",
 	                          ts_buffer_table[id].element, "shape", shape, "sha256", sha256);
+	const u32 *c = item->crop;
+	if (item->cropped) {
+		json_object_set_new(entry, "crop", json_pack("[i,i,i,i]", (int)c[0], (int)c[1], (int)c[2], (int)c[3]));
+	}
 	return json_array_append_new(list, entry) == 0 ? TS_OK : ts_fail("%s: out of memory", path);
 }
 

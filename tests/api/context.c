@@ -176,6 +176,19 @@ static void test_devices(void **state)
 		}
 		assert_true(n < 32 && (b > 0 || n == 1));
 	}
+#pragma omp parallel for num_threads(4)
+	for (int i = 0; i < 16; i++) {
+		ts_device_info own = {.bytes = sizeof own};
+		(void)ts_device_at(&own, ts_backend_at((size_t)i % 4), 0);
+	}
+	struct {
+		ts_device_info known;
+		char unset[32];
+	} larger;
+	memset(&larger, 7, sizeof larger);
+	larger.known.bytes = sizeof larger;
+	done(ts_device_at(&larger.known, "c", 0));
+	assert_int_equal(larger.unset[0], 7);
 	ts_device_info device = {.bytes = sizeof device};
 	assert_int_equal(ts_device_at(&device, "c", 1), TS_SKIPPED);
 	refused(ts_device_at(&device, "cc", 0), "cc");

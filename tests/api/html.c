@@ -45,6 +45,12 @@ static char *compared_page(const char *path, size_t *bytes, const char *json)
 	done(ts_html_add_trace(page, reference));
 	done(ts_html_add_trace(page, candidate));
 	done(ts_html_add_verdicts(page, verdicts, reference, candidate, NULL, json));
+	ts_trace *bare;
+	done(ts_trace_candidate(context, &bare, reference, 0));
+	refused(ts_html_add_verdicts(page, verdicts, reference, bare, NULL, NULL), "verdicts of other traces");
+	ts_trace_close(bare);
+	const ts_compare_options nonsense = {.bytes = sizeof nonsense, .ignore = "nonsense"};
+	refused(ts_html_add_verdicts(page, verdicts, reference, candidate, &nonsense, NULL), "nonsense");
 	done(ts_html_write(page, path));
 	ts_html_close(page);
 	ts_verdicts_free(verdicts);
@@ -70,6 +76,7 @@ static void test_comparison(void **state)
 	page = compared_page(path, &n, "{\"verdict\": \"different\", \"relaxations\": \"magic words\"}");
 	assert_non_null(strstr(page, "magic words"));
 	free(page);
+	free(compared_page(path, &n, "{\"differences\": [{}, {\"buffer\": 3}]}"));
 	unlink(path);
 }
 

@@ -221,7 +221,7 @@ static void test_explained(void **state)
 	REFUSED(ts_trace_save(context, NULL, "/tmp/none", NULL), "trace");
 	REFUSED(ts_trace_save(context, trace, NULL, NULL), "folder");
 	REFUSED(ts_trace_match(NULL, trace), "reference");
-	REFUSED(ts_trace_match(trace, NULL), "candidate");
+	done(ts_trace_match(trace, NULL));
 	assert_int_equal(ts_trace_takes(NULL, "eye") + ts_trace_takes(trace, NULL), 0);
 	char text[TS_FLOAT_TEXT];
 	ts_float_tell(NULL, 1);

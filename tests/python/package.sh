@@ -17,6 +17,9 @@ run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x3
 verdict "$status" 'a trace to read'
 run render reflections atrium:triangles=10000:texels=32 --method epr,mvr --size 64x36 --reflectors 2 --set cube.max_px=16 --compress --no-images -o "$scratch/packed"
 verdict "$status" 'and one with shared and compressed files'
+run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x36 --reflectors 2 --set cube.max_px=16 --trace --crop 10,5,20,10 -o "$scratch/crop"
+verdict "$status" 'and one of a part of the picture'
+export CROPPED=$scratch/crop/trace-epr
 TRACED=$scratch/out/trace-epr PACKED=$scratch/packed/trace-epr $python -m pytest -q -p no:cacheprovider tests/python > "$scratch/tests" 2>&1
 good=$?
 sed 's/^/# /' "$scratch/tests"

@@ -166,6 +166,9 @@ def test_folders(context, scene, reference, tmp_path):
 	port["image.srgb"] = reference["image.srgb"]
 	port.save(tmp_path / "port", "my port")
 	assert list(context.open(tmp_path / "port")) == ["image.srgb"]
+	cropped = context.open(os.environ["CROPPED"])
+	cropped.save(tmp_path / "again")
+	assert context.compare(cropped, context.open(tmp_path / "again"))
 	golden = pathlib.Path("reference/small-mvr").absolute()
 	judged = context.golden(golden)
 	assert judged.same and judged.method == "mvr" and judged.text == ""
