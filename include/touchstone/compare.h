@@ -137,8 +137,9 @@ TS_API const ts_field_count *ts_verdicts_field(const ts_verdicts *verdicts, size
  * by ts_tree_free; NULL without memory. */
 TS_API ts_tree *ts_verdicts_tree(const ts_verdicts *verdicts);
 
-/* Compares one buffer, which both have, and sets marks[e] to 1 for each element e of the reference's n that differs, and
- * to 0 for all others. options: as for ts_compare; `forced` and `stages` mean nothing here.
+/* Compares one buffer, which both have, and sets marks[e] to 1 for each element e of the reference's n that differs,
+ * and to 0 for all others.
+ * In: options: as for ts_compare; `forced` and `stages` mean nothing here.
  * Returns: TS_OK if none differs, TS_DIFFERENT; TS_SKIPPED if the buffer is of points in an order that is not known,
  * because the candidate lacks their keys. */
 TS_API ts_status ts_compare_marks(ts_context *context, uint8_t *marks, size_t n, const char *buffer,

@@ -49,8 +49,9 @@ typedef struct {
 } ts_write_options;
 
 /* Runs a method and writes its trace to a folder, which must be absent or empty, a buffer at a time while the run goes
- * on: for traces larger than memory. The folder appears as a whole, or not at all; a process writes one folder at a time, and another
- * thread waits. options NULL: all defaults. */
+ * on: for traces larger than memory. The folder appears as a whole, or not at all. A process writes one folder at a
+ * time, and another thread waits.
+ * In: options NULL: all defaults. */
 TS_API ts_status ts_trace_write(ts_context *context, const char *folder, const ts_scene *scene, const ts_params *params,
                                 const char *effect, const char *method, const ts_write_options *options);
 
@@ -84,8 +85,8 @@ TS_API ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_di
  * comparisons tell; NULL: this library. */
 TS_API ts_status ts_trace_save(ts_context *context, const ts_trace *trace, const char *folder, const char *producer);
 
-/* Fails unless a reference can be replayed: it is canonical and tells its parameters; and beside it the candidate, unless
- * that is NULL: it is of the same method, and of the same parameters if it tells any. */
+/* Fails unless a reference can be replayed: it is canonical and tells its parameters; and, unless that is NULL, the
+ * candidate beside it: it is of the same method, and of the same parameters if it tells any. */
 TS_API ts_status ts_trace_match(const ts_trace *reference, const ts_trace *candidate);
 
 /* Not 0 if the run that a trace is of took the stage: parameters leave some out. */
