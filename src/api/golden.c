@@ -7,6 +7,7 @@
 #include "../golden/beside.h"
 #include "../golden/params.h"
 #include "../scene/sources.h"
+#include "../trace/emit.h"
 
 /* The file may be anybody's. */
 static ts_status find_method(const ts_pipeline **pipeline, const ts_golden_said *said, const ts_golden_dir *dir)
@@ -21,10 +22,9 @@ static ts_status find_method(const ts_pipeline **pipeline, const ts_golden_said 
 static void tell(ts_golden_judged *judged, const char *text, const ts_pipeline *pipeline)
 {
 	const ts_buffer_id id = ts_golden_named(text, pipeline);
-	const ts_step *step = id != TS_N_BUFFERS ? ts_pipeline_maker(pipeline, id) : NULL;
 	snprintf(judged->text, sizeof judged->text, "%s", text);
 	if (id == TS_N_BUFFERS) return;
-	snprintf(judged->stage, sizeof judged->stage, "%s", step != NULL ? step->stage : "scene");
+	snprintf(judged->stage, sizeof judged->stage, "%s", ts_emit_maker(pipeline, id));
 	snprintf(judged->buffer, sizeof judged->buffer, "%s", ts_buffer_table[id].name);
 }
 

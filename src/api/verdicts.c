@@ -28,12 +28,6 @@ ts_verdicts *ts_verdicts_make(u32 most)
 	return NULL;
 }
 
-static const char *stage_of(const ts_trace *reference, ts_buffer_id id)
-{
-	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
-	return step != NULL ? step->stage : "scene";
-}
-
 static void tell_values(difference *to, ts_buffer_id id, const ts_difference *d)
 {
 	const ts_fields fields = ts_fields_of(id);
@@ -101,7 +95,7 @@ ts_status ts_verdicts_add(ts_verdicts *v, const ts_trace *reference, ts_buffer_i
 {
 	const ts_verdict *judged = &v->comparison->verdict[id];
 	ts_verdict_info *info = &v->info[v->n];
-	*info = (ts_verdict_info){.stage = stage_of(reference, id),
+	*info = (ts_verdict_info){.stage = ts_emit_maker(reference->pipeline, id),
 	                          .number = ts_emit_number(reference->pipeline, id),
 	                          .buffer = ts_buffer_table[id].name,
 	                          .judgement = judged->judgement,

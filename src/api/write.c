@@ -4,13 +4,18 @@
 #include <pthread.h>
 #include <string.h>
 #include "../replay/replay.h"
-#include "../study/folder.h"
+#include "../output/folder.h"
 #include "../study/measure.h"
 #include "../study/trace.h"
 #include "../trace/save.h"
 
 /* One folder at a time. */
 static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER;
+
+static ts_status refuse(const char *folder)
+{
+	return ts_fail("%s: not empty; an absent or empty folder would be right", folder);
+}
 
 static const char *place(void *user, const char *name)
 {
@@ -24,7 +29,7 @@ static ts_status write_trace(const char *folder, const ts_pipeline *pipeline, co
 	const ts_tracing tracing = {.options = {.place = place, .margins = o->margins != 0, .compress = o->compress != 0}};
 	ts_measure measure = {.trace = &tracing.options};
 	if (ts_tracing_check(&tracing, &pipeline, 1, scene, params, folder) != TS_OK) return TS_ERROR;
-	if (ts_results_begin(folder, false) != TS_OK) return TS_ERROR;
+	if (ts_folder_begin(folder, refuse) != TS_OK) return TS_ERROR;
 	ts_status status = ts_measure_run(&measure, pipeline, scene, params, how, NULL, NULL);
 	if (status == TS_OK) status = ts_folder_commit();
 	if (status != TS_OK) ts_folder_discard();
@@ -51,7 +56,7 @@ ts_status ts_trace_write(ts_context *context, const char *folder, const ts_scene
 
 static ts_status save(const ts_trace *trace, const char *folder, const char *producer)
 {
-	if (ts_results_begin(folder, false) != TS_OK) return TS_ERROR;
+	if (ts_folder_begin(folder, refuse) != TS_OK) return TS_ERROR;
 	ts_status status = ts_trace_save_files(trace, producer, place, NULL);
 	if (status == TS_OK) status = ts_folder_commit();
 	if (status != TS_OK) ts_folder_discard();

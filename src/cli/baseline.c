@@ -5,12 +5,7 @@
 #include <string.h>
 #include "../model/core.h"
 #include "../study/words.h"
-
-const char *ts_baseline_stage(const ts_pipeline *pipeline, ts_buffer_id buffer)
-{
-	const ts_step *step = ts_pipeline_maker(pipeline, buffer);
-	return step != NULL ? step->stage : "scene";
-}
+#include "../trace/emit.h"
 
 const ts_entry *ts_baseline_find(const ts_baseline *b, const char *name, const char *buffer)
 {
@@ -43,7 +38,7 @@ static ts_status find_buffer(ts_buffer_id *buffer, const char *name)
 
 static ts_status check_stage(const ts_entry *e, ts_buffer_id buffer, const ts_pipeline *pipeline)
 {
-	const char *maker = ts_baseline_stage(pipeline, buffer);
+	const char *maker = ts_emit_maker(pipeline, buffer);
 	ts_nearest nearest = ts_nearest_begin(e->stage);
 	ts_nearest_offer(&nearest, "scene");
 	for (const ts_step *s = ts_pipeline_steps(pipeline); s->stage != NULL; s++) ts_nearest_offer(&nearest, s->stage);

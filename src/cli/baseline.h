@@ -31,7 +31,5 @@ void ts_baseline_free(ts_baseline *baseline);
 
 /* The entry of that name, and, unless `buffer` is NULL, of a difference in that buffer; NULL: there is none. */
 const ts_entry *ts_baseline_find(const ts_baseline *baseline, const char *name, const char *buffer);
-/* The stage of a pipeline that makes a buffer, or "scene". */
-const char *ts_baseline_stage(const ts_pipeline *pipeline, ts_buffer_id buffer);
 
 #endif

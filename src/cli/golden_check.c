@@ -96,7 +96,7 @@ static void put_wrong_entry(ts_checked *checked, const ts_baseline *known, const
 	} else {
 		snprintf(checked->text, sizeof checked->text,
 		         "%.180s differs first in stage %s, buffer %s; correct the line if that is known: %.150s", where,
-		         ts_baseline_stage(checked->of->pipeline, checked->first), ts_buffer_table[checked->first].name, text);
+		         ts_emit_maker(checked->of->pipeline, checked->first), ts_buffer_table[checked->first].name, text);
 	}
 }
 

@@ -36,12 +36,6 @@ static json_t *difference_json(ts_buffer_id id, const ts_named *named)
 	                 apart);
 }
 
-static const char *stage_of(const ts_trace *reference, ts_buffer_id id)
-{
-	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
-	return step != NULL ? step->stage : "scene";
-}
-
 /* A buffer that is unlike. NULL without memory. */
 static json_t *buffer_json(const ts_comparison *c, const ts_trace *reference, ts_buffer_id id)
 {
@@ -58,9 +52,10 @@ static json_t *buffer_json(const ts_comparison *c, const ts_trace *reference, ts
 		failed |= json_array_append_new(first, difference_json(id, &v->list.items[d]));
 	}
 	ts_compare_line(line, c, reference, id);
-	json_t *o = json_pack("{s:s, s:s, s:s, s:s, s:I, s:o, s:o}", "stage", stage_of(reference, id), "buffer",
-	                      ts_buffer_table[id].name, "judged_by", ts_sum_of(id) != NULL ? "counts" : "elements", "line",
-	                      line, "candidate_elements", (json_int_t)v->n_cand, "fields", by_field, "first", first);
+	json_t *o =
+		json_pack("{s:s, s:s, s:s, s:s, s:I, s:o, s:o}", "stage", ts_emit_maker(reference->pipeline, id), "buffer",
+	              ts_buffer_table[id].name, "judged_by", ts_sum_of(id) != NULL ? "counts" : "elements", "line", line,
+	              "candidate_elements", (json_int_t)v->n_cand, "fields", by_field, "first", first);
 	if (failed == 0) return o;
 	json_decref(o);
 	return NULL;
@@ -88,7 +83,7 @@ static json_t *divergence_json(const ts_comparison *c, const ts_trace *reference
 	char inputs[TS_INPUTS_TEXT];
 	const ts_verdict *v = &c->verdict[c->first];
 	json_t *fields =
-		json_pack("{s:s, s:i, s:s}", "stage", stage_of(reference, c->first), "number",
+		json_pack("{s:s, s:i, s:s}", "stage", ts_emit_maker(reference->pipeline, c->first), "number",
 	              (int)ts_emit_number(reference->pipeline, c->first), "buffer", ts_buffer_table[c->first].name);
 	json_t *first = v->list.n > 0 ? difference_json(c->first, &v->list.items[0]) : json_object();
 	bool failed = json_object_update(fields, first) != 0;

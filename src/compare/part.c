@@ -5,19 +5,13 @@
 
 enum { NAME = 64 };
 
-static const char *stage_of(const ts_pipeline *pipeline, ts_buffer_id id)
-{
-	const ts_step *step = ts_pipeline_maker(pipeline, id);
-	return step != NULL ? step->stage : "scene";
-}
-
 static ts_status take_stage(bool part[TS_N_BUFFERS], const ts_pipeline *pipeline, const char *name)
 {
 	bool known = strcmp(name, "scene") == 0;
 	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
 		known |= strcmp(step->stage, name) == 0;
 	}
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) part[id] |= strcmp(stage_of(pipeline, (ts_buffer_id)id), name) == 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) part[id] |= strcmp(ts_emit_maker(pipeline, (ts_buffer_id)id), name) == 0;
 	return known ? TS_OK : ts_fail("stages: \"%s\" is no stage of %s", name, pipeline->name);
 }
 

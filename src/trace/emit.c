@@ -70,6 +70,12 @@ ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk 
 	return TS_OK;
 }
 
+const char *ts_emit_maker(const ts_pipeline *pipeline, ts_buffer_id id)
+{
+	const ts_step *step = ts_pipeline_maker(pipeline, id);
+	return step != NULL ? step->stage : "scene";
+}
+
 u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id)
 {
 	u32 number = 0;

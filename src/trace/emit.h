@@ -29,6 +29,8 @@ bool ts_emit_is_scene(ts_buffer_id id);
 /* True of the buffers that a run by batches makes a part at a time. */
 bool ts_emit_is_batched(ts_buffer_id id);
 
+/* The stage that makes a buffer, or "scene". */
+const char *ts_emit_maker(const ts_pipeline *pipeline, ts_buffer_id id);
 /* Place of the step that makes a buffer, from 1; margins and what is unnumbered have that of the step
  * before. 0: the scene. */
 u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id);
