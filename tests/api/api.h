@@ -13,6 +13,7 @@
 #include <touchstone/touchstone.h>
 
 #define SMALL "atrium:triangles=10000:texels=32"
+enum { FOLDER = 128, PATH = FOLDER + 64 };
 
 static inline void done(ts_status status)
 {
@@ -58,6 +59,21 @@ static inline ts_trace *small_trace(ts_context *context, const ts_scene *scene, 
 	ts_trace *trace;
 	done(ts_trace_run(context, &trace, scene, params, "reflections", method, NULL));
 	return trace;
+}
+
+/* A new folder where temporary files go. */
+static inline void make_folder(char folder[FOLDER])
+{
+	const char *where = getenv("TMPDIR");
+	snprintf(folder, FOLDER, "%.80s/ts-api-XXXXXX", where != NULL ? where : "/tmp");
+	assert_non_null(mkdtemp(folder));
+}
+
+static inline void remove_folder(const char *folder)
+{
+	char command[FOLDER + 16];
+	snprintf(command, sizeof command, "rm -rf %s", folder);
+	assert_int_equal(system(command), 0);
 }
 
 /* Elements of a view, and the bytes that they take. */

@@ -170,7 +170,8 @@ static void test_devices(void **state)
 	const char *backend;
 	for (size_t b = 0; (backend = ts_backend_at(b)) != NULL; b++) {
 		uint32_t n = 0;
-		for (ts_device_info device = {.bytes = sizeof device}; ts_device_at(&device, backend, n) == TS_OK; n++) {
+		for (ts_device_info device = {.bytes = sizeof device}; n < 32 && ts_device_at(&device, backend, n) == TS_OK;
+		     n++) {
 			assert_true(device.name[0] != 0 && (b > 0 || (device.rounded && device.atomics)));
 			device = (ts_device_info){.bytes = sizeof device};
 		}

@@ -27,7 +27,7 @@ static int tear_down(void **state)
 	return 0;
 }
 
-/* Each tenth value of the picture: the store that is told is of that element, and has its bits. */
+/* Ten values of the picture: the store that is told is of that element, and has its bits. */
 static void test_stores(void **state)
 {
 	(void)state;

@@ -7,12 +7,12 @@
 #define GOLDEN "reference/small-epr"
 
 static ts_context *context;
-static char folder[] = "/tmp/ts-golden-XXXXXX";
+static char folder[FOLDER];
 
 static void run(const char *format, ...) __attribute__((format(printf, 1, 2)));
 static void run(const char *format, ...)
 {
-	char command[512];
+	char command[1024];
 	va_list arguments;
 	va_start(arguments, format);
 	vsnprintf(command, sizeof command, format, arguments);
@@ -24,7 +24,7 @@ static void copy(void) { run("rm -rf %s/golden && cp -r %s %s/golden", folder, G
 
 static ts_status check(ts_golden_judged *judged)
 {
-	char path[64];
+	char path[PATH];
 	snprintf(path, sizeof path, "%s/golden", folder);
 	*judged = (ts_golden_judged){.bytes = sizeof *judged};
 	return ts_golden_check(context, judged, path);
@@ -82,7 +82,7 @@ static void test_beside(void **state)
 	(void)state;
 	ts_golden_judged judged;
 	uint8_t *rgb = calloc(1024 * 1024, 3);
-	char path[64];
+	char path[PATH];
 	assert_non_null(rgb);
 	copy();
 	snprintf(path, sizeof path, "%s/golden/preview.png", folder);
@@ -107,13 +107,14 @@ static int set_up(void **state)
 {
 	(void)state;
 	context = open_context(2);
-	return mkdtemp(folder) == NULL;
+	make_folder(folder);
+	return 0;
 }
 
 static int tear_down(void **state)
 {
 	(void)state;
-	run("rm -rf %s", folder);
+	remove_folder(folder);
 	ts_context_close(context);
 	return 0;
 }

@@ -173,8 +173,8 @@ static void write_file(const char *path, const char *head, const void *data, siz
 static void test_files(void **state)
 {
 	(void)state;
-	char folder[] = "/tmp/ts-trace-XXXXXX", path[64], head[129];
-	assert_non_null(mkdtemp(folder));
+	char folder[FOLDER], path[PATH], head[129];
+	make_folder(folder);
 	ts_context *context = open_context(1);
 	ts_params *params = small_params();
 	ts_scene *scene = small_scene(context, params);
@@ -218,7 +218,7 @@ static void test_files(void **state)
 	unlink(path);
 	refused(ts_trace_open_npy(context, &own, path), path);
 	refused(ts_trace_open_npy(context, &own, "/tmp/magic.npy"), "which buffer");
-	rmdir(folder);
+	remove_folder(folder);
 	ts_trace_close(trace);
 	ts_scene_free(scene);
 	ts_params_free(params);
@@ -229,8 +229,8 @@ static void test_files(void **state)
 static void test_save(void **state)
 {
 	(void)state;
-	char folder[] = "/tmp/ts-trace-XXXXXX", path[64], command[96];
-	assert_non_null(mkdtemp(folder));
+	char folder[FOLDER], path[PATH];
+	make_folder(folder);
 	ts_context *context = open_context(2);
 	ts_params *params = small_params();
 	ts_scene *scene = small_scene(context, params);
@@ -269,8 +269,7 @@ static void test_save(void **state)
 	assert_true(ts_trace_takes(trace, "splat") && !ts_trace_takes(trace, "lookup.third"));
 	assert_false(ts_trace_takes(trace, "eye.margin") || ts_trace_takes(trace, "magic"));
 	ts_trace_close(own);
-	snprintf(command, sizeof command, "rm -r %s", folder);
-	assert_int_equal(system(command), 0);
+	remove_folder(folder);
 	free(copy);
 	ts_trace_close(trace);
 	ts_scene_free(scene);
@@ -282,8 +281,8 @@ static void test_save(void **state)
 static void test_write(void **state)
 {
 	(void)state;
-	char folder[] = "/tmp/ts-trace-XXXXXX", path[64], command[96];
-	assert_non_null(mkdtemp(folder));
+	char folder[FOLDER], path[PATH];
+	make_folder(folder);
 	ts_context *context = open_context(2);
 	ts_params *params = small_params();
 	ts_scene *scene = small_scene(context, params);
@@ -295,7 +294,9 @@ static void test_write(void **state)
 		done(ts_trace_write(context, path, scene, params, "reflections", "epr", &options));
 		done(ts_trace_open(context, &written, path));
 		done(ts_compare(context, &verdicts, trace, written, NULL));
-		assert_true(ts_verdicts_at(verdicts, 20)->judgement == TS_SAME);
+		for (size_t i = 0; ts_verdicts_at(verdicts, i) != NULL; i++) {
+			assert_int_equal(ts_verdicts_at(verdicts, i)->judgement, TS_SAME);
+		}
 		ts_verdicts_free(verdicts);
 		assert_int_equal(ts_trace_about(written)->has_params, 1);
 		ts_trace_close(written);
@@ -303,8 +304,7 @@ static void test_write(void **state)
 		done(ts_trace_open(context, &written, path));
 		assert_string_equal(ts_trace_about(written)->method, "epr");
 		ts_trace_close(written);
-		snprintf(command, sizeof command, "rm -r %s", path);
-		assert_int_equal(system(command), 0);
+		remove_folder(path);
 	}
 	const ts_write_options margins = {.bytes = sizeof margins, .margins = 1};
 	done(ts_trace_write(context, path, scene, params, "reflections", "epr", &margins));
@@ -313,8 +313,7 @@ static void test_write(void **state)
 	ts_trace_close(written);
 	refused(ts_trace_write(context, "/proc/none/trace", scene, params, "reflections", "epr", NULL), "/proc/none/trace");
 	refused(ts_trace_write(context, path, scene, params, "reflections", "magic", NULL), "magic");
-	snprintf(command, sizeof command, "rm -r %s", folder);
-	assert_int_equal(system(command), 0);
+	remove_folder(folder);
 	ts_trace_close(trace);
 	ts_scene_free(scene);
 	ts_params_free(params);

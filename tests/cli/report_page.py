@@ -165,7 +165,7 @@ def first_differences_told(pages):
 		opened(page, pages[0])
 		page.wait("document.querySelectorAll('#differences .crop canvas').length >= 4")
 		text = page.run("document.getElementById('differences').textContent")
-		assert "stage 04 eye, buffer eye.depth_triangle, pixel (10, 5)" in text and "inputs identical" in text and "+1" in text or "-1" in text, text
+		assert "stage 04 eye, buffer eye.depth_triangle, pixel (10, 5)" in text and "inputs identical" in text and ("+1" in text or "-1" in text), text
 		head = page.run("document.querySelector('header').textContent")
 		assert "different 3 of " in head and " buffers judged differ First divergence" in head, head
 		counted = page.run("verdict({said: {differences: [1], buffers: [{verdict: 'same'}, {verdict: 'different'}, {verdict: 'missing'}]}}).textContent")

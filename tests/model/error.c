@@ -1,5 +1,6 @@
 /* Messages: one printable line, kept by thread, never a crash. */
 #include <pthread.h>
+#include <wchar.h>
 #include "test.h"
 #include "../../src/model/core.h"
 
@@ -33,6 +34,15 @@ static void letters_beyond_ascii_survive(void **state)
 	(void)state;
 	ts_fail("%s", "caf\xc3\xa9 \xe6\xa8\xa1");
 	assert_string_equal(ts_error_message(), "caf\xc3\xa9 \xe6\xa8\xa1");
+}
+
+/* A wide character that the locale has no bytes for. */
+static void what_cannot_be_formatted_is_said(void **state)
+{
+	(void)state;
+	const wchar_t lone[] = {0xd800, 0};
+	assert_int_equal(ts_fail("%ls", lone), TS_ERROR);
+	assert_string_equal(ts_error_message(), "a message could not be formatted");
 }
 
 static void last_message_may_be_an_argument(void **state)
@@ -94,13 +104,10 @@ static void threads_have_their_own(void **state)
 int main(void)
 {
 	const struct CMUnitTest error[] = {
-		cmocka_unit_test(message_is_formatted),
-		cmocka_unit_test(control_characters_become_question_marks),
-		cmocka_unit_test(letters_beyond_ascii_survive),
-		cmocka_unit_test(last_message_may_be_an_argument),
-		cmocka_unit_test(refusals_are_told_from_failures),
-		cmocka_unit_test(long_messages_are_cut_and_say_so),
-		cmocka_unit_test(threads_have_their_own),
+		cmocka_unit_test(what_cannot_be_formatted_is_said),         cmocka_unit_test(message_is_formatted),
+		cmocka_unit_test(control_characters_become_question_marks), cmocka_unit_test(letters_beyond_ascii_survive),
+		cmocka_unit_test(last_message_may_be_an_argument),          cmocka_unit_test(refusals_are_told_from_failures),
+		cmocka_unit_test(long_messages_are_cut_and_say_so),         cmocka_unit_test(threads_have_their_own),
 	};
 	return cmocka_run_group_tests(error, NULL, NULL);
 }

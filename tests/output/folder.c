@@ -293,9 +293,10 @@ static void killed(const char *dir, bool commits)
 	}
 	close(ready[1]);
 	assert_int_equal(read(ready[0], &byte, 1), 1);
-	if (commits) assert_int_equal(ts_folder_begin(dir, let), TS_ERROR);
+	ts_status status = commits ? ts_folder_begin(dir, let) : TS_ERROR;
 	kill(child, SIGKILL);
 	assert_int_equal(waitpid(child, NULL, 0), child);
+	assert_int_equal(status, TS_ERROR);
 	close(ready[0]);
 }
 

@@ -80,7 +80,10 @@ static void test_exchange(void **state)
 	make(dir, "before");
 	make(partial, "new");
 	ts_status status = ts_place_exchange(&place);
-	if (status == TS_DIFFERENT) skip(); /* the file system cannot */
+	if (status == TS_DIFFERENT) { /* the file system cannot */
+		clean();
+		skip();
+	}
 	require(status);
 	assert_true(was(dir, "new") && was(partial, "before"));
 	require(ts_place_undo(&place, TS_PLACE_EXCHANGED));
@@ -118,9 +121,6 @@ static void test_sync(void **state)
 	refused(ts_tree_sync(partial), "dir.partial: ");
 	refused(ts_tree_remove(partial), "dir.partial: ");
 	assert_false(ts_place_has(partial));
-	int folder = open(dir, O_RDONLY | O_DIRECTORY);
-	assert_true((fcntl(folder, F_GETFD) & FD_CLOEXEC) == 0);
-	close(folder);
 	clean();
 }
 
