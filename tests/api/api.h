@@ -71,8 +71,8 @@ static inline void make_folder(char folder[FOLDER])
 
 static inline void remove_folder(const char *folder)
 {
-	char command[FOLDER + 16];
-	snprintf(command, sizeof command, "rm -rf %s", folder);
+	char command[PATH + 16];
+	snprintf(command, sizeof command, "rm -rf %.*s", PATH, folder);
 	assert_int_equal(system(command), 0);
 }
 
