@@ -1,7 +1,6 @@
 /* What `golden check` found, as a report. */
 #include "../scene/print.h"
 #include "golden.h"
-#include "../trace/emit.h"
 #include "relaxed.h"
 #include "tell.h"
 
@@ -35,7 +34,7 @@ static void add(ts_outcomes *outcomes, const ts_checked *c)
 {
 	static const ts_outcome of[TS_N_CASE_ENDS] = {TS_PASSED, TS_LEFT_OUT, TS_KNOWN, TS_FAILED, TS_BROKEN, TS_BROKEN};
 	bool differs = c->first != TS_N_BUFFERS;
-	const char *stage = differs ? ts_emit_maker(c->of->pipeline, c->first) : "";
+	const char *stage = differs ? ts_checked_stage(c) : "";
 	ts_outcomes_add(outcomes, c->of->name, ts_case_word(c->end), of[c->end], c->why, c->seconds);
 	if (c->text[0] != 0) ts_outcomes_line(outcomes, c->text);
 	ts_outcomes_value(outcomes, "stage", differs ? json_string(stage) : json_null());

@@ -70,6 +70,8 @@ typedef struct {
 	char text[TS_CASE_TEXT]; /* what differs, or is wrong */
 	double seconds;
 } ts_checked;
+/* The stage of the first buffer that differs. */
+const char *ts_checked_stage(const ts_checked *checked);
 /* "same", "different", ... */
 const char *ts_case_word(ts_case_end end);
 /* Says what was checked as --json, --tap, --junit and -o ask, of a command that ends with `status`; NULL in a program

@@ -10,6 +10,8 @@ const char *ts_case_word(ts_case_end end)
 	return words[end];
 }
 
+const char *ts_checked_stage(const ts_checked *checked) { return ts_emit_maker(checked->of->pipeline, checked->first); }
+
 static ts_case_end of_status(ts_status status)
 {
 	return status == TS_OK ? TS_CASE_SAME : status == TS_DIFFERENT ? TS_CASE_DIFFERENT : TS_CASE_UNUSABLE;
@@ -96,7 +98,7 @@ static void put_wrong_entry(ts_checked *checked, const ts_baseline *known, const
 	} else {
 		snprintf(checked->text, sizeof checked->text,
 		         "%.180s differs first in stage %s, buffer %s; correct the line if that is known: %.150s", where,
-		         ts_emit_maker(checked->of->pipeline, checked->first), ts_buffer_table[checked->first].name, text);
+		         ts_checked_stage(checked), ts_buffer_table[checked->first].name, text);
 	}
 }
 
