@@ -102,7 +102,7 @@ typedef struct {
 	uint64_t shape[4];
 } ts_buffer_view;
 
-/* Of what run a trace is. */
+/* The run that a trace is of. */
 typedef struct {
 	const char *folder;          /* or the file; of a trace in memory what messages call it */
 	const char *effect, *method; /* of one file, which many methods may have, any of those */

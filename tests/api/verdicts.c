@@ -138,19 +138,39 @@ static void test_planted(void **state)
 	}
 }
 
+/* The candidate with wrong bits in two buffers. */
+typedef struct {
+	const ts_buffer_view *early, *late;
+	uint8_t *wrong, *copies[2];
+} planted;
+
+static planted plant_two(const char *early, const char *late, uint32_t seed)
+{
+	planted p = {.early = ts_trace_buffer(reference, early), .late = ts_trace_buffer(reference, late)};
+	p.wrong = calloc(count_of(p.early) + count_of(p.late), 1);
+	assert_non_null(p.wrong);
+	p.copies[0] = plant(p.early, 0, p.wrong, &seed);
+	p.copies[1] = plant(p.late, 0, p.wrong + count_of(p.early), &seed);
+	put(p.early, p.copies[0]);
+	put(p.late, p.copies[1]);
+	return p;
+}
+
+static void mend_two(planted *p)
+{
+	put(p->early, p->early->data);
+	put(p->late, p->late->data);
+	free(p->wrong);
+	free(p->copies[0]);
+	free(p->copies[1]);
+}
+
 /* Of two buffers that differ each has its list; the first divergence is that of the first stage. */
 static void test_tree(void **state)
 {
 	(void)state;
 	ts_verdicts *verdicts;
-	const ts_buffer_view *early = ts_trace_buffer(reference, "pose.vertex");
-	const ts_buffer_view *late = ts_trace_buffer(reference, "image.radiance");
-	uint32_t seed = 9;
-	uint8_t *wrong = calloc(count_of(early) + count_of(late), 1);
-	assert_non_null(wrong);
-	uint8_t *a = plant(early, 0, wrong, &seed), *b = plant(late, 0, wrong + count_of(early), &seed);
-	put(early, a);
-	put(late, b);
+	planted p = plant_two("pose.vertex", "image.radiance", 9);
 	assert_int_equal(ts_compare(context, &verdicts, reference, candidate, NULL), TS_DIFFERENT);
 	const ts_divergence *first = ts_verdicts_first(verdicts);
 	assert_string_equal(first->buffer, "pose.vertex");
@@ -164,11 +184,7 @@ static void test_tree(void **state)
 	assert_int_equal(ts_tree_integer(ts_tree_get(divergence, "element")), first->element);
 	ts_tree_free(tree);
 	ts_verdicts_free(verdicts);
-	put(early, early->data);
-	put(late, late->data);
-	free(wrong);
-	free(a);
-	free(b);
+	mend_two(&p);
 }
 
 /* Only what the named stages make is judged; what they read is looked at, to say whether it is the same. */
@@ -177,14 +193,7 @@ static void test_stages(void **state)
 	(void)state;
 	ts_verdicts *verdicts;
 	const ts_verdict_info *info;
-	const ts_buffer_view *early = ts_trace_buffer(reference, "pose.vertex");
-	const ts_buffer_view *late = ts_trace_buffer(reference, "eye.depth_triangle");
-	uint32_t seed = 11;
-	uint8_t *wrong = calloc(count_of(early) + count_of(late), 1);
-	assert_non_null(wrong);
-	uint8_t *a = plant(early, 0, wrong, &seed), *b = plant(late, 0, wrong + count_of(early), &seed);
-	put(early, a);
-	put(late, b);
+	planted p = plant_two("pose.vertex", "eye.depth_triangle", 11);
 	ts_compare_options options = {.bytes = sizeof options, .stages = "eye,image"};
 	assert_int_equal(ts_compare(context, &verdicts, reference, candidate, &options), TS_DIFFERENT);
 	for (size_t i = 0; (info = ts_verdicts_at(verdicts, i)) != NULL; i++) {
@@ -205,11 +214,7 @@ static void test_stages(void **state)
 	options = (ts_compare_options){.bytes = sizeof options, .stages = "eye", .forced = 1};
 	assert_int_equal(ts_compare(context, &verdicts, reference, candidate, &options), TS_DIFFERENT);
 	ts_verdicts_free(verdicts);
-	put(early, early->data);
-	put(late, late->data);
-	free(wrong);
-	free(a);
-	free(b);
+	mend_two(&p);
 }
 
 static void test_marks(void **state)

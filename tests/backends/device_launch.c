@@ -1,5 +1,5 @@
-/* What a device is asked to launch: as many items as there are or, where it ends loops, bands of those kernels that
- * know them; and of points that lie by pieces, pieces. */
+/* Launches on a device. A launch asks for all items. Where the device ends long loops, kernels that know bands are
+ * launched a band at a time. Kernels of points that lie by pieces are launched over the pieces. */
 #include "../model/test.h"
 #include "../../src/backends/device.h"
 #include "../../src/backends/kernels.h"

@@ -151,7 +151,7 @@ static void test_link(void **state)
 	free(link);
 }
 
-/* What a file held is released as it ends, and nothing can be put any more. */
+/* The end of a file releases its memory, and nothing can be put into the file any more. */
 static void test_end(void **state)
 {
 	(void)state;

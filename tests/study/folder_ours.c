@@ -35,7 +35,7 @@ static void refused(const char *words)
 	says(words);
 }
 
-/* What a call leaves on the stack is no pointer. */
+/* Fills the stack, so that a pointer which nobody set is not NULL by luck. */
 static void __attribute__((noinline)) spoil_stack(void)
 {
 	volatile char block[16384];

@@ -13,7 +13,7 @@ static ts_params few_mirrors(void)
 	return params;
 }
 
-/* What a hook sees of the run that is measured. */
+/* The buffers and pictures that a hook finds behind the measured run. */
 typedef struct {
 	ts_picture picture, truth;
 	u64 n_faces, sides, n_seen;
