@@ -64,6 +64,25 @@ sys.exit(bad != 0)
 PY
 result $? 'no operation on floats may be contracted'
 
+# What is built again after an edit: the modules that read what changed.
+cp -r "$build/gen/glsl" "$folder/edited" && cp -r "$build/gen/spirv" "$folder/spirv"
+again() { # the names of those that were made again
+	scripts/vulkan-program "$folder/edited" "$folder/spirv" > "$folder/spirv.inc"
+	for module in "$folder"/spirv/*.of; do
+		cmp -s "$module" "$build/gen/spirv/${module##*/}" || basename "$module" .of
+	done | paste -sd' '
+}
+[ -z "$(again)" ] && cmp -s "$folder/spirv.inc" "$build/gen/spirv.inc"
+result $? 'nothing is made again without an edit'
+echo '// edited' >> "$folder/edited/points/splat.glsl"
+made=" $(again) "
+[[ $made = *" splat "*" splat_pieces "* && $made != *" pose "* ]] && cmp -s "$folder/spirv.inc" "$build/gen/spirv.inc"
+result $? 'an edited header is read by those that include it'
+cp "$build/gen/glsl/points/splat.glsl" "$folder/edited/points"
+sed -i 's/if (i < launch.n)/if (i <= launch.n)/' "$folder/edited/splat.comp"
+[ "$(again)" = splat ] && ! cmp -s "$folder/spirv/splat.spv" "$build/gen/spirv/splat.spv"
+result $? 'a kernel is, and what was edited back'
+
 # The pass: what it does, once; and what it refuses.
 printf 'no module, but sixteen' > "$folder/bad.spv"
 scripts/spirv-exact "$folder/bad.spv" 2> "$folder/log"
