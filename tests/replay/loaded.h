@@ -1,4 +1,4 @@
-/* What the tests of checks share: a run whose buffers are a trace's, and faults planted in them. */
+/* What the tests of checks share: a run whose buffers are a trace's, in memory, and faults planted in them. */
 #ifndef TS_TESTS_TRACE_LOADED_H
 #define TS_TESTS_TRACE_LOADED_H
 #include "../methods/small.h"
@@ -7,7 +7,7 @@
 
 static ts_run run;
 static ts_scene *scene;
-static ts_trace trace;
+static ts_trace trace, candidate;
 
 /* Runs a method on the scene; its buffers become those of the trace. */
 static inline void loaded_run(const ts_pipeline *pipeline, const ts_params *params)
@@ -15,12 +15,13 @@ static inline void loaded_run(const ts_pipeline *pipeline, const ts_params *para
 	scene = small_scene(params);
 	ts_run_begin(&run, scene, params, 2);
 	if (ts_pipeline_run(pipeline, &run) != TS_OK) fail_msg("%s", ts_error_message());
-	trace.pipeline = pipeline;
+	trace = (ts_trace){.dir = (char *)(uintptr_t) "run", .pipeline = pipeline, .has_params = true, .params = *params};
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_buffer *buffer = &run.frame.buffer[id];
 		if (!buffer->made) continue;
 		ts_trace_item *item = &trace.item[id];
 		item->path = (char *)(uintptr_t)ts_buffer_table[id].name;
+		item->memory = ts_frame_data(&run.frame, (ts_buffer_id)id);
 		item->npy.n = buffer->n;
 		item->npy.n_dims = buffer->n_dims;
 		memcpy(item->npy.shape, buffer->shape, sizeof buffer->shape);
@@ -30,6 +31,7 @@ static inline void loaded_run(const ts_pipeline *pipeline, const ts_params *para
 static int end(void **state)
 {
 	(void)state;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) free(candidate.item[id].owned);
 	ts_run_end(&run);
 	ts_scene_free(scene);
 	return 0;
@@ -46,23 +48,48 @@ static inline void load_for(ts_load *load, const ts_stage *stage)
 	}
 }
 
-/* The stage refuses the value, and names the place, in one line. */
-static inline void refuses(const char *name, ts_buffer_id id, u64 element, const char *field, u64 value)
+/* Checks the run's buffers, of which one may be damaged, as for a stage. */
+static inline ts_status check_for(const char *stage)
 {
 	ts_load load;
-	const ts_stage *stage = ts_stage_find(name);
-	ts_buffer *buffer = &run.frame.buffer[id];
+	load_for(&load, ts_stage_find(stage));
+	return ts_check(&load, ts_stage_find(stage));
+}
+
+/* Where a field of an element of the run stands. */
+static inline void *place_of(ts_buffer_id id, u64 element, const char *field, size_t *bytes)
+{
 	const ts_fields fields = ts_fields_of(id);
 	u32 f = 0;
 	while (strcmp(fields.field[f].name, field) != 0) f++;
-	u8 *at = (u8 *)buffer->data + element * ts_buffer_table[id].element_bytes + fields.field[f].offset;
-	u64 kept = 0;
-	assert_true(element < buffer->n);
-	memcpy(&kept, at, fields.field[f].bytes);
-	memcpy(at, &value, fields.field[f].bytes);
-	load_for(&load, stage);
-	ts_status status = ts_check(&load, stage);
-	memcpy(at, &kept, fields.field[f].bytes);
+	assert_true(element < ts_frame_n(&run.frame, id));
+	*bytes = fields.field[f].bytes;
+	return (u8 *)ts_frame_data(&run.frame, id) + element * ts_buffer_table[id].element_bytes + fields.field[f].offset;
+}
+
+/* Checks the run's buffers with another value in one of them, which gets its own back. */
+static inline ts_status check_with(const char *stage, ts_buffer_id id, u64 element, const char *field, u64 value)
+{
+	u64 kept;
+	size_t bytes;
+	void *at = place_of(id, element, field, &bytes);
+	memcpy(&kept, at, bytes);
+	memcpy(at, &value, bytes);
+	ts_status status = check_for(stage);
+	memcpy(at, &kept, bytes);
+	return status;
+}
+
+static inline void accepts(const char *name, ts_buffer_id id, u64 element, const char *field, u64 value)
+{
+	ts_status status = check_with(name, id, element, field, value);
+	if (status != TS_OK) fail_msg("%s, %s of %s: %s", name, field, ts_buffer_table[id].name, ts_error_message());
+}
+
+/* The stage refuses the value, and names the place, in one line. */
+static inline void refuses(const char *name, ts_buffer_id id, u64 element, const char *field, u64 value)
+{
+	ts_status status = check_with(name, id, element, field, value);
 	char place[64];
 	snprintf(place, sizeof place, ": element %u", (unsigned)element);
 	const char *message = ts_error_message();
@@ -78,11 +105,28 @@ static void test_right(void **state)
 	(void)state;
 	for (const ts_step *step = ts_pipeline_steps(trace.pipeline); step->stage != NULL; step++) {
 		if (!ts_pipeline_takes(step, &run.params, true)) continue;
-		ts_load load;
-		const ts_stage *stage = ts_stage_find(step->stage);
-		load_for(&load, stage);
-		if (ts_check(&load, stage) != TS_OK) fail_msg("%s: %s", step->stage, ts_error_message());
+		if (check_for(step->stage) != TS_OK) fail_msg("%s: %s", step->stage, ts_error_message());
 	}
+}
+
+/* ---- a candidate of the run's method, with buffers of its own ---- */
+/* Forgets the buffers of the candidate before. */
+static inline void candidate_begin(bool arrival)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) free(candidate.item[id].owned);
+	candidate =
+		(ts_trace){.dir = (char *)(uintptr_t) "candidate", .pipeline = trace.pipeline, .arrival = arrival};
+}
+
+/* Gives it a copy of a buffer of the run, and hands the copy out. */
+static inline void *candidate_copy(ts_buffer_id id)
+{
+	ts_trace_item *item = &candidate.item[id];
+	size_t bytes = (size_t)trace.item[id].npy.n * ts_buffer_table[id].element_bytes;
+	*item = trace.item[id];
+	item->memory = item->owned = malloc(bytes + 1);
+	assert_true(item->owned != NULL && trace.item[id].path != NULL);
+	return memcpy(item->owned, trace.item[id].memory, bytes);
 }
 
 #endif

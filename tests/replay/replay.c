@@ -1,4 +1,5 @@
 /* Replay: every stage of both methods, alone, makes what the trace holds; what a candidate made otherwise is found. */
+#include "../../src/replay/forced.h"
 #include "traces.h"
 
 /* Samples of pixels, of traces with one sample a pixel. */
@@ -27,6 +28,18 @@ static void test_same(void **state)
 				ts_load_end(load);
 			}
 		}
+	}
+}
+
+/* The same, judged as a candidate. */
+static void test_forced(void **state)
+{
+	(void)state;
+	static ts_comparison c;
+	const ts_relaxations exactly = {.ulp = 0};
+	for (u32 m = 0; m < N_TRACES; m++) {
+		assert_int_equal(ts_compare_forced(&c, traces[m], traces[m], &exactly, 2), TS_OK);
+		assert_true(c.n_judged > 6 && c.n_unlike == 0 && c.n_missing == 0 && c.first == TS_N_BUFFERS);
 	}
 }
 
@@ -247,9 +260,9 @@ static void test_find(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_same),    cmocka_unit_test(test_planted), cmocka_unit_test(test_own_inputs),
-		cmocka_unit_test(test_arrival), cmocka_unit_test(test_crop),    cmocka_unit_test(test_shape),
-		cmocka_unit_test(test_fewer),   cmocka_unit_test(test_find),
+		cmocka_unit_test(test_same),       cmocka_unit_test(test_forced),  cmocka_unit_test(test_planted),
+		cmocka_unit_test(test_own_inputs), cmocka_unit_test(test_arrival), cmocka_unit_test(test_crop),
+		cmocka_unit_test(test_shape),      cmocka_unit_test(test_fewer),   cmocka_unit_test(test_find),
 	};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);
 }
