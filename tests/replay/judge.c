@@ -149,8 +149,7 @@ static void test_counts(void **state)
 {
 	(void)state;
 	u32 keep[] = {1, 0, 1, 1, 0}, found[] = {1, 0, 1, 1, 0};
-	load.run.frame.buffer[TS_B_cull_keep] =
-		(ts_buffer){.data = keep, .n = 4, .n_dims = 1, .shape = {4}, .made = true};
+	load.run.frame.buffer[TS_B_cull_keep] = (ts_buffer){.data = keep, .n = 4, .n_dims = 1, .shape = {4}, .made = true};
 	static const char *const texts[] = {"element 3: missing", "", "element 4: beside the right ones"};
 	for (u32 i = 0; i < 3; i++) {
 		ts_judged v = {.id = TS_B_none};
@@ -182,8 +181,8 @@ static void test_keys(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_whose, begin),  cmocka_unit_test_setup(test_shapes, begin),
-		cmocka_unit_test_setup(test_crops, begin),  cmocka_unit_test_setup(test_counts, begin),
+		cmocka_unit_test_setup(test_whose, begin), cmocka_unit_test_setup(test_shapes, begin),
+		cmocka_unit_test_setup(test_crops, begin), cmocka_unit_test_setup(test_counts, begin),
 		cmocka_unit_test_setup(test_keys, begin),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

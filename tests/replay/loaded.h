@@ -100,7 +100,7 @@ static inline void refuses(const char *name, ts_buffer_id id, u64 element, const
 }
 
 /* Nothing is wrong with what any of its stages reads. */
-static void test_right(void **state)
+static inline void test_right(void **state)
 {
 	(void)state;
 	for (const ts_step *step = ts_pipeline_steps(trace.pipeline); step->stage != NULL; step++) {
@@ -114,8 +114,7 @@ static void test_right(void **state)
 static inline void candidate_begin(bool arrival)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) free(candidate.item[id].owned);
-	candidate =
-		(ts_trace){.dir = (char *)(uintptr_t) "candidate", .pipeline = trace.pipeline, .arrival = arrival};
+	candidate = (ts_trace){.dir = (char *)(uintptr_t) "candidate", .pipeline = trace.pipeline, .arrival = arrival};
 }
 
 /* Gives it a copy of a buffer of the run, and hands the copy out. */
