@@ -40,12 +40,6 @@ static void test_rows(void **state)
 	assert_true(n > 8);
 }
 
-static void assert_refused(ts_status status, const char *words)
-{
-	assert_int_equal(status, TS_ERROR);
-	if (strstr(ts_error_message(), words) == NULL) fail_msg("\"%s\" says nothing of \"%s\"", ts_error_message(), words);
-}
-
 /* A refusal names what can be asked for instead. */
 static void test_refusals(void **state)
 {
@@ -75,6 +69,22 @@ static ts_status say(ts_probe *probe, const ts_probe_question *question, json_t 
 	return question->x == 0 ? TS_OK : ts_fail("not there");
 }
 
+/* A trace of a method that no row answers for is not opened, and what it could be compared by is said. */
+static void test_unexplained(const ts_probe_part *none)
+{
+	static const ts_probe_part hulls[] = {{TS_PROBE_PIXEL, "hull", say, "hulls", NULL}, {0}};
+	static const ts_probe_part splats[] = {{TS_PROBE_PIXEL, "forward", say, "colours", NULL}, {0}};
+	const ts_probe_part *const others[] = {none, hulls, NULL}, *const of_effect[] = {splats, NULL};
+	ts_probe *probe;
+	ts_probe_use(others);
+	assert_refused(ts_probe_open(&probe, epr.trace),
+	               ": probe explains other effects; this is reflections by epr, which compare and replay judge");
+	assert_null(probe);
+	ts_probe_use(of_effect);
+	assert_refused(ts_probe_open(&probe, epr.trace), ": probe explains reflections by epr-forward; this is ");
+	assert_null(probe);
+}
+
 /* A family of its own is asked, and the first of its rows that fits answers. */
 static void test_family(void **state)
 {
@@ -102,6 +112,8 @@ static void test_family(void **state)
 	assert_null(answer);
 	assert_refused(ask_pixel(&soft, 0, 0, &answer), "only texels (--view shellN.inside)");
 	assert_refused(ask_texel(&epr, "shell0.inside", 0, 0, &answer), "only triangles (--triangle T)");
+	assert_null(answer);
+	test_unexplained(none);
 	ts_tools_begin();
 	require(ask_pixel(&soft, 0, 0, &answer));
 	json_decref(answer);

@@ -77,6 +77,38 @@ static inline void drop(traced *t)
 static inline const void *data(const traced *t, ts_buffer_id id) { return ts_frame_data(&t->run.frame, id); }
 static inline u64 count(const traced *t, ts_buffer_id id) { return ts_frame_n(&t->run.frame, id); }
 
+/* A probe of a trace of whose buffers one is a copy, in memory. */
+typedef struct {
+	ts_trace trace;
+	ts_probe *probe;
+	void *data;
+} damaged;
+
+/* Opens it; the copy, which may be changed, is returned. */
+static inline void *damage(damaged *d, const traced *t, ts_buffer_id id)
+{
+	size_t bytes = (size_t)count(t, id) * ts_buffer_table[id].element_bytes;
+	d->trace = *t->trace;
+	d->data = malloc(bytes + 1);
+	assert_non_null(d->data);
+	memcpy(d->data, data(t, id), bytes);
+	d->trace.item[id].memory = d->data;
+	require(ts_probe_open(&d->probe, &d->trace));
+	return d->data;
+}
+
+static inline void damage_end(damaged *d)
+{
+	ts_probe_close(d->probe);
+	free(d->data);
+}
+
+static inline void assert_refused(ts_status status, const char *words)
+{
+	assert_int_equal(status, TS_ERROR);
+	if (strstr(ts_error_message(), words) == NULL) fail_msg("\"%s\" says nothing of \"%s\"", ts_error_message(), words);
+}
+
 /* Every "check" and "sum" of an answer agrees. Returns how many there are. */
 static inline u32 assert_agrees(const json_t *v)
 {
