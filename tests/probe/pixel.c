@@ -2,7 +2,7 @@
 #include "probed.h"
 #include "../../src/probe/parts.h"
 
-enum { WIDTH = 24, HEIGHT = 16, N_TRIED = 8 };
+enum { WIDTH = 24, HEIGHT = 16, N_TRIED = 6 };
 
 static traced one, four;
 
