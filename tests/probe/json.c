@@ -1,11 +1,5 @@
 /* Parts of answers: numbers with their bits, and what is said of bits that agree or differ. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../model/test.h"
 #include "../../src/probe/parts.h"
 
 /* Takes over the value, and requires its text. */

@@ -1,29 +1,22 @@
 /* Pixels of the eye, of one sample and of four: what an answer has, and what it says of the picture. */
-#include "probed.h"
-#include "../../src/probe/parts.h"
+#include "mvr.h"
 
-enum { WIDTH = 24, HEIGHT = 16, N_TRIED = 6 };
+enum { N_TRIED = 6 };
 
-static traced one, four;
+static traced four;
 
 static int make_all(void **state)
 {
-	(void)state;
-	ts_params params = small_params(WIDTH, HEIGHT);
-	params.reflectors_count = 1;
-	params.reflectors_px = 16;
-	make(&one, "reflections", "mvr", &params);
+	ts_params params = mvr_params();
 	params.eye_samples = TS_EYE_SAMPLES_4;
 	make(&four, "reflections", "mvr", &params);
-	return 0;
+	return mvr_make(state);
 }
 
 static int drop_all(void **state)
 {
-	(void)state;
-	drop(&one);
 	drop(&four);
-	return 0;
+	return mvr_drop(state);
 }
 
 /* The picture of an answer is the run's: its light, and all of its three bytes. */
@@ -54,16 +47,16 @@ static void test_pixels(void **state)
 {
 	(void)state;
 	u32 n_shaded = 0;
-	const u32 *mirrors = data(&one, TS_B_mirror_pixel_offset);
+	const u32 *mirrors = data(&mvr, TS_B_mirror_pixel_offset);
 	for (u32 i = 0; i < N_TRIED; i++) {
 		json_t *answer;
-		u32 pixel = coloured(&one);
-		require(ask_pixel(&one, pixel % WIDTH, pixel / WIDTH, &answer));
+		u32 pixel = coloured(&mvr);
+		require(ask_pixel(&mvr, pixel % WIDTH, pixel / WIDTH, &answer));
 		assert_true(assert_agrees(answer) >= 3);
-		assert_image(&one, answer, pixel);
+		assert_image(&mvr, answer, pixel);
 		assert_string_equal(json_string_value(json_object_get(answer, "method")), "mvr");
 		assert_string_equal(json_string_value(get(answer, "coverage", "check")), "bits agree with eye.depth_triangle");
-		u64 key = ((const u64 *)data(&one, TS_B_eye_depth_triangle))[pixel];
+		u64 key = ((const u64 *)data(&mvr, TS_B_eye_depth_triangle))[pixel];
 		assert_int_equal(json_integer_value(get(answer, "surface", "triangle")), (u32)key);
 		bool shaded = mirrors[pixel + 1] == mirrors[pixel]; /* else its light is that of a reflection */
 		assert_int_equal(json_object_get(answer, "shading") != NULL, shaded);
@@ -110,10 +103,10 @@ static void test_outside(void **state)
 		char words[80];
 		snprintf(words, sizeof words, "no pixel (%u, %u); the eye has 24 x 16", (unsigned)outside[i][0],
 		         (unsigned)outside[i][1]);
-		assert_refused(ask_pixel(&one, outside[i][0], outside[i][1], &answer), words);
+		assert_refused(ask_pixel(&mvr, outside[i][0], outside[i][1], &answer), words);
 		assert_null(answer);
 	}
-	require(ask_pixel(&one, WIDTH - 1, HEIGHT - 1, &answer));
+	require(ask_pixel(&mvr, WIDTH - 1, HEIGHT - 1, &answer));
 	json_decref(answer);
 }
 
@@ -146,11 +139,11 @@ static void test_cropped_picture(void **state)
 	(void)state;
 	json_t *answer;
 	damaged d;
-	damage(&d, &one, TS_B_image_radiance);
+	damage(&d, &mvr, TS_B_image_radiance);
 	crop(&d, TS_B_image_radiance, 3);
 	for (u32 i = 0; i < 4; i++) {
 		require(ask(d.probe, corners[i], &answer));
-		assert_image(&one, answer, corners[i][1] * WIDTH + corners[i][0]);
+		assert_image(&mvr, answer, corners[i][1] * WIDTH + corners[i][0]);
 		json_decref(answer);
 	}
 	for (u32 i = 0; i < 5; i++) {
@@ -168,7 +161,7 @@ static void test_cropped_keys(void **state)
 	(void)state;
 	json_t *answer;
 	damaged d;
-	damage(&d, &one, TS_B_eye_depth_triangle);
+	damage(&d, &mvr, TS_B_eye_depth_triangle);
 	crop(&d, TS_B_eye_depth_triangle, 1);
 	for (u32 i = 0; i < 4; i++) {
 		require(ask(d.probe, corners[i], &answer));
@@ -187,7 +180,7 @@ static void test_wrong_picture(void **state)
 	(void)state;
 	json_t *answer;
 	damaged d;
-	f32 *radiance = damage(&d, &one, TS_B_image_radiance);
+	f32 *radiance = damage(&d, &mvr, TS_B_image_radiance);
 	u32 place[2] = {7, 3}, first = (3 * WIDTH + 7) * 3;
 	char right[96];
 	radiance[first + 2] += 1.0f;

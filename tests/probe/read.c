@@ -1,27 +1,6 @@
 /* Elements of an untrusted trace: what is fetched, and what is refused of values, places and whole traces. */
-#include "probed.h"
-#include "../../src/probe/parts.h"
-
-enum { WIDTH = 24, HEIGHT = 16 };
-
-static traced mvr;
-
-static int make_all(void **state)
-{
-	(void)state;
-	ts_params params = small_params(WIDTH, HEIGHT);
-	params.reflectors_count = 1;
-	params.reflectors_px = 16;
-	make(&mvr, "reflections", "mvr", &params);
-	return 0;
-}
-
-static int drop_all(void **state)
-{
-	(void)state;
-	drop(&mvr);
-	return 0;
-}
+#include "../replay/spot.h"
+#include "mvr.h"
 
 /* Any run of elements, up to the last one, is the buffer's. */
 static void test_fetch(void **state)
@@ -58,20 +37,18 @@ static void test_beyond(void **state)
 	assert_refused(ts_probe_fetch(mvr.probe, TS_B_points_record, 0, 1, some), "this needs points.record; a trace");
 }
 
-/* Fetches element 2 of a buffer with other bits in a component of its first field of that name. */
+/* Fetches elements 1 to 3 of a buffer, of which 2 has other bits in a component of a field. */
 static ts_status fetch_with(ts_buffer_id id, const char *name, u32 component, u64 bits)
 {
 	damaged d;
-	u8 element[128];
-	const ts_fields fields = ts_fields_of(id);
-	u32 f = 0;
-	u8 *at = (u8 *)damage(&d, &mvr, id) + 2 * ts_buffer_table[id].element_bytes;
-	while (strcmp(fields.field[f].name, name) != 0) f++;
-	assert_true(component < fields.field[f].count);
-	memcpy(at + fields.field[f].offset + component * fields.field[f].bytes, &bits, fields.field[f].bytes);
-	ts_status status = ts_probe_fetch(d.probe, id, 1, 3, element);
-	if (status == TS_OK)
-		assert_memory_equal(element + ts_buffer_table[id].element_bytes, at, ts_buffer_table[id].element_bytes);
+	u8 found[3 * 80];
+	size_t bytes = ts_buffer_table[id].element_bytes;
+	const u8 *data = damage(&d, &mvr, id);
+	spot place = spot_of(d.data, count(&mvr, id), id, 2, name, component);
+	assert_true(3 * bytes <= sizeof found);
+	memcpy(place.at, &bits, place.bytes);
+	ts_status status = ts_probe_fetch(d.probe, id, 1, 3, found);
+	if (status == TS_OK) assert_memory_equal(found, data + bytes, 3 * bytes);
 	damage_end(&d);
 	return status;
 }
@@ -219,8 +196,8 @@ static void test_sizes(void **state)
 	ts_probe *probe;
 	assert_int_equal(mvr.probe->sizes.n[TS_DIM_triangles], n);
 	assert_int_equal(mvr.probe->sizes.n[TS_DIM_width], WIDTH);
-	assert_int_equal(mvr.probe->sizes.n[TS_DIM_cubes], 1);
-	assert_int_equal(mvr.probe->sizes.n[TS_DIM_reflectors], 1);
+	assert_int_equal(mvr.probe->sizes.n[TS_DIM_cubes], MIRRORS);
+	assert_int_equal(mvr.probe->sizes.n[TS_DIM_reflectors], MIRRORS);
 	assert_int_equal(mvr.probe->sizes.n[TS_DIM_points], TS_UNKNOWN);
 	trace.item[TS_B_scene_triangle].npy.shape[0] = n - 7;
 	require(ts_probe_open(&probe, &trace));
@@ -251,5 +228,5 @@ int main(void)
 		cmocka_unit_test(test_whole), cmocka_unit_test(test_fetch_pixel), cmocka_unit_test(test_load_for),
 		cmocka_unit_test(test_sizes), cmocka_unit_test(test_no_params),
 	};
-	return cmocka_run_group_tests(tests, make_all, drop_all);
+	return cmocka_run_group_tests(tests, mvr_make, mvr_drop);
 }

@@ -1,27 +1,5 @@
 /* The scene of an untrusted trace: what is refused of views, images and shapes, and that textures are read whole. */
-#include "probed.h"
-#include "../../src/probe/parts.h"
-
-enum { WIDTH = 24, HEIGHT = 16 };
-
-static traced mvr;
-
-static int make_all(void **state)
-{
-	(void)state;
-	ts_params params = small_params(WIDTH, HEIGHT);
-	params.reflectors_count = 1;
-	params.reflectors_px = 16;
-	make(&mvr, "reflections", "mvr", &params);
-	return 0;
-}
-
-static int drop_all(void **state)
-{
-	(void)state;
-	drop(&mvr);
-	return 0;
-}
+#include "mvr.h"
 
 /* Reads the scene of a trace with another first element of a buffer. */
 static ts_status scene_with(ts_buffer_id id, const void *element)
@@ -166,7 +144,7 @@ static void test_shapes(void **state)
 	item->cropped = false;
 	item->path = NULL;
 	require(ts_probe_shapes(d.probe, TS_UNKNOWN));
-	u64 texels = count(&mvr, TS_B_cube_face_depth_triangle);
+	u64 texels = mvr.trace->item[TS_B_cube_face_depth_triangle].npy.n; /* of all batches */
 	require(ts_probe_shapes(d.probe, texels));
 	assert_refused(ts_probe_shapes(d.probe, texels + 1), "cube_face.depth_triangle.npy: shape ");
 	damage_end(&d);
@@ -192,5 +170,5 @@ int main(void)
 		cmocka_unit_test(test_once),    cmocka_unit_test(test_shapes), cmocka_unit_test(test_textures),
 		cmocka_unit_test(test_lacking),
 	};
-	return cmocka_run_group_tests(tests, make_all, drop_all);
+	return cmocka_run_group_tests(tests, mvr_make, mvr_drop);
 }

@@ -1,26 +1,5 @@
 /* Surfaces of answers: what a triangle belongs to, what its textures give, and the terms of its light. */
-#include "probed.h"
-#include "../../src/probe/parts.h"
-
-static traced mvr;
-
-static int make_all(void **state)
-{
-	(void)state;
-	ts_params params = small_params(24, 16);
-	params.reflectors_count = 2;
-	params.reflectors_px = 16;
-	make(&mvr, "reflections", "mvr", &params);
-	require(ts_probe_scene(mvr.probe));
-	return 0;
-}
-
-static int drop_all(void **state)
-{
-	(void)state;
-	drop(&mvr);
-	return 0;
-}
+#include "mvr.h"
 
 /* Of every triangle its material and object, and the reflector if that is one. */
 static void test_triangles(void **state)
@@ -30,6 +9,7 @@ static void test_triangles(void **state)
 	const ts_vertex *vertices = data(&mvr, TS_B_scene_vertex);
 	const ts_object *objects = data(&mvr, TS_B_scene_object);
 	u32 n_mirrors = 0, n = (u32)count(&mvr, TS_B_scene_triangle), last = 0;
+	require(ts_probe_scene(mvr.probe));
 	for (u32 t = 0; t < n; t++) {
 		json_t *o = json_object();
 		u32 object = vertices[triangles[t].vertex[0]].object, reflector = objects[object].reflector;
@@ -51,6 +31,7 @@ static void test_surface(void **state)
 	(void)state;
 	static const char *const uses[] = {"base", "metallic-roughness", "normal", "occlusion", "emissive"};
 	u32 n_textures = 0;
+	require(ts_probe_scene(mvr.probe));
 	for (u32 i = 0; i < 40; i++) {
 		u32 t = below((u32)count(&mvr, TS_B_scene_triangle)), k = 0;
 		const ts_arrays *scene = &mvr.probe->scene;
@@ -158,5 +139,5 @@ int main(void)
 		cmocka_unit_test(test_lights),
 		cmocka_unit_test(test_unlit),
 	};
-	return cmocka_run_group_tests(tests, make_all, drop_all);
+	return cmocka_run_group_tests(tests, mvr_make, mvr_drop);
 }

@@ -1,6 +1,7 @@
 /* Faults in a copy of one buffer of a trace, and what a replay from it says. */
 #ifndef TS_TESTS_TRACE_FAULTS_H
 #define TS_TESTS_TRACE_FAULTS_H
+#include "spot.h"
 #include "traces.h"
 
 static u32 random_state;
@@ -14,14 +15,8 @@ static inline u32 random_below(u32 n)
 static inline void put(const ts_buffer *buffer, ts_buffer_id id, u64 element, const char *name, u32 component,
                        u64 value)
 {
-	const ts_fields fields = ts_fields_of(id);
-	u32 n = fields.n, f = 0;
-	while (f < n && strcmp(fields.field[f].name, name) != 0) f++;
-	assert_true(f < n && element < buffer->n && component < fields.field[f].count);
-	size_t bytes = fields.field[f].bytes;
-	u8 *at =
-		(u8 *)buffer->data + element * ts_buffer_table[id].element_bytes + fields.field[f].offset + component * bytes;
-	memcpy(at, &value, bytes);
+	spot place = spot_of(buffer->data, buffer->n, id, element, name, component);
+	memcpy(place.at, &value, place.bytes);
 }
 
 static inline ts_status replay_with(u32 m, const ts_stage *stage, ts_buffer_id id, const ts_buffer *buffer)

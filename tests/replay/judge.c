@@ -1,12 +1,6 @@
 /* Verdicts on what a stage made: whose file is judged, shapes, crops, and what is said of the first difference. Buffers
  * and files are arrays of the test. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../model/test.h"
 #include "../../src/kernels/base/num.h"
 #include "../../src/replay/judge.h"
 

@@ -3,7 +3,7 @@
 #define TS_TESTS_TRACE_LOADED_H
 #include "../methods/small.h"
 #include "../../src/replay/check.h"
-#include "../../src/trace/field.h"
+#include "spot.h"
 
 static ts_run run;
 static ts_scene *scene;
@@ -56,28 +56,23 @@ static inline ts_status check_for(const char *stage)
 	return ts_check(&load, ts_stage_find(stage));
 }
 
-/* Where a field of an element of the run stands. */
-static inline void *place_of(ts_buffer_id id, u64 element, const char *field, size_t *bytes)
-{
-	const ts_fields fields = ts_fields_of(id);
-	u32 f = 0;
-	while (strcmp(fields.field[f].name, field) != 0) f++;
-	assert_true(element < ts_frame_n(&run.frame, id));
-	*bytes = fields.field[f].bytes;
-	return (u8 *)ts_frame_data(&run.frame, id) + element * ts_buffer_table[id].element_bytes + fields.field[f].offset;
-}
-
 /* Checks the run's buffers with another value in one of them, which gets its own back. */
-static inline ts_status check_with(const char *stage, ts_buffer_id id, u64 element, const char *field, u64 value)
+static inline ts_status check_component(const char *stage, ts_buffer_id id, u64 element, const char *field,
+                                        u32 component, u64 value)
 {
 	u64 kept;
-	size_t bytes;
-	void *at = place_of(id, element, field, &bytes);
-	memcpy(&kept, at, bytes);
-	memcpy(at, &value, bytes);
+	spot place = spot_of(ts_frame_data(&run.frame, id), ts_frame_n(&run.frame, id), id, element, field, component);
+	memcpy(&kept, place.at, place.bytes);
+	memcpy(place.at, &value, place.bytes);
 	ts_status status = check_for(stage);
-	memcpy(at, &kept, bytes);
+	memcpy(place.at, &kept, place.bytes);
 	return status;
+}
+
+/* The same of the first component. */
+static inline ts_status check_with(const char *stage, ts_buffer_id id, u64 element, const char *field, u64 value)
+{
+	return check_component(stage, id, element, field, 0, value);
 }
 
 static inline void accepts(const char *name, ts_buffer_id id, u64 element, const char *field, u64 value)

@@ -170,75 +170,6 @@ static void test_arrival(void **state)
 	free(keys);
 }
 
-/* Of a cropped picture its part is compared. */
-static void test_crop(void **state)
-{
-	(void)state;
-	ts_buffer whole, part;
-	u8 *data = traces_read(&whole, traces[0], TS_B_image_srgb);
-	u8 rows[5 * 7 * 3];
-	for (u32 y = 0; y < 5; y++) memcpy(rows + y * 21, data + ((3 + y) * 64 + 20) * 3, 21);
-	part = (ts_buffer){.data = rows, .n = sizeof rows, .n_dims = 3, .shape = {5, 7, 3}};
-	for (u32 wrong = 0; wrong < 2; wrong++) {
-		rows[50] ^= (u8)wrong;
-		ts_trace *candidate =
-			traces_plant(0, &(planted){TS_B_image_srgb, &part}, 1, "canonical", ", \"crop\": [20, 3, 7, 5]");
-		ts_load *load;
-		ts_judged v = {.id = TS_B_none};
-		assert_int_equal(ts_replay_run(&load, ts_stage_find("image"), traces[0], candidate, 2), TS_OK);
-		assert_int_equal(ts_judge(&v, load, TS_B_image_srgb, NULL), wrong ? TS_DIFFERENT : TS_OK);
-		assert_int_equal(v.verdict.n_ref, sizeof rows);
-		if (wrong) assert_int_equal(v.verdict.first.element, 50);
-		ts_load_end(load);
-		traces_drop(candidate);
-	}
-	free(data);
-}
-
-/* Another shape is another answer. */
-static void test_shape(void **state)
-{
-	(void)state;
-	ts_buffer buffer;
-	void *data = traces_read(&buffer, traces[0], TS_B_image_srgb);
-	buffer.shape[0]--;
-	buffer.n -= buffer.shape[1] * buffer.shape[2];
-	ts_trace *candidate = traces_plant(0, &(planted){TS_B_image_srgb, &buffer}, 1, "canonical", "");
-	ts_load *load;
-	ts_judged v = {.id = TS_B_none};
-	assert_int_equal(ts_replay_run(&load, ts_stage_find("image"), traces[0], candidate, 2), TS_OK);
-	assert_int_equal(ts_judge(&v, load, TS_B_image_srgb, NULL), TS_DIFFERENT);
-	assert_true(v.shape_differs && strstr(v.text, "is right") != NULL);
-	ts_load_end(load);
-	traces_drop(candidate);
-	free(data);
-}
-
-/* Fewer things that were counted are compared as far as they go, and an output that nobody has is not judged. */
-static void test_fewer(void **state)
-{
-	(void)state;
-	ts_buffer buffer;
-	void *data = traces_read(&buffer, traces[0], TS_B_cull_keep);
-	buffer.shape[0] = --buffer.n;
-	ts_trace *candidate = traces_plant(0, &(planted){TS_B_cull_keep, &buffer}, 1, "canonical", "");
-	ts_load *load;
-	ts_judged v = {.id = TS_B_none};
-	assert_int_equal(ts_replay_run(&load, ts_stage_find("cull"), traces[0], candidate, 2), TS_OK);
-	assert_int_equal(ts_judge(&v, load, TS_B_cull_keep, NULL), TS_DIFFERENT);
-	assert_true(!v.shape_differs && v.verdict.n_different == 1 && v.verdict.n_cand == buffer.n);
-	assert_non_null(strstr(v.text, ": missing"));
-	char *path = traces[0]->item[TS_B_cull_keep].path;
-	traces[0]->item[TS_B_cull_keep].path = NULL;
-	load->candidate = NULL;
-	assert_int_equal(ts_judge(&v, load, TS_B_cull_keep, NULL), TS_OK);
-	assert_null(v.item);
-	traces[0]->item[TS_B_cull_keep].path = path;
-	ts_load_end(load);
-	traces_drop(candidate);
-	free(data);
-}
-
 static void test_find(void **state)
 {
 	(void)state;
@@ -261,8 +192,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_same),       cmocka_unit_test(test_forced),  cmocka_unit_test(test_planted),
-		cmocka_unit_test(test_own_inputs), cmocka_unit_test(test_arrival), cmocka_unit_test(test_crop),
-		cmocka_unit_test(test_shape),      cmocka_unit_test(test_fewer),   cmocka_unit_test(test_find),
+		cmocka_unit_test(test_own_inputs), cmocka_unit_test(test_arrival), cmocka_unit_test(test_find),
 	};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);
 }
