@@ -16,8 +16,8 @@ static const ts_object objects[] = {{.reflector = TS_NONE}, {.reflector = 0}};
 static const ts_material materials[] = {{.slot = {TS_NONE, TS_NONE, TS_NONE, TS_NONE, TS_NONE}}};
 static ts_vertex vertices[3 * N_SQUARES];
 
-/* Triangle t lies at depth 1 + t in front of the eye, which looks along -z, and covers the left half of its view; 3 turns
- * its back. */
+/* Triangle t lies at depth 1 + t in front of the eye, which looks along -z, and covers the left half of its view. The
+ * last one turns its back. */
 static int begin(void **state)
 {
 	(void)state;
