@@ -143,6 +143,7 @@ ITEMS_O := $(patsubst %,$(BUILD)/obj/$(ITEMS_C:.c=).%.o,vectors base $(FAMILIES)
 LIB_O := $(call object,$(LIB_C) $(LIB_CC)) $(ITEMS_O)
 IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/model/%.c,error memory text))
 CLI_O := $(call object,$(CLI_C))
+CLI_PARTS_O := $(filter-out %/main.c.o,$(CLI_O))
 CORE_O := $(call object,$(CORE_C)) $(ITEMS_O)
 TESTS := $(TEST_C:tests/%.c=$(BUILD)/tests/%)
 ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) $(TEST_ALSO_C) $(wildcard tests/fuzz/*.c)))
@@ -363,10 +364,16 @@ tests: $(TESTS) $(PYTHON_PACKAGE)/made $(BUILD)/touchstone-core $(BUILD)/record/
 # Most of them run for less time than -O3 takes to compile them.
 $(BUILD)/obj/tests/%: OWN := -O1
 FIND_ABOVE := $(FIND_MODULE):'$$ORIGIN/../..:$$ORIGIN/../../..:$$ORIGIN/../../../..'
-$(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(call object,$(TEST_ALSO_C)) $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
+define LINK_TEST
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CXX) $(LINK_FLAGS) $(LIFT) $(FIND_ABOVE) $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
+endef
+TEST_LINKS := $(call object,$(TEST_ALSO_C)) $(BUILD)/libtouchstone.a
+$(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(TEST_LINKS) | $(BUILD)/libtouchstone-image.so
+	$(LINK_TEST)
+$(BUILD)/tests/cli/%: $(BUILD)/obj/tests/cli/%.c.o $(CLI_PARTS_O) $(TEST_LINKS) | $(BUILD)/libtouchstone-image.so
+	$(LINK_TEST)
 
 $(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
 
@@ -397,7 +404,7 @@ FUZZ_BIN := $(FUZZ:%=build/fuzz/tests/fuzz/%)
 # The limit of one allocation is above what the header of an EXR file makes OpenEXR ask for, before it looks for the bytes.
 FUZZ_FLAGS = -max_total_time=$(FUZZ_S) -timeout=10 -rss_limit_mb=4096 -malloc_limit_mb=1048576 -print_final_stats=1 \
 	-artifact_prefix=build/fuzz/
-$(BUILD)/tests/fuzz/%: $(BUILD)/obj/tests/fuzz/%.c.o $(BUILD)/obj/tests/begin.c.o $(filter-out %/main.c.o,$(CLI_O)) $(BUILD)/libtouchstone.a \
+$(BUILD)/tests/fuzz/%: $(BUILD)/obj/tests/fuzz/%.c.o $(BUILD)/obj/tests/begin.c.o $(CLI_PARTS_O) $(BUILD)/libtouchstone.a \
 		| $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)

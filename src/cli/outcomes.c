@@ -1,7 +1,10 @@
 /* Cases and how they ended. */
 #include "outcomes.h"
+#include <stdarg.h>
 #include <string.h>
 #include "../scene/print.h"
+
+enum { WHY = 2048, LINE = 2 * WHY };
 
 static const char *const words[TS_N_OUTCOMES] = {
 	[TS_PASSED] = "passed", [TS_LEFT_OUT] = "skipped", [TS_KNOWN] = "known",
@@ -103,22 +106,34 @@ void ts_outcomes_lines(ts_report *report, const ts_outcomes *o)
 	}
 }
 
-void ts_outcomes_tap(const ts_outcomes *o, FILE *out)
+/* One line, whatever the texts hold. */
+__attribute__((format(printf, 2, 3))) static void put_line(FILE *out, const char *format, ...)
+{
+	char line[LINE];
+	va_list arguments;
+	va_start(arguments, format);
+	vsnprintf(line, sizeof line, format, arguments);
+	va_end(arguments);
+	ts_line_clean(line);
+	fprintf(out, "%s\n", line);
+}
+
+void ts_outcomes_tap(const ts_outcomes *o, const char *relaxed, FILE *out)
 {
 	size_t i, k;
 	json_t *row, *line;
+	if (relaxed[0] != 0) put_line(out, "# relaxed: %s", relaxed);
 	json_array_foreach (o->rows, i, row) {
-		char why[2048] = "";
+		char why[WHY] = "";
 		ts_outcome outcome = outcome_of(row);
 		const char *mark = outcome == TS_LEFT_OUT ? " # SKIP "
 		                   : outcome == TS_KNOWN  ? " # TO"
 		                                            "DO "
 		                                          : "";
 		if (mark[0] != 0) say_why(why, sizeof why, row);
-		ts_line_clean(why);
-		fprintf(out, "%sok %u - %s%s%s\n", outcome < TS_KNOWN ? "" : "not ", (unsigned)i + 1, text_of(row, o->key),
-		        mark, why);
-		json_array_foreach (json_object_get(row, "lines"), k, line) fprintf(out, "# %s\n", json_string_value(line));
+		put_line(out, "%sok %u - %s%s%s", outcome < TS_KNOWN ? "" : "not ", (unsigned)i + 1, text_of(row, o->key), mark,
+		         why);
+		json_array_foreach (json_object_get(row, "lines"), k, line) put_line(out, "# %s", json_string_value(line));
 	}
 	fprintf(out, "1..%u\n", (unsigned)json_array_size(o->rows));
 }
@@ -131,7 +146,7 @@ static void put_end(ts_junit *junit, const json_t *row)
 		[TS_FAILED] = TS_JUNIT_FAILURE,
 		[TS_BROKEN] = TS_JUNIT_ERROR,
 	};
-	char why[2048];
+	char why[WHY];
 	size_t k;
 	json_t *line;
 	ts_outcome outcome = outcome_of(row);

@@ -41,8 +41,8 @@ void ts_outcomes_end(ts_outcomes *outcomes);
 
 /* Lines of text of each; of those that did not pass as failures. */
 void ts_outcomes_lines(ts_report *report, const ts_outcomes *outcomes);
-/* A line each, in Test Anything Protocol. */
-void ts_outcomes_tap(const ts_outcomes *outcomes, FILE *out);
+/* What was relaxed, unless it is "", and the cases, in Test Anything Protocol. */
+void ts_outcomes_tap(const ts_outcomes *outcomes, const char *relaxed, FILE *out);
 void ts_outcomes_junit(const ts_outcomes *outcomes, ts_junit *junit);
 
 #endif

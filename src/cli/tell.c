@@ -59,8 +59,7 @@ static ts_status print_tap(const ts_telling *t)
 {
 	ts_file_text text;
 	if (ts_file_text_begin(&text, "the verdicts") != TS_OK) return TS_ERROR;
-	if (t->relaxed[0] != 0) fprintf(text.out, "# relaxed: %s\n", t->relaxed);
-	ts_outcomes_tap(t->outcomes, text.out);
+	ts_outcomes_tap(t->outcomes, t->relaxed, text.out);
 	return ts_file_text_print(&text);
 }
 

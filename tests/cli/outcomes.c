@@ -1,0 +1,80 @@
+/* Cases in Test Anything Protocol: a line each, whatever texts a shard's report holds. */
+#include "../../src/cli/outcomes.h"
+#include "../model/test.h"
+
+/* What is printed of these rows. */
+static char *tap_of(const char *rows, size_t n, const char *relaxed)
+{
+	char *text;
+	size_t bytes;
+	ts_outcomes outcomes;
+	json_t *read = json_loads(rows, 0, NULL), *seconds = json_array();
+	for (size_t i = 0; i < n; i++) json_array_append_new(seconds, json_real(1));
+	assert_int_equal(ts_outcomes_read(&outcomes, "case", "class", read, seconds), TS_OK);
+	FILE *out = open_memstream(&text, &bytes);
+	assert_non_null(out);
+	ts_outcomes_tap(&outcomes, relaxed, out);
+	fclose(out);
+	ts_outcomes_end(&outcomes);
+	json_decref(read);
+	json_decref(seconds);
+	return text;
+}
+
+static void assert_taps(const char *rows, size_t n, const char *relaxed, const char *right)
+{
+	char *text = tap_of(rows, n, relaxed);
+	assert_string_equal(text, right);
+	free(text);
+}
+
+static void test_each_end(void **state)
+{
+	(void)state;
+	assert_taps(
+		"[{\"case\": \"a\", \"verdict\": \"same\", \"outcome\": \"passed\", \"why\": \"\", \"lines\": []},"
+		"{\"case\": \"b\", \"verdict\": \"skipped\", \"outcome\": \"skipped\", \"why\": \"slow\", \"lines\": []},"
+		"{\"case\": \"c\", \"verdict\": \"known\", \"outcome\": \"known\", \"why\": \"\", \"lines\": [\"at 1\"]},"
+		"{\"case\": \"d\", \"verdict\": \"different\", \"outcome\": \"failed\", \"why\": \"x\", \"lines\": [\"at 2\", \"3\"]},"
+		"{\"case\": \"e\", \"verdict\": \"missing\", \"outcome\": \"error\", \"why\": \"\", \"lines\": []}]",
+		5, "",
+		"ok 1 - a\nok 2 - b # SKIP skipped: slow\nnot ok 3 - c # TO"
+		"DO known\n# at 1\nnot ok 4 - d\n# at 2\n# 3\nnot ok 5 - e\n1..5\n");
+	assert_taps("[]", 0, "--ulp 1", "# relaxed: --ulp 1\n1..0\n");
+}
+
+static void test_one_line_each(void **state)
+{
+	(void)state;
+	assert_taps(
+		"[{\"case\": \"a\\nok 2\", \"verdict\": \"known\", \"outcome\": \"known\", \"why\": \"b\\nok 3\\u001b\","
+		"\"lines\": [\"c\\r\\nok 4\\u0085\", \"\\u007fd\"]}]",
+		1, "e\nok 5",
+		"# relaxed: e?ok 5\nnot ok 1 - a?ok 2 # TO"
+		"DO known: b?ok 3?\n# c??ok 4??\n# ?d\n1..1\n");
+}
+
+/* A text that is longer than a line ends within it. */
+static void test_long(void **state)
+{
+	(void)state;
+	static char rows[20000];
+	size_t n = (size_t)snprintf(rows, sizeof rows,
+	                            "[{\"case\": \"a\", \"verdict\": \"skipped\", \"outcome\": \"skipped\", \"why\": \"");
+	memset(rows + n, 'w', 10000);
+	strcpy(rows + n + 10000, "\", \"lines\": []}]");
+	char *text = tap_of(rows, 1, "");
+	assert_int_equal(strncmp(text, "ok 1 - a # SKIP skipped: wwww", 28), 0);
+	assert_string_equal(strchr(text, '\n'), "\n1..1\n");
+	free(text);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_each_end),
+		cmocka_unit_test(test_one_line_each),
+		cmocka_unit_test(test_long),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
