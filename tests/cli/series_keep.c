@@ -1,0 +1,83 @@
+/* Pictures that a sweep keeps: they come back where nothing that they depend on has changed, and their bytes are
+ * counted. */
+#include "../../src/cli/series.h"
+#include "../model/test.h"
+
+enum { WIDTH = 8, HEIGHT = 4 };
+
+static ts_render render;
+static ts_job job;
+static ts_series series;
+
+/* A render by these methods. */
+static void begin(const char *methods)
+{
+	memset(&render, 0, sizeof render);
+	memset(&job, 0, sizeof job);
+	memset(&series, 0, sizeof series);
+	ts_params_default(&job.params);
+	TS_PARAM_SET(&job.params, width, WIDTH);
+	TS_PARAM_SET(&job.params, height, HEIGHT);
+	job.scenes = "atrium";
+	job.effect = render.effect = "reflections";
+	render.job = series.job = &job;
+	series.render = &render;
+	assert_int_equal(ts_methods_find(render.methods, &render.n_methods, "reflections", methods), TS_OK);
+}
+
+/* A picture, and one of a stage of n x n pixels, unless n is 0. */
+static void paint(u32 method, u32 n)
+{
+	render.pictures[method].srgb = calloc(3, WIDTH * HEIGHT);
+	render.stages[method].n = n > 0;
+	render.stages[method].picture[0] = (ts_stage_picture){.rgb = calloc(3, n * n + 1), .width = n, .height = n};
+}
+
+/* Four bytes a pixel of a stage's picture: three of its colour, one of its mask. */
+static void test_bytes(void **state)
+{
+	(void)state;
+	u64 bytes[3];
+	for (u32 i = 0; i < 3; i++) {
+		begin("epr");
+		paint(0, 10 * i);
+		assert_int_equal(ts_keep_take(&series), TS_OK);
+		bytes[i] = series.keep.bytes;
+		ts_keep_free(&series.keep);
+	}
+	assert_true(bytes[0] >= WIDTH * HEIGHT * 20);
+	assert_int_equal(bytes[1] - bytes[0], 4 * 100);
+	assert_int_equal(bytes[2] - bytes[0], 4 * 400);
+}
+
+static void test_given_back(void **state)
+{
+	(void)state;
+	begin("epr,mvr");
+	job.sweep = (ts_sweep){{{"density.scale", "1,2", 2}, {"seed", "1,2", 2}}, 2};
+	paint(0, 0);
+	paint(1, 3);
+	const u8 *epr = render.pictures[0].srgb, *mvr = render.pictures[1].srgb;
+	assert_int_equal(ts_keep_take(&series), TS_OK);
+	assert_null(render.pictures[0].srgb);
+	assert_null(render.pictures[1].srgb);
+	assert_int_equal(render.stages[1].n, 0);
+	series.combination = 2; /* another density.scale, which MVR does not read */
+	ts_keep_give(&series);
+	assert_null(render.pictures[0].srgb);
+	assert_ptr_equal(render.pictures[1].srgb, mvr);
+	assert_int_equal(render.stages[1].n, 1);
+	assert_int_equal(ts_keep_take(&series), TS_OK);
+	series.combination = 0;
+	ts_keep_give(&series);
+	assert_ptr_equal(render.pictures[0].srgb, epr);
+	assert_ptr_equal(render.pictures[1].srgb, mvr);
+	assert_int_equal(ts_keep_take(&series), TS_OK);
+	ts_keep_free(&series.keep);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_bytes), cmocka_unit_test(test_given_back)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
