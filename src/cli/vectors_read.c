@@ -31,7 +31,7 @@ static int open_regular(const char *path, u64 *bytes)
 static size_t read_at(int file, void *data, size_t bytes, u64 at)
 {
 	size_t done = 0;
-	for (ssize_t n = 1; done < bytes && n > 0; done += n > 0 ? (size_t)n : 0) {
+	for (ssize_t n = 1; n > 0; done += n > 0 ? (size_t)n : 0) {
 		n = pread(file, (char *)data + done, bytes - done, (off_t)(at + done));
 	}
 	return done;
