@@ -41,6 +41,14 @@ says 1 --method mvr --set density.scale=1
 says 0 --method mvr --set lookup.bounces=2 --truth=A
 says 1 --method mvr --set splat.clip=on,off
 says 1 --method mvr --set truth.area_samples=4
+# gloss COUNT SETTING: as says, of a parameter that only stages of gloss.lobe=on read.
+gloss() {
+	run render indirect gallery:triangles=10000 "${tiny[@]}" --method direct --set rsm.px=4 --set hull.sharpness=vmf --set "$2"
+	[ "$status" -eq 0 ] && [ "$(grep -c -- '--set hull.sharpness: .* reads it$' "$scratch/stderr")" -eq "$1" ]
+	verdict $? "$1 unread: stages that run with $2"
+}
+gloss 1 gloss.lobe=off
+gloss 0 gloss.lobe=on,off
 run render soft-shadows gallery:triangles=10000 "${tiny[@]}" --method pcss --set depth_map.px=32 --set truth.area_samples=4 --set density.rate=exact --truth=area
 [ "$status" -eq 0 ] && [ ! -s "$scratch/stderr" ]
 verdict $? "a truth reads what its methods do not"

@@ -123,6 +123,16 @@ assert pixels(0, "mvr") == pixels(1, "mvr") and pixels(0, "epr") != pixels(1, "e
 assert os.path.getsize("sweep/contact-sheet.png") > 0 and b"density.scale" in read("rmse-density.scale.svg")
 PY
 verdict $? 'a sweep runs no method again for what it does not read'
+[ "$status" -eq 0 ] && [ ! -s stderr ] && [ -z "$(ls sweep | grep mp4)" ] && python3 - <<'PY'
+import json
+report, times = json.load(open("sweep/report.json")), json.load(open("sweep/times.json"))["renders"]
+assert [(t["combination"], t["frame"]) for t in times] == [(c, 0) for c in range(4)]
+rows = {row["name"]: row["shows"] for row in report["pictures"]}
+assert rows["../contact-sheet.png"] == "renders from left to right; from above epr, mvr, truth-b"
+assert {"epr.png .exr", "mvr.png .exr", "truth-b.png .exr", "../sweep.csv"} < set(rows) and "../*.mp4" not in rows
+assert all(f"density.scale={c},reflectors.px=20/mvr.png" in report["files"] for c in ("0.25", "0.5"))
+PY
+verdict $? 'its report names its renders and pictures; there is no video of a frame'
 
 run "${small[@]}" --method mvr,epr --frames 30..31 --exposure auto -o frames
 mv stdout sequence.txt

@@ -44,6 +44,15 @@ for what in $lists; do
 	verdict $? "list $what --json is an object with rows"
 done
 
+# Each cell stands in its column: names are words, apart from each other, and documents are sentences.
+for what in sizes scenes truths; do
+	run list $what --json
+	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; names = [r["name"] for r in rows]
+assert len(set(names)) == len(names) > 1 and not any(" " in n for n in names) and all(" " in r["doc"] for r in rows)' \
+		"$scratch/stdout" $what
+	verdict $? "the columns of list $what"
+done
+
 # Each parameter can be set to its default.
 run list params --json
 python3 - "$touchstone" "$scratch/stdout" <<'PY'
