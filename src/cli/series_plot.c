@@ -64,11 +64,11 @@ ts_status ts_series_plot_combination(ts_series *series)
 	return status;
 }
 
-/* Those of one axis and figure, by curves; at least two of a curve make a plot. */
-static u32 collect(const ts_series *series, ts_plot *plot, ts_plot_point *points, char (*names)[24], u32 along,
-                   u32 figure)
+/* Those of one axis and figure, by curves. Whether they make a plot: at least two are of one curve. */
+static bool collect(const ts_series *series, ts_plot *plot, ts_plot_point *points, char (*names)[24], u32 along,
+                    u32 figure)
 {
-	u32 most = 0;
+	bool lines = false;
 	for (u32 i = 0; i < TS_MAX_SHOWN && plot->n_curves < TS_PLOT_CURVES; i++) {
 		u32 n = plot->n_points;
 		for (size_t d = 0; d < series->n_data; d++) {
@@ -81,9 +81,9 @@ static u32 collect(const ts_series *series, ts_plot *plot, ts_plot_point *points
 		ts_render_name(names[plot->n_curves], sizeof *names, series->render, i);
 		plot->curves[plot->n_curves] = names[plot->n_curves];
 		plot->n_curves++;
-		most = plot->n_points - n > most ? plot->n_points - n : most;
+		lines |= plot->n_points > n + 1;
 	}
-	return most;
+	return lines;
 }
 
 static ts_status write(const ts_plot *plot, const char *name)
@@ -100,7 +100,7 @@ static ts_status plot(ts_series *series, ts_plot_point *points, u32 along, u32 f
 	char name[128], title[128], names[TS_PLOT_CURVES][24];
 	const char *axis = along == 0 ? "frame" : series->job->sweep.swept[along - 1].name;
 	ts_plot p = {.title = title, .x_axis = axis, .y_axis = plotted[figure].axis, .points = points, .even = true};
-	if (collect(series, &p, points, names, along, figure) < 2) return TS_OK;
+	if (!collect(series, &p, points, names, along, figure)) return TS_OK;
 	snprintf(title, sizeof title, "%s of %.90s", plotted[figure].file, series->render->scene->name);
 	snprintf(name, sizeof name, "%s-%s.svg", plotted[figure].file, axis);
 	return write(&p, name);
