@@ -54,6 +54,16 @@ static void test_letters(void **state)
 	}
 }
 
+/* A command line that was refused within a word leaves nothing to the next one. */
+static void test_again(void **state)
+{
+	(void)state;
+	assert_refused("compare -xq", "compare: no option -x; \"touchstone help compare\" lists all");
+	assert_int_equal(parse("compare a b"), TS_OK);
+	assert_int_equal(cli.n_typed, 0);
+	assert_string_equal(cli.arguments[0], "a");
+}
+
 static void assert_floats(const f32 *found, const f32 *right, u32 n)
 {
 	for (u32 i = 0; i < n; i++) assert_true(found[i] == right[i]);
@@ -121,8 +131,8 @@ static void test_defaults(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_values),  cmocka_unit_test(test_letters),  cmocka_unit_test(test_places),
-		cmocka_unit_test(test_mirrors), cmocka_unit_test(test_defaults),
+		cmocka_unit_test(test_values), cmocka_unit_test(test_letters),  cmocka_unit_test(test_again),
+		cmocka_unit_test(test_places), cmocka_unit_test(test_mirrors), cmocka_unit_test(test_defaults),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
