@@ -17,18 +17,37 @@ u32() {
 index=$(u32 $epr/05-mirror_pixel.record.npy 3)
 mirror=$((index % 64)),$((index / 64))
 
-# says PATTERN ARGUMENT...: text that matches, whose JSON parses and agrees wherever it checks itself.
+# says PATTERN ARGUMENT...: text that matches and has what the JSON has, which agrees wherever it checks itself.
 says() {
 	prints "$@"
 	shift
+	mv stdout text
 	run "$@" --json
-	[ "$status" -eq 0 ] && python3 - stdout <<'PY'
+	[ "$status" -eq 0 ] && python3 - stdout text <<'PY'
 import json, sys
+answer, lines = json.load(open(sys.argv[1])), {line.strip() for line in open(sys.argv[2])}
 def checks(v):
 	if isinstance(v, dict):
 		return [v[k] for k in v if k == "check"] + [c for m in v.values() for c in checks(m)]
 	return [c for m in v for c in checks(m)] if isinstance(v, list) else []
-found = checks(json.load(open(sys.argv[1])))
+def told(v):
+	"""As text has it on one line; None: on several."""
+	if isinstance(v, dict):
+		both = [v.get("value"), v.get("bits")] if set(v) == {"value", "bits"} else [None]
+		bits = " ".join(both[1]) if isinstance(both[-1], list) else both[-1]
+		return None if bits is None else f"{told(both[0])} ({bits})"
+	if isinstance(v, list):
+		parts = [None if isinstance(m, dict) else told(m) for m in v]
+		return None if None in parts else "[" + ", ".join(parts) + "]" if parts else "none"
+	return ("no", "yes")[v] if isinstance(v, bool) else "%.9g" % v if isinstance(v, float) else str(v)
+def look(v):
+	for key, member in v.items():
+		text = told(member)
+		if isinstance(member, dict) and text is None:
+			look(member)
+		assert key == "trace" or text is None or len(text) > 400 or f"{key}: {text}" in lines, (key, text)
+look(answer)
+found = checks(answer)
 sys.exit(0 if found and all(c.startswith("bits agree with") for c in found) else 1)
 PY
 	verdict $? "JSON of: $*"
