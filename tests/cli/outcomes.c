@@ -35,7 +35,8 @@ static void test_each_end(void **state)
 		"[{\"case\": \"a\", \"verdict\": \"same\", \"outcome\": \"passed\", \"why\": \"\", \"lines\": []},"
 		"{\"case\": \"b\", \"verdict\": \"skipped\", \"outcome\": \"skipped\", \"why\": \"slow\", \"lines\": []},"
 		"{\"case\": \"c\", \"verdict\": \"known\", \"outcome\": \"known\", \"why\": \"\", \"lines\": [\"at 1\"]},"
-		"{\"case\": \"d\", \"verdict\": \"different\", \"outcome\": \"failed\", \"why\": \"x\", \"lines\": [\"at 2\", \"3\"]},"
+		"{\"case\": \"d\", \"verdict\": \"different\", \"outcome\": \"failed\", \"why\": \"x\", "
+		" \"lines\": [\"at 2\", \"3\"]},"
 		"{\"case\": \"e\", \"verdict\": \"missing\", \"outcome\": \"error\", \"why\": \"\", \"lines\": []}]",
 		5, "",
 		"ok 1 - a\nok 2 - b # SKIP skipped: slow\nnot ok 3 - c # TO"

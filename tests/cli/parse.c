@@ -1,5 +1,5 @@
-/* Command lines: what is typed wrongly is refused by one line that says what would be right; what is right is taken, and
- * what was not typed has its default. */
+/* Command lines: what is typed wrongly is refused by one line that says what would be right; what is right is taken,
+ * and what was not typed has its default. */
 #include "../../src/cli/cli.h"
 #include "../model/test.h"
 
@@ -34,7 +34,8 @@ static void test_values(void **state)
 	assert_refused("render --output", "render: option --output needs a value, DIR");
 	assert_refused("render --size", "render: option --size needs a value, WxH");
 	assert_refused("render --json=3", "render: option --json takes no value");
-	assert_refused("render --metod epr", "render: no option --metod; the nearest is --method, and \"touchstone help render\" lists all");
+	assert_refused("render --metod epr",
+	               "render: no option --metod; the nearest is --method, and \"touchstone help render\" lists all");
 	assert_refused("render", "render: too few arguments; write touchstone render EFFECT [SCENE]");
 	assert_refused("list params more", "list: one argument too many, \"more\"; write touchstone list WHAT");
 }
@@ -131,7 +132,7 @@ static void test_defaults(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_values), cmocka_unit_test(test_letters),  cmocka_unit_test(test_again),
+		cmocka_unit_test(test_values), cmocka_unit_test(test_letters), cmocka_unit_test(test_again),
 		cmocka_unit_test(test_places), cmocka_unit_test(test_mirrors), cmocka_unit_test(test_defaults),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

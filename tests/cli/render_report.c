@@ -83,8 +83,9 @@ static void test_light(void **state)
 	static const struct {
 		const char *key;
 		double value;
-	} right[] = {{"relative_rmse_near", 0.75}, {"relative_rmse_elsewhere", 0.125}, {"near_percent", 25},
-	             {"near_error_percent", 25},   {"median_error", 0.25},             {"beyond_percent", 50}};
+	} right[] = {{"relative_rmse_near", 0.75}, {"relative_rmse_elsewhere", 0.125},
+	             {"near_percent", 25},         {"near_error_percent", 25},
+	             {"median_error", 0.25},       {"beyond_percent", 50}};
 	for (u32 i = 0; i < sizeof right / sizeof *right; i++) {
 		assert_true(number_at(root, "light_errors", 0, right[i].key) == right[i].value);
 	}

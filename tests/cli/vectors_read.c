@@ -1,5 +1,5 @@
-/* Files of a port's outputs: their elements are read as they stand; what is no such file, or of another shape, is refused
- * without waiting, and what is not there is no failure. */
+/* Files of a port's outputs: their elements are read as they stand; what is no such file, or of another shape, is
+ * refused without waiting, and what is not there is no failure. */
 #include <fcntl.h>
 #include <sys/stat.h>
 #include "../../src/cli/vectors.h"
