@@ -1,36 +1,33 @@
 /* Shards of a comparison that are put together: rows in the order of the cases, the first difference, the pictures of
  * what differs; and folders that are no shards. */
-#include <jansson.h>
 #include <sys/stat.h>
-#include "../../src/cli/cli.h"
 #include "../../src/cli/sharded.h"
 #include "../../src/model/digest.h"
-#include "../model/test.h"
 #include "../scratch.h"
+#include "typed.h"
 
 /* Stages a, b and c, the first and the last of which are in the first shard; a and c differ. */
 static const char *const reports[2] = {
 	"{'verdict': 'different', 'relaxations': '--ulp 1',"
-	" 'buffers': [{'stage': 'a', 'buffer': 'one'}, {'stage': 'a', 'buffer': 'same'}, {'stage': 'c', 'buffer': 'three'}],"
+	" 'buffers': [{'stage': 'a', 'buffer': 'one'}, {'stage': 'a', 'buffer': 'same'},"
+	"  {'stage': 'c', 'buffer': 'three'}],"
 	" 'first_divergence': 'first in one', 'divergence': {'stage': 'a', 'buffer': 'one'},"
 	" 'differences': [{'stage': 'a', 'buffer': 'one'}, {'stage': 'c', 'buffer': 'three'}],"
 	" 'stages': [{'stage': 'a', 'verdict': 'different', 'outcome': 'failed', 'why': '', 'lines': []},"
 	"  {'stage': 'c', 'verdict': 'different', 'outcome': 'failed', 'why': '', 'lines': []}],"
 	" 'files': ['one.png', 'three-cube-0.png', 'three-cube-2.png', 'SHA256SUMS', 'report.json'],"
-	" 'shard': {'index': 1, 'of': 2, 'commit': 'x', 'command': 'compare', 'typed': ['r', 'c'], 'class': 'touchstone.epr',"
-	"  'cases': ['a', 'b', 'c'], 'status': 1}}",
+	" 'shard': {'index': 1, 'of': 2, 'commit': 'x', 'command': 'compare', 'typed': ['r', 'c'],"
+	"  'class': 'touchstone.epr', 'cases': ['a', 'b', 'c'], 'status': 1}}",
 	"{'verdict': 'different', 'relaxations': '--ulp 1', 'buffers': [{'stage': 'b', 'buffer': 'two'}],"
 	" 'first_divergence': 'first in two', 'divergence': {'stage': 'b', 'buffer': 'two'},"
 	" 'differences': [{'stage': 'b', 'buffer': 'two'}],"
 	" 'stages': [{'stage': 'b', 'verdict': 'known', 'outcome': 'known', 'why': 'so', 'lines': ['it']}],"
 	" 'files': ['two.png', 'SHA256SUMS', 'report.json'],"
-	" 'shard': {'index': 2, 'of': 2, 'commit': 'x', 'command': 'compare', 'typed': ['r', 'c'], 'class': 'touchstone.epr',"
-	"  'cases': ['a', 'b', 'c'], 'status': 1}}",
+	" 'shard': {'index': 2, 'of': 2, 'commit': 'x', 'command': 'compare', 'typed': ['r', 'c'],"
+	"  'class': 'touchstone.epr', 'cases': ['a', 'b', 'c'], 'status': 1}}",
 };
 static const char *const times[2] = {"{'seconds': [1, 3]}", "{'seconds': [2]}"};
 static const char *const pictures[2][4] = {{"one.png", "three-cube-0.png", "three-cube-2.png"}, {"two.png"}};
-
-static ts_cli cli;
 
 static void write_text(const char *path, const char *text)
 {
@@ -73,13 +70,14 @@ static int write_shards(void **state)
 
 static ts_status merge(const char *a, const char *b, const char *out)
 {
-	char sides[2][SCRATCH_PATH], to[SCRATCH_PATH];
-	snprintf(sides[0], SCRATCH_PATH, "%s", scratch_path("%s", a));
-	snprintf(sides[1], SCRATCH_PATH, "%s", scratch_path("%s", b));
-	snprintf(to, SCRATCH_PATH, "%s", scratch_path("%s", out));
-	char *words[] = {"merge", "--json", "-o", to, sides[0], sides[1], NULL};
-	assert_int_equal(ts_cli_parse(&cli, ts_cli_require("merge"), 6, words), TS_OK);
-	return ts_merge_command(&cli);
+	char line[TYPED_LINE];
+	json_t *said;
+	snprintf(line, sizeof line, "merge --json -o %s %s %s", scratch_path("%s", out), scratch_path("%s", a),
+	         scratch_path("%s", b));
+	ts_status status = typed_run(&said, line);
+	assert_true((said == NULL) == (status == TS_ERROR));
+	json_decref(said);
+	return status;
 }
 
 static json_t *read_json(const char *path)

@@ -1,29 +1,10 @@
 /* Command lines: what is typed wrongly is refused by one line that says what would be right; what is right is taken,
  * and what was not typed has its default. */
-#include "../../src/cli/cli.h"
-#include "../model/test.h"
-
-enum { MOST = 160, LINE = 2048 };
-
-static ts_cli cli;
-
-/* Parses words, apart by blanks, the first of which is the command. */
-static ts_status parse(const char *line)
-{
-	static char text[LINE];
-	char *words[MOST], *state = NULL;
-	int n = 0;
-	assert_true(strlen(line) < sizeof text);
-	strcpy(text, line);
-	for (char *word = strtok_r(text, " ", &state); word != NULL; word = strtok_r(NULL, " ", &state)) words[n++] = word;
-	words[n] = NULL;
-	assert_true(n > 0 && n < MOST);
-	return ts_cli_parse(&cli, ts_cli_require(words[0]), n, words);
-}
+#include "typed.h"
 
 static void assert_refused(const char *line, const char *why)
 {
-	assert_int_equal(parse(line), TS_ERROR);
+	assert_int_equal(typed_parse(line), TS_ERROR);
 	assert_string_equal(ts_error_message(), why);
 }
 
@@ -60,9 +41,9 @@ static void test_again(void **state)
 {
 	(void)state;
 	assert_refused("compare -xq", "compare: no option -x; \"touchstone help compare\" lists all");
-	assert_int_equal(parse("compare a b"), TS_OK);
-	assert_int_equal(cli.n_typed, 0);
-	assert_string_equal(cli.arguments[0], "a");
+	assert_int_equal(typed_parse("compare a b"), TS_OK);
+	assert_int_equal(typed_cli.n_typed, 0);
+	assert_string_equal(typed_cli.arguments[0], "a");
 }
 
 static void assert_floats(const f32 *found, const f32 *right, u32 n)
@@ -83,29 +64,29 @@ static void test_places(void **state)
 			assert_refused(line, why);
 		}
 	}
-	assert_int_equal(parse("render reflections --eye 1,-2.5,3e1 --target 0x1p-3,0,-0 --lamp 7,8,9"), TS_OK);
-	assert_floats(cli.job.scene.eye, (const f32[]){1, -2.5f, 30}, 3);
-	assert_floats(cli.job.scene.target, (const f32[]){0.125f, 0, 0}, 3);
-	assert_floats(cli.job.scene.lamp, (const f32[]){7, 8, 9}, 3);
+	assert_int_equal(typed_parse("render reflections --eye 1,-2.5,3e1 --target 0x1p-3,0,-0 --lamp 7,8,9"), TS_OK);
+	assert_floats(typed_cli.job.scene.eye, (const f32[]){1, -2.5f, 30}, 3);
+	assert_floats(typed_cli.job.scene.target, (const f32[]){0.125f, 0, 0}, 3);
+	assert_floats(typed_cli.job.scene.lamp, (const f32[]){7, 8, 9}, 3);
 }
 
 /* Balls are the only mirrors, unless others were asked for. */
 static void test_mirrors(void **state)
 {
 	(void)state;
-	char line[LINE] = "render reflections";
+	char line[TYPED_LINE] = "render reflections";
 	assert_refused("render reflections --mirror 1,2,3", "--mirror: \"1,2,3\" is not X,Y,Z,R");
-	assert_int_equal(parse("render reflections --mirror 1,2,3,4 --mirror 5,6,7,8"), TS_OK);
-	assert_int_equal(cli.job.scene.n_mirrors, 2);
-	assert_floats(cli.job.scene.mirrors[0], (const f32[]){1, 2, 3, 4, 5, 6, 7, 8}, 8);
-	assert_int_equal(TS_PARAM(&cli.job.params, reflectors_count), 0);
-	assert_int_equal(parse("render reflections --mirror 1,2,3,4 --reflectors 3"), TS_OK);
-	assert_int_equal(TS_PARAM(&cli.job.params, reflectors_count), 3);
-	assert_int_equal(parse("render reflections"), TS_OK);
-	assert_int_equal(TS_PARAM(&cli.job.params, reflectors_count), 10);
+	assert_int_equal(typed_parse("render reflections --mirror 1,2,3,4 --mirror 5,6,7,8"), TS_OK);
+	assert_int_equal(typed_cli.job.scene.n_mirrors, 2);
+	assert_floats(typed_cli.job.scene.mirrors[0], (const f32[]){1, 2, 3, 4, 5, 6, 7, 8}, 8);
+	assert_int_equal(TS_PARAM(&typed_cli.job.params, reflectors_count), 0);
+	assert_int_equal(typed_parse("render reflections --mirror 1,2,3,4 --reflectors 3"), TS_OK);
+	assert_int_equal(TS_PARAM(&typed_cli.job.params, reflectors_count), 3);
+	assert_int_equal(typed_parse("render reflections"), TS_OK);
+	assert_int_equal(TS_PARAM(&typed_cli.job.params, reflectors_count), 10);
 	for (u32 i = 0; i < TS_MAX_MIRRORS; i++) strcat(line, " --mirror 1,2,3,4");
-	assert_int_equal(parse(line), TS_OK);
-	assert_int_equal(cli.job.scene.n_mirrors, TS_MAX_MIRRORS);
+	assert_int_equal(typed_parse(line), TS_OK);
+	assert_int_equal(typed_cli.job.scene.n_mirrors, TS_MAX_MIRRORS);
 	strcat(line, " --mirror 1,2,3,4");
 	assert_refused(line, "--mirror: at most 64 can be given");
 }
@@ -113,17 +94,17 @@ static void test_mirrors(void **state)
 static void test_defaults(void **state)
 {
 	(void)state;
-	assert_int_equal(parse("compare a b"), TS_OK);
-	assert_string_equal(cli.arguments[0], "a");
-	assert_string_equal(cli.arguments[1], "b");
-	assert_int_equal(cli.n_arguments, 2);
-	assert_int_equal(cli.judging.first, 1);
-	assert_int_equal(cli.n_typed, 0);
-	for (u32 i = 0; i < TS_N_OPTIONS; i++) assert_false(cli.given[i]);
-	assert_int_equal(parse("compare a --ulp 4294967295 b --rel 1e-3"), TS_OK);
-	assert_true(cli.judging.relaxations.ulp == 4294967295u && cli.judging.relaxations.rel == 1e-3);
-	assert_int_equal(cli.n_typed, 2);
-	assert_true(cli.given[TS_OPTION_ULP] && cli.given[TS_OPTION_REL] && !cli.given[TS_OPTION_ABS]);
+	assert_int_equal(typed_parse("compare a b"), TS_OK);
+	assert_string_equal(typed_cli.arguments[0], "a");
+	assert_string_equal(typed_cli.arguments[1], "b");
+	assert_int_equal(typed_cli.n_arguments, 2);
+	assert_int_equal(typed_cli.judging.first, 1);
+	assert_int_equal(typed_cli.n_typed, 0);
+	for (u32 i = 0; i < TS_N_OPTIONS; i++) assert_false(typed_cli.given[i]);
+	assert_int_equal(typed_parse("compare a --ulp 4294967295 b --rel 1e-3"), TS_OK);
+	assert_true(typed_cli.judging.relaxations.ulp == 4294967295u && typed_cli.judging.relaxations.rel == 1e-3);
+	assert_int_equal(typed_cli.n_typed, 2);
+	assert_true(typed_cli.given[TS_OPTION_ULP] && typed_cli.given[TS_OPTION_REL] && !typed_cli.given[TS_OPTION_ABS]);
 	assert_refused("compare a b --ulp 4294967296", "--ulp: \"4294967296\" is not a whole number from 0 to 4294967295");
 	assert_refused("compare a b --rel -1", "--rel: \"-1\" is not a number from 0 to 1e30");
 	assert_refused("compare a b --rel 1x", "--rel: \"1x\" is not a number from 0 to 1e30");
