@@ -29,8 +29,9 @@ static void begin(const char *methods)
 static void paint(u32 method, u32 n)
 {
 	render.pictures[method].srgb = calloc(3, WIDTH * HEIGHT);
-	render.stages[method].n = n > 0;
-	render.stages[method].picture[0] = (ts_stage_picture){.rgb = calloc(3, n * n + 1), .width = n, .height = n};
+	if (n == 0) return;
+	render.stages[method].n = 1;
+	render.stages[method].picture[0] = (ts_stage_picture){.rgb = calloc(3, n * n), .width = n, .height = n};
 }
 
 /* Four bytes a pixel of a stage's picture: three of its colour, one of its mask. */
