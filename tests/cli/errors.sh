@@ -58,6 +58,7 @@ refuses 'not a size' bench ssagh-1 --objects 96x54,192
 refuses 'takes no --output' bench start -o out
 refuses 'takes no --method' bench epr-1 --method epr
 refuses 'takes no --truth' bench backends --truth=C
+refuses 'bench epr-1: truth.rays=5: tables judge by whole truths' bench epr-1 --set truth.rays=5
 refuses 'takes one scene' bench backends --scene atrium,gallery
 refuses 'whole number' bench backends --objects 1,2
 refuses 'takes one method' bench start --method epr,mvr

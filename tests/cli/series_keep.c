@@ -51,6 +51,22 @@ static void test_bytes(void **state)
 	assert_int_equal(bytes[2] - bytes[0], 4 * 400);
 }
 
+/* A truth in part holds its pixels twice: by some samples, and by all. */
+static void test_bytes_of_part(void **state)
+{
+	(void)state;
+	u64 bytes[2];
+	for (u32 part = 0; part < 2; part++) {
+		begin("epr");
+		paint(0, 0);
+		if (part == 1) render.pictures[0].chosen = calloc(1, WIDTH * HEIGHT);
+		assert_int_equal(ts_keep_take(&series), TS_OK);
+		bytes[part] = series.keep.bytes;
+		ts_keep_free(&series.keep);
+	}
+	assert_int_equal(bytes[1] - bytes[0], WIDTH * HEIGHT * 20);
+}
+
 static void test_given_back(void **state)
 {
 	(void)state;
@@ -79,6 +95,7 @@ static void test_given_back(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_bytes), cmocka_unit_test(test_given_back)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_bytes), cmocka_unit_test(test_bytes_of_part),
+	                                   cmocka_unit_test(test_given_back)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,9 +39,9 @@ run list ''
 lists=$(sed 's/.*there are //; s/,//g; s/ and / /' "$scratch/stderr")
 for what in $lists; do
 	run list $what --json
-	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; assert all(r["name"] for r in rows) and rows' \
-		"$scratch/stdout" $what
-	verdict $? "list $what --json is an object with rows"
+	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; assert all(r["name"] for r in rows) and rows
+for key in rows[0]: assert len({type(r[key]) for r in rows} - {type(None)}) == 1, key' "$scratch/stdout" $what
+	verdict $? "list $what --json is an object with rows, and a column of a kind"
 done
 
 # Each cell stands in its column: names are words, apart from each other, and documents are sentences.
