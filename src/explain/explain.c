@@ -115,9 +115,7 @@ static ts_status run(explainer *x, const ts_stage *stage, bool seeks)
 	run->c.backend.launch = launch;
 	explaining = x;
 	ts_told_to(&x->explanation->telling);
-	ts_status status = ts_replay_stage(run, stage);
-	ts_told_to(NULL);
-	return status;
+	return ts_replay_stage(run, stage);
 }
 
 /* What the stage launches, for the message. */

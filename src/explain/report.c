@@ -118,18 +118,27 @@ static json_t *scalar_json(const ts_told_leaf *leaf, const u8 *at)
 	                 json_sprintf("%08" PRIx32, word));
 }
 
+/* The value if no part of it failed; else NULL, and the value is released. */
+static json_t *whole(json_t *value, int failed)
+{
+	if (failed == 0) return value;
+	json_decref(value);
+	return NULL;
+}
+
 static json_t *value_json(const ts_explanation *e, const ts_told_line *line)
 {
 	char text[TS_VALUE_TEXT];
 	json_t *value = json_object();
+	int failed = 0;
 	for (u32 i = 0; i < line->site->type->n; i++) {
 		const ts_told_leaf *leaf = &line->site->type->leaf[i];
 		const u8 *at = e->telling.bytes + line->value + leaf->offset;
 		ts_explain_number(text, e, line, leaf);
-		json_object_set_new(value, leaf->path,
-		                    leaf->scalar == TS_TOLD_pointer ? json_string(text) : scalar_json(leaf, at));
+		failed |= json_object_set_new(value, leaf->path,
+		                              leaf->scalar == TS_TOLD_pointer ? json_string(text) : scalar_json(leaf, at));
 	}
-	return value;
+	return whole(value, failed);
 }
 
 static json_t *line_json(const ts_explanation *e, const ts_told_line *line)
@@ -139,29 +148,32 @@ static json_t *line_json(const ts_explanation *e, const ts_told_line *line)
 	const ts_told_site *site = line->site;
 	json_t *o = json_pack("{s:s, s:i, s:i, s:s, s:s}", "file", site->file, "line", (int)site->line, "depth",
 	                      (int)line->depth, "how", hows[site->how], "text", site->text);
+	int failed = 0;
 	ts_explain_place(place, e, line);
-	if (site->how == TS_TOLD_STORE) json_object_set_new(o, "to", json_string(place));
-	if (site->how == TS_TOLD_TEST) json_object_set_new(o, "value", json_boolean(line->yes));
-	if (!ts_explain_has_value(e, line)) return o;
-	json_object_set_new(o, "type", json_string(site->type->name));
-	json_object_set_new(o, "value", value_json(e, line));
-	return o;
+	if (site->how == TS_TOLD_STORE) failed |= json_object_set_new(o, "to", json_string(place));
+	if (site->how == TS_TOLD_TEST) failed |= json_object_set_new(o, "value", json_boolean(line->yes));
+	if (!ts_explain_has_value(e, line)) return whole(o, failed);
+	failed |= json_object_set_new(o, "type", json_string(site->type->name));
+	failed |= json_object_set_new(o, "value", value_json(e, line));
+	return whole(o, failed);
 }
 
 static json_t *launches_json(const ts_explanation *e)
 {
 	json_t *launches = json_array();
+	int failed = 0;
 	for (size_t i = 0; i < e->n_launches; i++) {
 		const ts_explained_launch *launch = &e->launch[i];
 		json_t *lines = json_array();
 		for (size_t k = 0; k < launch->n_lines; k++) {
-			json_array_append_new(lines, line_json(e, &e->telling.lines[launch->first_line + k]));
+			failed |= json_array_append_new(lines, line_json(e, &e->telling.lines[launch->first_line + k]));
 		}
 		json_t *item = has_item(launch) ? json_integer((json_int_t)launch->item) : json_null();
-		json_array_append_new(launches, json_pack("{s:s, s:I, s:o, s:o}", "kernel", ts_kernel_name(launch->kernel),
-		                                          "items", (json_int_t)launch->n, "item", item, "lines", lines));
+		json_t *o = json_pack("{s:s, s:I, s:o, s:o}", "kernel", ts_kernel_name(launch->kernel), "items",
+		                      (json_int_t)launch->n, "item", item, "lines", lines);
+		failed |= json_array_append_new(launches, o);
 	}
-	return launches;
+	return whole(launches, failed);
 }
 
 static json_t *first_json(const ts_told_what *what, bool differ, size_t number)
@@ -192,14 +204,12 @@ json_t *ts_explain_json(const ts_told_what *what)
 		failed |= json_object_set_new(root, "first_difference", first_json(what, differ, number));
 	}
 	failed |= json_object_set_new(root, "more_lines", json_integer((json_int_t)more));
-	if (failed == 0) return root;
-	json_decref(root);
-	return NULL;
+	return whole(root, failed);
 }
 
 json_t *ts_explain_lines(const ts_told_what *what)
 {
-	report whole = {.lines = json_array()}, *to = &whole;
+	report text = {.lines = json_array()}, *to = &text;
 	size_t number = 0;
 	bool differ = what->b != NULL && ts_explain_differ(&number, what->a, what->b);
 	u64 more = what->a->telling.n_more;
@@ -214,7 +224,5 @@ json_t *ts_explain_lines(const ts_told_what *what)
 		print_one(to, what->a);
 	}
 	if (more > 0) say(to, "%" PRIu64 " more lines; --lines N keeps more", more);
-	if (!whole.failed && whole.lines != NULL) return whole.lines;
-	json_decref(whole.lines);
-	return NULL;
+	return whole(text.lines, text.failed);
 }

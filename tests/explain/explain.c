@@ -1,107 +1,162 @@
-/* What items tell: the same bits as the kernels, the values that buffers receive, and where two traces part. */
+/* Explaining stages of one small trace: which items tell, which of them gives an element its value, and where two
+ * traces part. */
 #include "../../src/explain/explain.h"
-#include "../kernels/seeded.h"
-#include "../replay/traces.h"
+#include "../../src/trace/item.h"
+#include "../../src/trace/keep.h"
+#include "../methods/small.h"
 
-static ts_telling silent;
-static bool reached[TS_N_KERNELS];
+enum { MOST = 1 << 20 };
 
-static ts_status told_launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
-{
-	(void)backend;
-	(void)frame;
-	reached[launch->kernel] = true;
-	for (u64 i = 0; i < n; i++) ts_told_item(launch->kernel, args, i);
-	return TS_OK;
-}
+static ts_scene *scene;
+static ts_trace *trace;
 
-/* Every item of every kernel tells, and the buffers are those of the trace. */
-static void test_same_bits(void **state)
+static int begin(void **state)
 {
 	(void)state;
-	u32 n_kernels = 0;
-	ts_told_to(&silent);
-	for (u32 m = 0; m < N_TRACES; m++) {
-		FOR_STAGES(m, stage)
-		{
-			ts_load *load;
-			assert_int_equal(ts_replay_load(&load, stage, traces[m], NULL, 1), TS_OK);
-			load->run.c.backend.launch = told_launch;
-			load->run.c.no_fast_paths = true;
-			assert_int_equal(ts_replay_stage(&load->run, stage), TS_OK);
-			for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
-				ts_judged judged;
-				if (!load->run.frame.buffer[*id].made) continue;
-				if (ts_judge(&judged, load, *id, NULL) != TS_OK) fail_msg("%s: %s", stage->name, judged.text);
-			}
-			ts_load_end(load);
-		}
-	}
-	for (u32 k = 0; k < TS_N_KERNELS; k++) n_kernels += reached[k];
-	assert_true(n_kernels > 70);
+	ts_params params = small_params(48, 32);
+	params.reflectors_count = params.lookup_bounces = 1;
+	params.cube_max_px = 16;
+	scene = small_scene(&params);
+	const ts_how how = {.threads = 1};
+	const ts_keep keep = {.whole = true};
+	const ts_pipeline *epr = ts_pipeline_find("reflections", "epr");
+	return ts_trace_keep(&trace, epr, scene, &params, &how, &keep) == TS_OK ? 0 : -1;
 }
 
-static ts_question question_of(ts_buffer_id id, u64 element)
-{
-	return (ts_question){
-		.subject = TS_EXPLAIN_ELEMENT, .kernel = TS_N_KERNELS, .buffer = id, .element = element, .most = 1 << 20};
-}
-
-/* The line stores what the element of the trace holds. Where the buffer has prefix sums, the line stores the count or,
- * if a kernel makes the sums, the sum. */
-static void check_store(const ts_explanation *e, u32 m, ts_buffer_id id, u64 element)
-{
-	ts_buffer buffer;
-	char place[TS_VALUE_TEXT], right[TS_VALUE_TEXT];
-	const ts_told_line *line = &e->telling.lines[e->telling.stores];
-	assert_true(e->telling.stores < e->telling.n_lines && line->site->how == TS_TOLD_STORE);
-	snprintf(right, sizeof right, "%s:%u", ts_buffer_table[id].name, (unsigned)element);
-	ts_explain_place(place, e, line);
-	assert_string_equal(place, right);
-	u8 *data = traces_read(&buffer, traces[m], id);
-	size_t bytes = ts_buffer_table[id].element_bytes;
-	if (ts_sum_of(id) != NULL) {
-		u32 told, sums[2];
-		memcpy(&told, e->telling.bytes + line->value, 4);
-		memcpy(sums, data + element * 4, 8);
-		assert_true(told == sums[1] - sums[0] || told == sums[0]);
-	} else if (line->site->type->bytes == bytes) {
-		assert_memory_equal(e->telling.bytes + line->value, data + element * bytes, bytes);
-	}
-	free(data);
-}
-
-/* Some elements of every output of every stage. */
-static void test_elements(void **state)
+static int end(void **state)
 {
 	(void)state;
-	u32 n_stored = 0, n_none = 0;
-	for (u32 m = 0; m < N_TRACES; m++) {
-		FOR_STAGES(m, stage)
-		{
-			for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
-				u64 n = traces[m]->item[*id].path != NULL ? traces[m]->item[*id].npy.n : 0;
-				if (n < 2) continue;
-				ts_explanation e;
-				u64 element = below((u32)n - 1);
-				ts_question question = question_of(*id, element);
-				ts_status status = ts_explain(&e, stage, &question, traces[m], NULL);
-				if (status == TS_OK) check_store(&e, m, *id, element);
-				n_stored += status == TS_OK;
-				n_none += status != TS_OK;
-				ts_explain_end(&e);
-			}
-		}
-	}
-	print_message("%u elements explained, %u that no item writes\n", (unsigned)n_stored, (unsigned)n_none);
-	assert_true(n_stored > 100 && n_none < n_stored);
+	ts_trace_close(trace);
+	ts_scene_free(scene);
+	return 0;
 }
 
-static const ts_stage *image_stage(void) { return ts_stage_find("image"); }
+/* All elements of a buffer of the trace, by free(). */
+static void *elements_of(ts_buffer_id id)
+{
+	void *data = malloc((size_t)trace->item[id].npy.n * ts_buffer_table[id].element_bytes + 1);
+	assert_non_null(data);
+	assert_int_equal(ts_trace_copy(data, &trace->item[id], id), TS_OK);
+	return data;
+}
+
+static ts_question launches(void)
+{
+	return (ts_question){.subject = TS_EXPLAIN_LAUNCHES, .kernel = TS_N_KERNELS, .most = MOST};
+}
 
 static ts_question item_of(u64 item, u64 most)
 {
 	return (ts_question){.subject = TS_EXPLAIN_ITEM, .kernel = TS_N_KERNELS, .item = item, .most = most};
+}
+
+static ts_question element_of(ts_buffer_id id, u64 element)
+{
+	return (ts_question){
+		.subject = TS_EXPLAIN_ELEMENT, .kernel = TS_N_KERNELS, .buffer = id, .element = element, .most = MOST};
+}
+
+static void explained(ts_explanation *e, const char *stage, ts_question question)
+{
+	if (ts_explain(e, ts_stage_find(stage), &question, trace, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+/* A launch and the item that told, NULL lines if none did. */
+static void told(const ts_explanation *e, size_t launch, ts_kernel kernel, u64 item, const char *first)
+{
+	const ts_explained_launch *l = &e->launch[launch];
+	assert_true(launch < e->n_launches && l->kernel == kernel);
+	assert_int_equal(l->item, item);
+	assert_int_equal(l->n_lines != 0, first != NULL);
+	if (first == NULL) return;
+	const ts_told_line *line = &e->telling.lines[l->first_line];
+	assert_true(line->depth == 0 && line->site->how == TS_TOLD_CALL);
+	assert_string_equal(line->site->text, first);
+}
+
+/* Both launches of a stage have the item; or the one of the kernel that was asked for; or none. */
+static void test_items(void **state)
+{
+	(void)state;
+	ts_explanation e;
+	u64 n = trace->item[TS_B_scene_triangle].npy.n;
+	explained(&e, "split", launches());
+	assert_true(e.n_launches == 2 && e.launch[0].n == n && e.launch[1].n == n && e.telling.n_lines == 0);
+	told(&e, 0, TS_KERNEL_split_count, n, NULL);
+	told(&e, 1, TS_KERNEL_split, n, NULL);
+	ts_explain_end(&e);
+	explained(&e, "split", item_of(n - 1, MOST));
+	told(&e, 0, TS_KERNEL_split_count, n - 1, "ts_k_split_count_item");
+	told(&e, 1, TS_KERNEL_split, n - 1, "ts_k_split_item");
+	assert_true(e.launch[0].first_line == 0 && e.launch[1].first_line == e.launch[0].n_lines);
+	assert_int_equal(e.launch[0].n_lines + e.launch[1].n_lines, e.telling.n_lines);
+	ts_explain_end(&e);
+	ts_question question = item_of(7, MOST);
+	question.kernel = TS_KERNEL_split;
+	explained(&e, "split", question);
+	told(&e, 0, TS_KERNEL_split_count, n, NULL);
+	told(&e, 1, TS_KERNEL_split, 7, "ts_k_split_item");
+	ts_explain_end(&e);
+}
+
+/* The line that stores the element. */
+static const ts_told_line *store_of(const ts_explanation *e, const char *element)
+{
+	char place[TS_VALUE_TEXT];
+	assert_true(e->telling.stores < e->telling.n_lines);
+	const ts_told_line *line = &e->telling.lines[e->telling.stores];
+	assert_int_equal(line->site->how, TS_TOLD_STORE);
+	ts_explain_place(place, e, line);
+	assert_string_equal(place, element);
+	return line;
+}
+
+/* Of an element only the launch tells that stores it, whichever of the stage's that is. */
+static void test_elements(void **state)
+{
+	(void)state;
+	ts_explanation e;
+	u32 *offset = elements_of(TS_B_split_offset);
+	u64 n = trace->item[TS_B_scene_triangle].npy.n;
+	for (u32 triangle = 3; triangle < n; triangle += (u32)n / 3) {
+		u32 count, first = offset[triangle];
+		char element[TS_VALUE_TEXT];
+		explained(&e, "split", element_of(TS_B_split_offset, triangle));
+		told(&e, 0, TS_KERNEL_split_count, triangle, "ts_k_split_count_item");
+		told(&e, 1, TS_KERNEL_split, n, NULL);
+		snprintf(element, sizeof element, "split.offset:%u", (unsigned)triangle);
+		memcpy(&count, e.telling.bytes + store_of(&e, element)->value, sizeof count);
+		assert_int_equal(count, offset[triangle + 1] - first);
+		ts_explain_end(&e);
+		if (count == 0) continue;
+		explained(&e, "split", element_of(TS_B_split_piece, first + count - 1));
+		told(&e, 0, TS_KERNEL_split_count, n, NULL);
+		told(&e, 1, TS_KERNEL_split, triangle, "ts_k_split_item");
+		snprintf(element, sizeof element, "split.piece:%u", (unsigned)(first + count - 1));
+		store_of(&e, element);
+		ts_explain_end(&e);
+	}
+	free(offset);
+}
+
+/* Of the points that offer a texel their keys the one tells whose index the texel holds: others come before it and
+ * behind it. */
+static void test_winners(void **state)
+{
+	(void)state;
+	u64 *keys = elements_of(TS_B_splat_depth_index);
+	u32 n = 0;
+	for (u64 texel = 0; texel < trace->item[TS_B_splat_depth_index].npy.n && n < 6; texel += 7) {
+		if (keys[texel] == UINT64_MAX) continue;
+		ts_explanation e;
+		explained(&e, "splat", element_of(TS_B_splat_depth_index, texel));
+		assert_int_equal(e.n_launches, 1);
+		told(&e, 0, TS_KERNEL_splat, keys[texel] & 0xffffffffu, "ts_k_splat_item");
+		ts_explain_end(&e);
+		n++;
+	}
+	assert_int_equal(n, 6);
+	free(keys);
 }
 
 /* Lines behind the most are counted; calls of primitives are more lines and change no other. */
@@ -109,11 +164,11 @@ static void test_lines(void **state)
 {
 	(void)state;
 	ts_explanation all, few, deep;
-	ts_question question = item_of(1000, 1 << 20), limited = item_of(1000, 7), whole = item_of(1000, 1 << 20);
+	ts_question whole = item_of(1000, MOST);
 	whole.primitives = true;
-	assert_int_equal(ts_explain(&all, image_stage(), &question, traces[0], NULL), TS_OK);
-	assert_int_equal(ts_explain(&few, image_stage(), &limited, traces[0], NULL), TS_OK);
-	assert_int_equal(ts_explain(&deep, image_stage(), &whole, traces[0], NULL), TS_OK);
+	explained(&all, "image", item_of(1000, MOST));
+	explained(&few, "image", item_of(1000, 7));
+	explained(&deep, "image", whole);
 	assert_int_equal(few.telling.n_lines, 7);
 	assert_int_equal(few.telling.n_lines + few.telling.n_more, all.telling.n_lines);
 	assert_true(all.telling.n_more == 0 && deep.telling.n_lines > all.telling.n_lines);
@@ -127,39 +182,50 @@ static void test_lines(void **state)
 	ts_explain_end(&all);
 }
 
+static void refused(const char *stage, ts_question question, const char *message)
+{
+	ts_explanation e;
+	assert_int_equal(ts_explain(&e, ts_stage_find(stage), &question, trace, NULL), TS_ERROR);
+	assert_string_equal(ts_error_message(), message);
+	ts_explain_end(&e);
+	ts_explain_end(&e);
+}
+
 static void test_refusals(void **state)
 {
 	(void)state;
-	ts_explanation e;
-	ts_question question = item_of(64 * 48, 10);
-	assert_int_equal(ts_explain(&e, image_stage(), &question, traces[0], NULL), TS_ERROR);
-	assert_string_equal(ts_error_message(), "stage image: no launch has item 3072; items of its launches: image 3072");
-	ts_explain_end(&e);
-	question = item_of(0, 10);
-	assert_int_equal(ts_explain(&e, ts_stage_find("eye.view"), &question, traces[0], NULL), TS_ERROR);
-	assert_non_null(strstr(ts_error_message(), "the host computes it"));
-	ts_explain_end(&e);
-	question = question_of(TS_B_image_radiance, 64 * 48 * 3);
-	assert_int_equal(ts_explain(&e, image_stage(), &question, traces[0], NULL), TS_ERROR);
-	assert_non_null(strstr(ts_error_message(), "no item writes element 9216 of image.radiance"));
-	ts_explain_end(&e);
+	char message[256];
+	u64 n = trace->item[TS_B_scene_triangle].npy.n;
+	snprintf(message, sizeof message,
+	         "stage split: no launch has item %u; items of its launches: split_count %u, split %u", (unsigned)n,
+	         (unsigned)n, (unsigned)n);
+	refused("split", item_of(n, MOST), message);
+	refused("image", item_of(48 * 32, 10), "stage image: no launch has item 1536; items of its launches: image 1536");
+	ts_question other = item_of(0, 10);
+	other.kernel = TS_KERNEL_splat;
+	refused("image", other, "stage image: no launch has item 0; items of its launches: image 1536");
+	refused("eye.view", item_of(0, 10), "stage eye.view: the host computes it, without a kernel");
+	refused("eye.view", launches(), "stage eye.view: the host computes it, without a kernel");
+	refused("image", element_of(TS_B_image_radiance, 48 * 32 * 3),
+	        "stage image: no item writes element 4608 of image.radiance");
 }
 
 /* A bit of one input: the first line that differs is the one that reads it. */
 static void test_differ(void **state)
 {
 	(void)state;
-	ts_buffer buffer;
 	size_t number;
 	ts_explanation a, b;
-	u8 *data = traces_read(&buffer, traces[0], TS_B_points_record);
-	data[20 * sizeof(ts_point) + offsetof(ts_point, length)] ^= 1;
-	planted own[] = {{TS_B_points_record, &buffer}};
-	ts_trace *candidate = traces_plant(0, own, 1, "canonical", "");
+	ts_point *points = elements_of(TS_B_points_record);
+	((u8 *)&points[20].length)[0] ^= 1;
+	ts_trace *candidate = ts_trace_new("candidate");
+	assert_non_null(candidate);
+	candidate->pipeline = trace->pipeline;
+	assert_int_equal(ts_item_put(candidate, TS_B_points_record, &trace->item[TS_B_points_record].npy, points), TS_OK);
 	for (u64 item = 19; item < 22; item++) {
-		ts_question question = item_of(item, 1 << 20);
-		assert_int_equal(ts_explain(&a, ts_stage_find("splat"), &question, traces[0], NULL), TS_OK);
-		assert_int_equal(ts_explain(&b, ts_stage_find("splat"), &question, traces[0], candidate), TS_OK);
+		ts_question question = item_of(item, MOST);
+		explained(&a, "splat", question);
+		assert_int_equal(ts_explain(&b, ts_stage_find("splat"), &question, trace, candidate), TS_OK);
 		assert_int_equal(ts_explain_differ(&number, &a, &b), item == 20);
 		if (item == 20) {
 			char text[TS_TOLD_TEXT];
@@ -171,14 +237,14 @@ static void test_differ(void **state)
 		ts_explain_end(&a);
 	}
 	ts_trace_close(candidate);
-	free(data);
+	free(points);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_same_bits), seeded_test(test_elements),    cmocka_unit_test(test_lines),
-		cmocka_unit_test(test_refusals),  cmocka_unit_test(test_differ),
+		cmocka_unit_test(test_items), cmocka_unit_test(test_elements), cmocka_unit_test(test_winners),
+		cmocka_unit_test(test_lines), cmocka_unit_test(test_refusals), cmocka_unit_test(test_differ),
 	};
-	return cmocka_run_group_tests(tests, traces_begin, traces_end);
+	return cmocka_run_group_tests(tests, begin, end);
 }

@@ -1,0 +1,309 @@
+/* Explanations as lines and as JSON, of what was told by hand: every line, its number, its depth and its mark; every
+ * kind of number; and no answer at all where memory ends. */
+#include "hand.h"
+#include "../../src/explain/report.h"
+#include "../../src/trace/read.h"
+
+static ts_explanation one, two;
+static ts_explained_launch launches[2][2];
+static ts_trace *traces[2];
+static ts_question question;
+static ts_told_what what;
+
+static const hand_record record = {.length = -2,
+                                   .step = -7,
+                                   .flags = 0x80000000u,
+                                   .sum = -5000000000,
+                                   .key = 0xabcdef0123456789u,
+                                   .level = 200,
+                                   .on = true,
+                                   .to = &hand_keys[3]};
+
+/* Two launches, of which the second has item 4: seven lines. */
+static void tell(ts_explanation *e, u32 which, u32 n, const hand_record *r)
+{
+	hand_begin(e);
+	e->launch = launches[which];
+	e->n_launches = 2;
+	launches[which][0] = (ts_explained_launch){.kernel = TS_KERNEL_split_count, .n = 3, .item = 3};
+	launches[which][1] = (ts_explained_launch){.kernel = TS_KERNEL_split, .n = 6, .item = 4, .n_lines = 7};
+	ts_told_call(&hand_item);
+	hand_tell(&hand_n, n);
+	ts_told_test(&hand_test, n > 3);
+	ts_told(&hand_store, &hand_keys[1]);
+	ts_told(&hand_count, &hand_load.run.frame.tally[0]);
+	ts_told(&hand_r, r);
+	hand_tell(&hand_result, 2);
+	ts_told_end();
+}
+
+static int begin(void **state)
+{
+	(void)state;
+	tell(&one, 0, 7, &record);
+	tell(&two, 1, 7, &record);
+	for (u32 i = 0; i < 2; i++) {
+		traces[i] = ts_trace_new(i == 0 ? "a/trace" : "b/trace");
+		assert_non_null(traces[i]);
+		traces[i]->pipeline = ts_pipeline_find("reflections", "epr");
+	}
+	question = (ts_question){.subject = TS_EXPLAIN_ITEM, .kernel = TS_N_KERNELS, .item = 4};
+	what = (ts_told_what){
+		.stage = ts_stage_find("split"), .question = &question, .trace = traces[0], .a = &one, .b = NULL};
+	return 0;
+}
+
+static int end(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < 2; i++) ts_trace_close(traces[i]);
+	hand_end(&one);
+	hand_end(&two);
+	return 0;
+}
+
+static void beside(void)
+{
+	what.other = traces[1];
+	what.b = &two;
+}
+
+/* All lines, as many as are expected. */
+static void prints(const char *const *expected, size_t n)
+{
+	json_t *lines = ts_explain_lines(&what);
+	for (size_t i = 0; i < n && i < json_array_size(lines); i++) {
+		assert_string_equal(json_string_value(json_array_get(lines, i)), expected[i]);
+	}
+	assert_int_equal(json_array_size(lines), n);
+	json_decref(lines);
+}
+#define PRINTS(...) \
+	do { \
+		static const char *const lines_of[] = {__VA_ARGS__}; \
+		prints(lines_of, sizeof lines_of / sizeof *lines_of); \
+	} while (0)
+
+#define HEAD "stage 07 split of a/trace"
+#define LAUNCH "launch 2 of 2, kernel split, item 4 of 6 items"
+#define CALL "     1 points/hand.h:10              ts_k_hand_item()"
+#define NUMBER(mark, n) mark "    2 points/hand.h:11                n = " n
+#define TEST "     3 points/hand.h:12                n > 3? yes"
+#define STORE "     4 points/hand.h:16                at[i], points.key:1 = 11 (b)"
+#define COUNT "     5 points/hand.h:17                *n_writes, a counter"
+#define LONG(mark) mark "    6 points/hand.h:14                r = "
+#define RECORD \
+	LONG(" ") \
+	".length -2 (c0000000), .step -7, .flags 2147483648 (80000000), .sum -5000000000, " \
+	".key 12379813738877118345 (abcdef0123456789), .level 200 (c8), .on yes, .to points.key:3"
+#define RESULT(mark) mark "    7 points/hand.h:18                return 2 (2)"
+#define MIDDLE TEST, STORE, COUNT
+#define ALL CALL, NUMBER(" ", "7 (7)"), MIDDLE, RECORD, RESULT(" ")
+
+static void test_one(void **state)
+{
+	(void)state;
+	PRINTS(HEAD, LAUNCH, ALL);
+	question = (ts_question){.subject = TS_EXPLAIN_ELEMENT, .buffer = TS_B_points_key, .element = 1};
+	one.telling.stores = 3;
+	one.telling.n_more = 12;
+	PRINTS(HEAD, "line 4 stores points.key:1", LAUNCH, ALL, "12 more lines; --lines N keeps more");
+}
+
+/* Nothing was asked about: all launches. */
+static void test_launches(void **state)
+{
+	(void)state;
+	question.subject = TS_EXPLAIN_LAUNCHES;
+	one.telling.n_lines = launches[0][1].n_lines = 0;
+	launches[0][1].item = 6;
+	PRINTS(HEAD, "launch 1 of 2, kernel split_count of 3 items", "launch 2 of 2, kernel split of 6 items");
+}
+
+/* The same in both: once. What differs: the first such line on top, and each in its place by either. */
+static void test_both(void **state)
+{
+	(void)state;
+	beside();
+	PRINTS(HEAD, "the same lines in b/trace", ALL);
+	hand_record other = record;
+	other.step = 9;
+	hand_end(&two);
+	tell(&two, 1, 8, &other);
+	PRINTS(HEAD, "< is a/trace, > is b/trace; the first line that differs is", NUMBER("<", "7 (7)"),
+	       NUMBER(">", "8 (8)"), CALL, NUMBER("<", "7 (7)"), NUMBER(">", "8 (8)"), MIDDLE, LONG("<") ".step -7",
+	       LONG(">") ".step 9", RESULT(" "));
+}
+
+/* Where one ends, or goes on elsewhere, all lines from there on are of one side. */
+static void test_ways(void **state)
+{
+	(void)state;
+	beside();
+	two.telling.n_lines = 6;
+	PRINTS(HEAD, "< is a/trace, > is b/trace; the first line that differs is", RESULT("<"), CALL, NUMBER(" ", "7 (7)"),
+	       MIDDLE, RECORD, "from here on they go different ways:", RESULT("<"));
+}
+
+static json_t *line_of(const json_t *list, size_t launch, size_t number)
+{
+	return json_array_get(json_object_get(json_array_get(list, launch), "lines"), number);
+}
+
+/* The JSON of a part, keys in their order. */
+static void holds(const json_t *part, const char *expected)
+{
+	char *text = json_dumps(part, JSON_COMPACT | JSON_ENCODE_ANY | JSON_SORT_KEYS);
+	assert_string_equal(text, expected);
+	free(text);
+}
+
+static void test_json(void **state)
+{
+	(void)state;
+	static const char *const lines[] = {
+		"{'depth':0,'file':'points/hand.h','how':'call','line':10,'text':'ts_k_hand_item'}",
+		"{'depth':1,'file':'points/hand.h','how':'value','line':11,'text':'n','type':'u32','value':{'':7}}",
+		"{'depth':1,'file':'points/hand.h','how':'test','line':12,'text':'n > 3','value':true}",
+		"{'depth':1,'file':'points/hand.h','how':'store','line':16,'text':'at[i]','to':'points.key:1','type':'u64',"
+		"'value':{'':'000000000000000b'}}",
+		"{'depth':1,'file':'points/hand.h','how':'store','line':17,'text':'*n_writes','to':'a counter'}",
+		"{'depth':1,'file':'points/hand.h','how':'value','line':14,'text':'r','type':'hand_record','value':{"
+		"'.flags':2147483648,'.key':'abcdef0123456789','.length':{'bits':'c0000000','value':-2.0},'.level':200,"
+		"'.on':true,'.step':-7,'.sum':-5000000000,'.to':'points.key:3'}}",
+		"{'depth':1,'file':'points/hand.h','how':'result','line':18,'text':'return','type':'u32','value':{'':2}}",
+	};
+	json_t *root = ts_explain_json(&what), *list = json_object_get(root, "launches");
+	assert_int_equal(json_array_size(json_object_get(json_array_get(list, 1), "lines")), 7);
+	for (size_t i = 0; i < 7; i++) {
+		char expected[512];
+		snprintf(expected, sizeof expected, "%s", lines[i]);
+		for (char *c = expected; *c != 0; c++) *c = *c == '\'' ? '"' : *c;
+		holds(line_of(list, 1, i), expected);
+	}
+	holds(json_array_get(list, 0), "{\"item\":null,\"items\":3,\"kernel\":\"split_count\",\"lines\":[]}");
+	json_object_del(json_array_get(list, 1), "lines");
+	holds(json_array_get(list, 1), "{\"item\":4,\"items\":6,\"kernel\":\"split\"}");
+	json_object_del(root, "launches");
+	holds(root, "{\"inputs\":null,\"more_lines\":0,\"other\":null,\"stage\":\"split\",\"trace\":\"a/trace\"}");
+	json_decref(root);
+}
+
+/* What floats are no number, and what is false. */
+static void test_values(void **state)
+{
+	(void)state;
+	static const u32 bits[] = {0x7f800000u, 0xff800000u, 0x7fc00000u, 0x7f7fffffu, 0};
+	for (u32 i = 0; i < sizeof bits / sizeof *bits; i++) {
+		char word[16];
+		hand_record r = {.length = ts_u2f(bits[i]), .step = INT32_MIN, .sum = INT64_MAX};
+		hand_end(&one);
+		tell(&one, 0, 2, &r);
+		json_t *root = ts_explain_json(&what), *list = json_object_get(root, "launches");
+		const json_t *value = json_object_get(line_of(list, 1, 5), "value"),
+					 *length = json_object_get(value, ".length");
+		const json_t *number = json_object_get(length, "value");
+		snprintf(word, sizeof word, "%08x", (unsigned)bits[i]);
+		assert_string_equal(json_string_value(json_object_get(length, "bits")), word);
+		assert_int_equal(json_is_null(number), i < 3);
+		if (i >= 3) assert_true(ts_f2u((f32)json_real_value(number)) == bits[i]);
+		assert_true(json_is_false(json_object_get(value, ".on")) &&
+		            json_is_false(json_object_get(line_of(list, 1, 2), "value")));
+		assert_int_equal(json_integer_value(json_object_get(value, ".step")), INT32_MIN);
+		assert_int_equal(json_integer_value(json_object_get(value, ".sum")), INT64_MAX);
+		assert_string_equal(json_string_value(json_object_get(value, ".to")), "NULL");
+		json_decref(root);
+	}
+}
+
+/* The first line that differs, of both; of a side that has none, nothing. */
+static void test_difference(void **state)
+{
+	(void)state;
+	beside();
+	question.subject = TS_EXPLAIN_ELEMENT;
+	one.telling.stores = 3;
+	one.telling.n_more = 5;
+	two.telling.n_more = 6;
+	json_t *root = ts_explain_json(&what);
+	assert_true(json_is_null(json_object_get(root, "first_difference")));
+	assert_int_equal(json_integer_value(json_object_get(root, "stores")), 4);
+	assert_int_equal(json_integer_value(json_object_get(root, "more_lines")), 11);
+	assert_true(json_equal(json_object_get(root, "launches"), json_object_get(root, "other_launches")));
+	json_decref(root);
+	for (u32 k = 0; k < 2; k++) {
+		one.telling.n_lines = k == 0 ? 6 : 7;
+		two.telling.n_lines = k == 0 ? 7 : 6;
+		root = ts_explain_json(&what);
+		const json_t *first = json_object_get(root, "first_difference");
+		assert_int_equal(json_integer_value(json_object_get(first, "line")), 7);
+		assert_true(json_is_null(json_object_get(first, k == 0 ? "trace" : "other")));
+		assert_string_equal(
+			json_string_value(json_object_get(json_object_get(first, k == 0 ? "other" : "trace"), "text")), "return");
+		json_decref(root);
+	}
+}
+
+static size_t turn, missing, n_held;
+
+static void *scarce(size_t bytes)
+{
+	if (turn++ == missing) return NULL;
+	n_held++;
+	return malloc(bytes);
+}
+
+static void release(void *memory)
+{
+	n_held -= memory != NULL;
+	free(memory);
+}
+
+/* Without any one of the pieces of memory that an answer takes it is there as a whole or not at all, and nothing is
+ * kept. Returns without how many it was not there. */
+static size_t starve(json_t *make(const ts_told_what *what))
+{
+	turn = n_held = 0;
+	missing = SIZE_MAX;
+	json_t *all = make(&what);
+	size_t pieces = turn, held = n_held, n_none = 0;
+	for (size_t piece = 0; piece < pieces; piece++) {
+		turn = 0;
+		missing = piece;
+		json_t *some = make(&what);
+		missing = SIZE_MAX;
+		n_none += some == NULL;
+		if (some != NULL && !json_equal(some, all))
+			fail_msg("without piece %zu of %zu a part is missing", piece, pieces);
+		json_decref(some);
+		if (n_held != held) fail_msg("without piece %zu %zu others are kept", piece, n_held - held);
+	}
+	json_decref(all);
+	return n_none;
+}
+
+static void test_no_memory(void **state)
+{
+	(void)state;
+	json_malloc_t usual;
+	json_free_t usual_free;
+	json_get_alloc_funcs(&usual, &usual_free);
+	beside();
+	two.telling.n_lines = 6;
+	question.subject = TS_EXPLAIN_ELEMENT;
+	json_set_alloc_funcs(scarce, release);
+	size_t lines = starve(ts_explain_lines), objects = starve(ts_explain_json);
+	json_set_alloc_funcs(usual, usual_free);
+	assert_true(lines > 0 && objects > 100);
+}
+
+#define told_test(f) cmocka_unit_test_setup_teardown(f, begin, end)
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		told_test(test_one),  told_test(test_launches), told_test(test_both),       told_test(test_ways),
+		told_test(test_json), told_test(test_values),   told_test(test_difference), told_test(test_no_memory),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
