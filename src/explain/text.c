@@ -80,13 +80,12 @@ static size_t earlier(const ts_explanation *e, size_t number)
 	const ts_told_line *line = &e->telling.lines[number];
 	const ts_told_type *type = line->site->type;
 	if (type == NULL || type->n <= SHORT) return number;
-	for (size_t i = number < LINES_BACK ? 0 : number - LINES_BACK; i < number; i++) {
+	for (size_t i = number < LINES_BACK ? 0 : number - LINES_BACK;; i++) {
 		const ts_told_line *before = &e->telling.lines[i];
 		const u8 *bytes = e->telling.bytes;
 		bool same = before->site->type == type && memcmp(bytes + before->value, bytes + line->value, type->bytes) == 0;
-		if (same) return i;
+		if (same) return i; /* the line itself at last */
 	}
-	return number;
 }
 
 /* Long values leave out pointers that the launch does not bind. */

@@ -40,7 +40,7 @@ static ts_status copy_triangles(ts_bare *bare, const ts_run *run)
 static ts_status grow_tree(ts_bare *bare, const ts_run *run)
 {
 	RTCGeometry geometry = ts_rtc.NewGeometry(bare->tree.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-	if (geometry == NULL) return ts_tree_check(&bare->tree, "making a geometry");
+	if (geometry == NULL) return ts_tree_fail(&bare->tree, "making a geometry");
 	ts_rtc.SetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, bare->position, 0,
 	                               3 * sizeof(f32), run->scene->n_vertices);
 	ts_rtc.SetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, bare->corner, 0,
@@ -194,12 +194,13 @@ static void cast_truth_rows(const ts_bare *bare, const ts_truth *truth, u32 v, i
 	for (i32 x = 0; x < bare->views[v].width; x += SIDE) {
 		aim(&rays, valid, bare, v, x, y);
 		for (u32 i = 0; i < PACKET; i++) {
+			if (valid[i] == 0) continue;
 			ts_v3 from = {rays.ray.org_x[i], rays.ray.org_y[i], rays.ray.org_z[i]};
 			ts_v3 way = {rays.ray.dir_x[i], rays.ray.dir_y[i], rays.ray.dir_z[i]};
 			queries[n++] = (ts_truth_query){
 				.origin = from, .direction = way, .near = rays.ray.tnear[i], .masked = TS_NONE, .from = from};
 		}
-		bool full = n == ROW * PACKET || x + SIDE >= bare->views[v].width;
+		bool full = n > (ROW - 1) * PACKET || x + SIDE >= bare->views[v].width;
 		if (!full) continue;
 		ts_truth_cast_all(hits, truth, queries, n);
 		n = 0;

@@ -132,7 +132,7 @@ static ts_status attach(ts_truth *truth, u32 id)
 {
 	ts_truth_part *p = &truth->parts[id];
 	RTCGeometry geometry = ts_rtc.NewGeometry(truth->tree.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-	if (geometry == NULL) return ts_tree_check(&truth->tree, "making a geometry");
+	if (geometry == NULL) return ts_tree_fail(&truth->tree, "making a geometry");
 	ts_rtc.SetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, truth->position, 0,
 	                               3 * sizeof(f32), truth->n_vertices);
 	u32 *corner =
@@ -146,7 +146,8 @@ static ts_status attach(ts_truth *truth, u32 id)
 		ts_rtc.AttachGeometryByID(truth->tree.scene, geometry, id);
 	}
 	ts_rtc.ReleaseGeometry(geometry);
-	return ts_tree_check(&truth->tree, "copying the triangles");
+	const char *doing = "copying the triangles";
+	return corner != NULL ? ts_tree_check(&truth->tree, doing) : ts_tree_fail(&truth->tree, doing);
 }
 
 static ts_status grow_tree(ts_truth *truth)

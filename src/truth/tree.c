@@ -23,14 +23,24 @@ static bool on_memory(void *user, ssize_t bytes, bool post)
 	return post || bytes <= 0 || left >= 0;
 }
 
-ts_status ts_tree_check(ts_tree *tree, const char *doing)
+static ts_status fail(ts_tree *tree, enum RTCError code, const char *doing)
 {
-	enum RTCError code = ts_rtc.GetDeviceError(tree->device);
 	const char *error = ts_first_error_text(&tree->error);
-	if (tree->device != NULL && code == RTC_ERROR_NONE && error == NULL) return TS_OK;
 	if (error == NULL) error = code == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : "no reason given";
 	return ts_fail("truth: Embree failed while %s: %s; it may take %llu MiB", doing, error,
 	               (unsigned long long)(ts_memory_limit() >> 20));
+}
+
+ts_status ts_tree_fail(ts_tree *tree, const char *doing)
+{
+	return fail(tree, ts_rtc.GetDeviceError(tree->device), doing);
+}
+
+ts_status ts_tree_check(ts_tree *tree, const char *doing)
+{
+	enum RTCError code = ts_rtc.GetDeviceError(tree->device);
+	bool good = code == RTC_ERROR_NONE && ts_first_error_text(&tree->error) == NULL;
+	return good ? TS_OK : fail(tree, code, doing);
 }
 
 ts_status ts_tree_begin(ts_tree *tree, u32 threads)
@@ -42,11 +52,11 @@ ts_status ts_tree_begin(ts_tree *tree, u32 threads)
 	__atomic_store_n(&tree->bytes_left, (i64)ts_memory_limit(), __ATOMIC_RELEASE);
 	if (ts_rtc_open() != TS_OK) return TS_ERROR;
 	tree->device = ts_rtc.NewDevice(options);
-	if (tree->device == NULL) return ts_tree_check(tree, "starting");
+	if (tree->device == NULL) return ts_tree_fail(tree, "starting");
 	ts_rtc.SetDeviceErrorFunction(tree->device, on_error, tree);
 	ts_rtc.SetDeviceMemoryMonitorFunction(tree->device, on_memory, tree);
 	tree->scene = ts_rtc.NewScene(tree->device);
-	if (tree->scene == NULL) return ts_tree_check(tree, "making a scene");
+	if (tree->scene == NULL) return ts_tree_fail(tree, "making a scene");
 	ts_rtc.SetSceneFlags(tree->scene, RTC_SCENE_FLAG_ROBUST | FILTER_OF_QUERY);
 	return TS_OK;
 }

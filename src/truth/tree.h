@@ -25,6 +25,8 @@ void ts_tree_end(ts_tree *tree);
 ts_status ts_tree_build(ts_tree *tree);
 /* Fails if Embree has, while `doing`. */
 ts_status ts_tree_check(ts_tree *tree, const char *doing);
+/* Fails, with Embree's reason if it gives one: it made nothing. */
+ts_status ts_tree_fail(ts_tree *tree, const char *doing);
 /* The nearest hit, into *ray. Functions of geometries are handed the address of the context. From any thread. */
 void ts_tree_cast(const ts_tree *tree, struct RTCRayHit *ray, ts_tree_context *context);
 /* The same of 16 rays, of those that `valid` has as -1. The filter, NULL: none, is called behind the geometries' own,

@@ -102,6 +102,50 @@ static void test_views(void **state)
 	end(w, bare);
 }
 
+/* Views of any sides: the truth casts as many rays as Embree alone, none of them beside the view. */
+static void test_truth(void **state)
+{
+	(void)state;
+	static const u32 sides[][2] = {{1, 1}, {4, 4}, {3, 70}, {67, 5}, {64, 4}, {65, 3}, {130, 6}};
+	for (u32 k = 0; k < sizeof sides / sizeof *sides; k++) {
+		world *w = room_new();
+		ts_bare *bare;
+		ts_truth *truth;
+		ts_offscreen *view = ts_frame_make1(&w->run.frame, TS_B_offscreen_view, 1);
+		*view = (ts_offscreen){.focal = 8,
+		                       .right = {1, 0, 0},
+		                       .up = {0, 1, 0},
+		                       .back = {0, 0, 1},
+		                       .width = sides[k][0],
+		                       .height = sides[k][1],
+		                       .near = 0.001f};
+		assert_int_equal(ts_bare_new(&bare, &w->run), TS_OK);
+		assert_int_equal(ts_truth_new(&truth, &w->run), TS_OK);
+		u64 n = (u64)sides[k][0] * sides[k][1];
+		ts_bare_cast(bare, 1);
+		ts_bare_cast_truth(bare, truth, 1);
+		assert_true(ts_bare_n_rays(bare) == n && ts_bare_n_hits(bare) == n);
+		assert_int_equal(ts_truth_cost_of(truth).rays, n);
+		ts_truth_free(truth);
+		end(w, bare);
+	}
+}
+
+/* More views than memory could hold. */
+static void test_no_memory(void **state)
+{
+	(void)state;
+	world *w = room_new();
+	ts_bare *bare;
+	ts_frame_make1(&w->run.frame, TS_B_offscreen_view, 1);
+	w->run.frame.buffer[TS_B_offscreen_view].n = 1ull << 60;
+	assert_int_equal(ts_bare_new(&bare, &w->run), TS_ERROR);
+	assert_null(bare);
+	assert_non_null(strstr(ts_error_message(), "Embree's views: "));
+	w->run.frame.buffer[TS_B_offscreen_view].n = 1;
+	end(w, bare);
+}
+
 static void test_none(void **state)
 {
 	(void)state;
@@ -114,7 +158,8 @@ static void test_none(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_cubes), cmocka_unit_test(test_reflectors),
-	                                   cmocka_unit_test(test_views), cmocka_unit_test(test_none)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_cubes),     cmocka_unit_test(test_reflectors),
+	                                   cmocka_unit_test(test_views),     cmocka_unit_test(test_truth),
+	                                   cmocka_unit_test(test_no_memory), cmocka_unit_test(test_none)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

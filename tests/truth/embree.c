@@ -5,8 +5,10 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include "../../src/truth/query.h"
+#include "../../src/truth/rtc.h"
 #include "world.h"
 
 enum { SEED = 7, STREAM = 6 };
@@ -138,6 +140,20 @@ static void test_sphere(void **state)
 	end(w, truth);
 }
 
+/* Packets through all of both walls: it is the same that stops them. */
+static void check_wall(const ts_truth *truth, u32 masked, u32 wall)
+{
+	enum { SIDE = 8 };
+	ts_truth_query queries[SIDE * SIDE];
+	ts_truth_hit hits[SIDE * SIDE];
+	for (u32 i = 0; i < SIDE * SIDE; i++) {
+		f32 y = (f32)(i % SIDE) * 0.1f - 0.33f, z = (f32)(i / SIDE) * 0.1f - 0.36f;
+		queries[i] = (ts_truth_query){.direction = ts_normalize(ts_v3_make(1, y, z)), .masked = masked};
+	}
+	ts_truth_cast_all(hits, truth, queries, SIDE * SIDE);
+	for (u32 i = 0; i < SIDE * SIDE; i++) assert_int_equal(hits[i].triangle / 2, wall);
+}
+
 static void test_filters(void **state)
 {
 	(void)state;
@@ -158,6 +174,7 @@ static void test_filters(void **state)
 		ts_truth *truth = grow(w);
 		u32 hit = first_along_x(truth, cases[i].masked);
 		assert_int_equal(hit / 2, cases[i].stops ? 1 : 0);
+		check_wall(truth, cases[i].masked, cases[i].stops ? 1 : 0);
 		end(w, truth);
 	}
 }
@@ -372,23 +389,88 @@ static u32 check_packets(const ts_truth *truth, const ts_truth_query *queries, u
 	return n_hits;
 }
 
+/* Embree as it would be on a lesser machine, and how many rays were cast alone. */
+static ts_rtc_calls own;
+static const char *isa;
+static u32 n_alone;
+
+static RTCDevice device_of_isa(const char *options)
+{
+	char text[128];
+	snprintf(text, sizeof text, "%s,isa=%s", options, isa);
+	return own.NewDevice(text);
+}
+
+#if TS_EMBREE == 4
+static void alone(RTCScene in, struct RTCRayHit *ray, struct RTCIntersectArguments *how)
+#else
+static void alone(RTCScene in, struct RTCIntersectContext *how, struct RTCRayHit *ray)
+#endif
+{
+	n_alone++;
+#if TS_EMBREE == 4
+	own.Intersect1(in, ray, how);
+#else
+	own.Intersect1(in, how, ray);
+#endif
+}
+
+/* Of each machine's packets: where they are narrower, Embree deals them out. */
 static void test_packets(void **state)
 {
 	(void)state;
+	static const char *const machines[] = {"sse2", "avx", "avx2", "avx512"};
 	static ts_truth_query queries[MOST];
-	world *w = world_new();
-	pairs_of_triangles(w, 2000);
-	world_room(w, ts_v3_make(-9, -9, -9), ts_v3_make(9, 9, 9), ONE_SIDED, 0);
-	ts_truth *truth = grow(w);
-	u64 rays = 0;
-	for (u32 k = 0; k < 2000; k++) {
-		u32 n = k % (MOST + 1);
-		bundle(queries, n);
-		check_packets(truth, queries, n, k);
-		rays += n;
+	assert_int_equal(ts_rtc_open(), TS_OK);
+	own = ts_rtc;
+	ts_rtc.NewDevice = device_of_isa;
+	for (u32 m = 0; m < 4; m++) {
+		isa = machines[m];
+		world *w = world_new();
+		pairs_of_triangles(w, 2000);
+		world_room(w, ts_v3_make(-9, -9, -9), ts_v3_make(9, 9, 9), ONE_SIDED, 0);
+		ts_truth *truth = grow(w);
+		u64 rays = 0;
+		for (u32 k = 0; k < 600; k++) {
+			u32 n = k % (MOST + 1);
+			bundle(queries, n);
+			check_packets(truth, queries, n, k);
+			rays += n;
+		}
+		assert_true(rays > 40000 && ts_truth_cost_of(truth).seconds > 0);
+		end(w, truth);
 	}
-	assert_true(rays > 100000 && ts_truth_cost_of(truth).seconds > 0);
-	end(w, truth);
+	ts_rtc = own;
+}
+
+/* From inside a room no wall is in doubt, and packets say all; of two walls in one place every ray is. */
+static void test_alone(void **state)
+{
+	(void)state;
+	enum { RAYS = 4096 };
+	static ts_truth_query queries[RAYS];
+	static ts_truth_hit hits[RAYS];
+	assert_int_equal(ts_rtc_open(), TS_OK);
+	own = ts_rtc;
+	ts_rtc.Intersect1 = alone;
+	for (u32 rooms = 1; rooms <= 2; rooms++) {
+		world *w = world_new();
+		for (u32 k = 0; k < rooms; k++) {
+			world_room(w, ts_v3_make(-9, -9, -9), ts_v3_make(9, 9, 9), ONE_SIDED, 0);
+		}
+		ts_truth *truth = grow(w);
+		for (u32 i = 0; i < RAYS; i++) {
+			queries[i] =
+				(ts_truth_query){.origin = uniform3(-8, 8), .direction = uniform_direction(), .masked = TS_NONE};
+		}
+		n_alone = 0;
+		ts_truth_cast_all(hits, truth, queries, RAYS);
+		for (u32 i = 0; i < RAYS; i++) assert_int_not_equal(hits[i].triangle, TS_NONE);
+		if (rooms == 1) assert_true(n_alone < RAYS / 100);
+		if (rooms == 2) assert_int_equal(n_alone, RAYS);
+		end(w, truth);
+	}
+	ts_rtc = own;
 }
 
 /* Triangles whose planes pass the eye to a rounding: which side it sees is a matter of roundings, too. */
@@ -466,7 +548,7 @@ int main(void)
 		cmocka_unit_test(test_room),    cmocka_unit_test(test_sphere),     cmocka_unit_test(test_filters),
 		cmocka_unit_test(test_alpha),   cmocka_unit_test(test_degenerate), cmocka_unit_test(test_soup),
 		cmocka_unit_test(test_order),   cmocka_unit_test(test_packets),    cmocka_unit_test(test_pairs),
-		cmocka_unit_test(test_edge_on), cmocka_unit_test(test_many_backs),
+		cmocka_unit_test(test_edge_on), cmocka_unit_test(test_many_backs), cmocka_unit_test(test_alone),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -111,12 +111,66 @@ static void test_ask(void **state)
 	for (u32 i = 0; i < 1000; i++) assert_int_equal(s.asked[i], i % 3 != 0 ? 72 : 0);
 }
 
+static u32 every_pixel(const void *user, u64 i)
+{
+	(void)user;
+	return (u32)i;
+}
+
+static void ask_nothing(const void *user, u64 i, const ts_share *share)
+{
+	(void)user;
+	(void)i;
+	(void)share;
+}
+
+/* The most pixels between two signs of progress, and how many signs there were on the way. */
+typedef struct {
+	u64 last, most, n;
+} signs;
+
+static void sign(void *user, const char *label, uint64_t done, uint64_t total)
+{
+	signs *s = user;
+	assert_string_equal(label, "test");
+	if (total == 1) return; /* begin and end */
+	assert_true(total == 10000 && done > s->last);
+	s->most = done - s->last > s->most ? done - s->last : s->most;
+	s->last = done;
+	s->n++;
+}
+
+/* Signs come after as many pixels as have a quarter of a million rays, but 256 to 4096 pixels. */
+static void test_progress(void **state)
+{
+	(void)state;
+	static const struct {
+		u64 items, each, most, n;
+	} cases[] = {{64, 64, 256, 40}, {64, 1, 4032, 3}, {16, 16, 1020, 10}, {1, 0, 4096, 3}, {1 << 20, 1, 256, 40}};
+	for (u32 k = 0; k < sizeof cases / sizeof *cases; k++) {
+		signs s = {0, 0, 0};
+		ts_truth_asked asked = {.label = "test",
+		                        .n = 10000,
+		                        .items = cases[k].items,
+		                        .each = cases[k].each,
+		                        .pixel = every_pixel,
+		                        .ask = ask_nothing,
+		                        .threads = 1};
+		const ts_listener before = ts_listen(&(ts_listener){.progress = sign, .user = &s});
+		ts_truth_ask(&asked, NULL);
+		ts_listen(&before);
+		assert_int_equal(s.most, cases[k].most);
+		assert_int_equal(s.n, cases[k].n);
+		assert_int_equal(s.last, 10000);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_items), cmocka_unit_test(test_items_are_even),
 		cmocka_unit_test(test_plan),  cmocka_unit_test(test_chosen),
-		cmocka_unit_test(test_ask),
+		cmocka_unit_test(test_ask),   cmocka_unit_test(test_progress),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -91,7 +91,7 @@ static void bounds(const struct RTCBoundsFunctionArguments *arguments)
 static ts_status attach(ts_discs *discs, u32 n)
 {
 	RTCGeometry geometry = ts_rtc.NewGeometry(discs->tree.device, RTC_GEOMETRY_TYPE_USER);
-	if (geometry == NULL) return ts_tree_check(&discs->tree, "making a geometry");
+	if (geometry == NULL) return ts_tree_fail(&discs->tree, "making a geometry");
 	ts_rtc.SetGeometryUserPrimitiveCount(geometry, n);
 	ts_rtc.SetGeometryUserData(geometry, discs);
 	ts_rtc.SetGeometryBoundsFunction(geometry, bounds, NULL);

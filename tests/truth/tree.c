@@ -1,0 +1,237 @@
+/* Embree's devices, scenes and geometries: all that is made is released, also where Embree fails; and what is said then. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "../../src/truth/bare.h"
+#include "../../src/truth/rtc.h"
+#include "world.h"
+
+/* Embree as it is, and what it is made to do. */
+static ts_rtc_calls own;
+static struct {
+	bool no_device, no_scene, no_geometry;
+	enum RTCError code; /* of every call */
+	const char *text;   /* reported when a scene is made; NULL: nothing is */
+} fault;
+static i32 n_held, n_made;
+static RTCErrorFunction on_error;
+static RTCMemoryMonitorFunction on_memory;
+static void *user_of_error, *user_of_memory;
+
+static void *made(void *it)
+{
+	n_made++;
+	n_held += it != NULL;
+	return it;
+}
+
+static RTCDevice new_device(const char *options) { return made(fault.no_device ? NULL : own.NewDevice(options)); }
+
+static RTCScene new_scene(RTCDevice device)
+{
+	if (fault.text != NULL) on_error(user_of_error, RTC_ERROR_INVALID_OPERATION, fault.text);
+	return made(fault.no_scene ? NULL : own.NewScene(device));
+}
+
+static RTCGeometry new_geometry(RTCDevice device, enum RTCGeometryType type)
+{
+	return made(fault.no_geometry ? NULL : own.NewGeometry(device, type));
+}
+
+static void release_device(RTCDevice device)
+{
+	n_held--;
+	own.ReleaseDevice(device);
+}
+
+static void release_scene(RTCScene scene)
+{
+	n_held--;
+	own.ReleaseScene(scene);
+}
+
+static void release_geometry(RTCGeometry geometry)
+{
+	n_held--;
+	own.ReleaseGeometry(geometry);
+}
+
+static enum RTCError device_error(RTCDevice device)
+{
+	enum RTCError code = own.GetDeviceError(device);
+	return fault.code != RTC_ERROR_NONE ? fault.code : code;
+}
+
+static void set_error(RTCDevice device, RTCErrorFunction function, void *user)
+{
+	on_error = function;
+	user_of_error = user;
+	own.SetDeviceErrorFunction(device, function, user);
+}
+
+static void set_memory(RTCDevice device, RTCMemoryMonitorFunction function, void *user)
+{
+	on_memory = function;
+	user_of_memory = user;
+	own.SetDeviceMemoryMonitorFunction(device, function, user);
+}
+
+static void *no_buffer(RTCGeometry geometry, enum RTCBufferType type, unsigned int slot, enum RTCFormat format,
+                       size_t stride, size_t n)
+{
+	(void)geometry;
+	(void)type;
+	(void)slot;
+	(void)format;
+	(void)stride;
+	(void)n;
+	return NULL;
+}
+
+static world *room;
+
+static int begin(void **state)
+{
+	(void)state;
+	if (ts_rtc_open() != TS_OK) return -1;
+	own = ts_rtc;
+	ts_rtc.NewDevice = new_device;
+	ts_rtc.NewScene = new_scene;
+	ts_rtc.NewGeometry = new_geometry;
+	ts_rtc.ReleaseDevice = release_device;
+	ts_rtc.ReleaseScene = release_scene;
+	ts_rtc.ReleaseGeometry = release_geometry;
+	ts_rtc.GetDeviceError = device_error;
+	ts_rtc.SetDeviceErrorFunction = set_error;
+	ts_rtc.SetDeviceMemoryMonitorFunction = set_memory;
+	room = malloc(sizeof *room);
+	if (room == NULL) return -1;
+	world_begin(room);
+	world_room(room, ts_v3_make(-1, -1, -1), ts_v3_make(1, 1, 1), ONE_SIDED, 0);
+	world_pose(room);
+	ts_offscreen *view = ts_frame_make1(&room->run.frame, TS_B_offscreen_view, 1);
+	*view = (ts_offscreen){
+		.focal = 8, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1}, .width = 4, .height = 4, .near = 0.1f};
+	return 0;
+}
+
+static int restart(void **state)
+{
+	(void)state;
+	memset(&fault, 0, sizeof fault);
+	return 0;
+}
+
+static int end(void **state)
+{
+	(void)state;
+	ts_rtc = own;
+	ts_run_end(&room->run);
+	free(room);
+	return 0;
+}
+
+static void test_released(void **state)
+{
+	(void)state;
+	ts_truth *truth;
+	ts_bare *bare;
+	n_made = 0;
+	assert_int_equal(ts_truth_new(&truth, &room->run), TS_OK);
+	assert_int_equal(n_held, 2);
+	ts_truth_free(truth);
+	assert_int_equal(n_held, 0);
+	assert_int_equal(ts_bare_new(&bare, &room->run), TS_OK);
+	assert_int_equal(n_held, 2);
+	ts_bare_free(bare);
+	assert_true(n_held == 0 && n_made == 6);
+	ts_truth_free(NULL);
+	ts_bare_free(NULL);
+}
+
+/* Neither a truth nor bare rays begin, both say why, and nothing is held. */
+static void fails(const char *doing, const char *why)
+{
+	ts_truth *truth = (ts_truth *)1;
+	ts_bare *bare = (ts_bare *)1;
+	char message[256];
+	snprintf(message, sizeof message, "truth: Embree failed while %s: %s; it may take %llu MiB", doing, why,
+	         (unsigned long long)ts_memory_limit() / 1048576);
+	assert_int_equal(ts_truth_new(&truth, &room->run), TS_ERROR);
+	assert_string_equal(ts_error_message(), message);
+	assert_true(truth == NULL && n_held == 0);
+	assert_int_equal(ts_bare_new(&bare, &room->run), TS_ERROR);
+	assert_true(bare == NULL && n_held == 0);
+	assert_non_null(strstr(ts_error_message(), why));
+}
+
+static void test_failures(void **state)
+{
+	(void)state;
+	fault.no_device = true;
+	fails("starting", "no reason given");
+	fault.code = RTC_ERROR_OUT_OF_MEMORY;
+	fails("starting", "out of memory");
+	fault.no_device = false;
+	fault.no_scene = true;
+	fails("making a scene", "out of memory");
+	fault.code = RTC_ERROR_UNSUPPORTED_CPU;
+	fails("making a scene", "no reason given");
+	fault.no_scene = false;
+	fails("copying the triangles", "no reason given");
+	fault.code = RTC_ERROR_NONE;
+	fault.no_scene = true;
+	fails("making a scene", "no reason given");
+	fault.no_scene = false;
+	fault.no_geometry = true;
+	fails("making a geometry", "no reason given");
+	fault.no_geometry = false;
+	fault.text = "because";
+	fails("copying the triangles", "error 3, because");
+	fault.code = RTC_ERROR_OUT_OF_MEMORY;
+	fails("copying the triangles", "error 3, because");
+}
+
+/* A truth copies its triangles to Embree. */
+static void test_no_indices(void **state)
+{
+	(void)state;
+	ts_truth *truth;
+	ts_rtc.SetNewGeometryBuffer = no_buffer;
+	assert_int_equal(ts_truth_new(&truth, &room->run), TS_ERROR);
+	ts_rtc.SetNewGeometryBuffer = own.SetNewGeometryBuffer;
+	assert_non_null(strstr(ts_error_message(), "copying the triangles: no reason given"));
+	assert_true(truth == NULL && n_held == 0);
+}
+
+/* Embree may take what a run may, in all: less is granted, more is not, and what was freed may be taken again. */
+static void test_memory(void **state)
+{
+	(void)state;
+	ts_truth *truth;
+	ssize_t most = (ssize_t)ts_memory_limit();
+	assert_int_equal(ts_truth_new(&truth, &room->run), TS_OK);
+	assert_true(on_memory(user_of_memory, 1 << 20, false));
+	assert_false(on_memory(user_of_memory, most, false));
+	assert_true(on_memory(user_of_memory, 1, true));
+	assert_true(on_memory(user_of_memory, -most, false));
+	assert_true(on_memory(user_of_memory, most / 2, false));
+	assert_false(on_memory(user_of_memory, most / 2, false));
+	assert_true(on_memory(user_of_memory, -(most / 2) * 2 - (1 << 20) - 1, true));
+	ts_truth_free(truth);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test_setup(test_released, restart),
+		cmocka_unit_test_setup(test_failures, restart),
+		cmocka_unit_test_setup(test_no_indices, restart),
+		cmocka_unit_test_setup(test_memory, restart),
+	};
+	return cmocka_run_group_tests(tests, begin, end);
+}
