@@ -35,7 +35,7 @@ ts_status ts_item_path(char path[TS_PATH], const char *dir, const char *name, ts
 	                   : 0;
 	if (!is_plain(name + scene)) return ts_fail("%s: file \"%s\": not the name of a file in that folder", dir, name);
 	int n = snprintf(path, TS_PATH, "%s/%s", dir, name);
-	if (n <= 0 || n >= TS_PATH) return ts_fail("%s: its name is too long", dir);
+	if (n >= TS_PATH) return ts_fail("%.200s: a path of %d bytes in it; at most %d would do", dir, n, TS_PATH - 1);
 	return scene > 0 ? check_scene(dir) : TS_OK;
 }
 

@@ -87,12 +87,33 @@ static void test_names(void **state)
 	assert_int_equal(ts_emit_number(epr, TS_B_eye_view), 1);
 }
 
+/* All buffers once: those that no step makes in their order, then step by step; which is the order of the numbers. */
+static void test_order(void **state)
+{
+	(void)state;
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+		ts_buffer_id ids[TS_N_BUFFERS];
+		bool seen[TS_N_BUFFERS] = {false};
+		memset(ids, 0xff, sizeof ids);
+		ts_emit_order(ids, *at);
+		for (u32 i = 0; i < TS_N_BUFFERS; i++) {
+			assert_true(ids[i] < TS_N_BUFFERS && !seen[ids[i]]);
+			seen[ids[i]] = true;
+			if (i == 0) continue;
+			u32 before = ts_emit_number(*at, ids[i - 1]), number = ts_emit_number(*at, ids[i]);
+			bool none = strcmp(ts_emit_maker(*at, ids[i]), "scene") == 0;
+			assert_true(before <= number && (number == 0 || !none) && (!none || ids[i - 1] < ids[i]));
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest emit[] = {
 		cmocka_unit_test(test_parts),
 		cmocka_unit_test(test_failure),
 		cmocka_unit_test(test_names),
+		cmocka_unit_test(test_order),
 	};
 	return cmocka_run_group_tests(emit, scratch_begin, scratch_remove);
 }

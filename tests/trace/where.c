@@ -152,11 +152,36 @@ static void test_absent(void **state)
 	*item = whole;
 }
 
+/* Texels of views that are no cubes' faces: by the view that has them. */
+static void test_views(void **state)
+{
+	(void)state;
+	static const ts_offscreen views[] = {{.width = 5, .height = 3, .offset = 0},
+	                                     {.width = 0, .height = 0, .offset = 15},
+	                                     {.width = 4, .height = 4, .offset = 15},
+	                                     {.width = 2, .height = 2, .offset = 40}};
+	char *cubes = trace.item[TS_B_cube_size_face].path;
+	ts_trace_item *item = &trace.item[TS_B_offscreen_view];
+	trace.item[TS_B_cube_size_face].path = NULL;
+	put(TS_B_offscreen_view, views, 1, 4, 0, 0);
+	is(TS_B_splat_depth_index, 0, "view 0, texel (0, 0)");
+	is(TS_B_splat_depth_index, 14, "view 0, texel (4, 2)");
+	is(TS_B_splat_depth_index, 15, "view 2, texel (0, 0)");
+	is(TS_B_splat_depth_index, 15 + 11, "view 2, texel (3, 2)");
+	is(TS_B_splat_depth_index, 31, "texel 31");
+	is(TS_B_splat_depth_index, 39, "texel 39");
+	is(TS_B_splat_depth_index, 43, "view 3, texel (1, 1)");
+	is(TS_B_splat_depth_index, 44, "texel 44");
+	free(item->path);
+	*item = (ts_trace_item){.path = NULL};
+	trace.item[TS_B_cube_size_face].path = cubes;
+}
+
 int main(void)
 {
 	const struct CMUnitTest where[] = {
 		cmocka_unit_test(test_places), cmocka_unit_test(test_nouns),  cmocka_unit_test(test_pixels),
-		cmocka_unit_test(test_crop),   cmocka_unit_test(test_absent),
+		cmocka_unit_test(test_crop),   cmocka_unit_test(test_absent), cmocka_unit_test(test_views),
 	};
 	return cmocka_run_group_tests(where, begin, end);
 }

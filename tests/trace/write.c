@@ -266,6 +266,13 @@ static const char *full(void *user, const char *name)
 	return "/dev/full";
 }
 
+static const char *no_place(void *user, const char *name)
+{
+	(void)user;
+	ts_fail("no place for %s", name);
+	return NULL;
+}
+
 static void test_unwritable(void **state)
 {
 	(void)state;
@@ -281,6 +288,9 @@ static void test_unwritable(void **state)
 	options.place = full;
 	assert_int_equal(ts_trace_write_begin(&writer, epr, &run, &options), TS_ERROR);
 	says("/dev/full: cannot be written: No space left");
+	options.place = no_place;
+	assert_int_equal(ts_trace_write_begin(&writer, epr, &run, &options), TS_ERROR);
+	says("no place for 00-scene.");
 	ts_run_end(&run);
 }
 

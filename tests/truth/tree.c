@@ -1,4 +1,5 @@
-/* Embree's devices, scenes and geometries: all that is made is released, also where Embree fails; and what is said then. */
+/* Embree's devices, scenes and geometries: all that is made is released, also where Embree fails; and what is said
+ * then. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
