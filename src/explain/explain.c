@@ -37,8 +37,8 @@ static u64 asked(const explainer *x, ts_kernel kernel, u64 n)
 	return q->subject == TS_EXPLAIN_ELEMENT && x->launch == x->found_launch ? x->found_item : n;
 }
 
-/* Notices what is stored to the element that is asked about; false: nothing can be. */
-static bool watch(explainer *x, const ts_frame *frame)
+/* Notices what is stored to the element that is asked about, if there is one. */
+static void watch(explainer *x, const ts_frame *frame)
 {
 	const ts_question *q = x->question;
 	ts_telling *t = &x->explanation->telling;
@@ -48,15 +48,14 @@ static bool watch(explainer *x, const ts_frame *frame)
 	t->from = can ? (const u8 *)buffer->data + q->element * bytes : NULL;
 	t->to = can ? t->from + bytes : NULL;
 	x->there |= buffer != NULL && buffer->made;
-	return can;
 }
 
 /* Whoever changes the element last gave it its value; or who wrote it first, if nothing changes. */
-static void seek(explainer *x, const ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
+static void seek(explainer *x, ts_kernel kernel, const void *args, u64 n)
 {
 	ts_telling *t = &x->explanation->telling;
 	u8 before[MOST_BYTES];
-	if (!watch(x, frame)) {
+	if (t->from == NULL) {
 		ts_c_items(kernel, args, 0, n);
 		return;
 	}
@@ -73,7 +72,7 @@ static void seek(explainer *x, const ts_frame *frame, ts_kernel kernel, const vo
 	}
 }
 
-static ts_status tell(explainer *x, const ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
+static ts_status tell(explainer *x, ts_kernel kernel, const void *args, u64 n)
 {
 	ts_telling *t = &x->explanation->telling;
 	ts_explained_launch *launch = add(x->explanation, kernel, n);
@@ -82,7 +81,6 @@ static ts_status tell(explainer *x, const ts_frame *frame, ts_kernel kernel, con
 	launch->first_line = t->n_lines;
 	ts_c_items(kernel, args, 0, launch->item);
 	if (launch->item < n) {
-		watch(x, frame);
 		t->listens = true;
 		ts_told_item(kernel, args, launch->item);
 		t->listens = false;
@@ -97,10 +95,11 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *l
 	(void)backend;
 	explainer *x = explaining;
 	ts_status status = TS_OK;
+	watch(x, frame);
 	if (x->seeks) {
-		seek(x, frame, launch->kernel, args, n);
+		seek(x, launch->kernel, args, n);
 	} else {
-		status = tell(x, frame, launch->kernel, args, n);
+		status = tell(x, launch->kernel, args, n);
 	}
 	x->launch++;
 	return status;

@@ -152,6 +152,24 @@ static void test_long(void **state)
 	reads(&one, 6, NULL, "r as in line 3");
 }
 
+/* More numbers than a text can hold: as many as fit with room for one more. */
+static void test_endless(void **state)
+{
+	(void)state;
+	enum { MANY = 1000 };
+	static u32 numbers[MANY];
+	static ts_told_leaf leaves[MANY];
+	for (u32 i = 0; i < MANY; i++) leaves[i] = (ts_told_leaf){".name", 4 * i, TS_TOLD_u32};
+	const ts_told_type many = {"ts_many", sizeof numbers, MANY, leaves};
+	const ts_told_site site = {TS_TOLD_VALUE, "points/hand.h", 30, "many", &many};
+	tell(&one, &site, numbers);
+	char text[TS_TOLD_TEXT];
+	ts_explain_text(text, &one, 0, NULL);
+	size_t n = strlen(text), entry = strlen(" .name 0 (0),");
+	assert_true(n >= TS_TOLD_TEXT - 2 * TS_VALUE_TEXT && n < TS_TOLD_TEXT - 2 * TS_VALUE_TEXT + entry);
+	assert_string_equal(text + n - 6, " 0 (0)");
+}
+
 /* A thousand lines back, and no farther. */
 static void test_far_back(void **state)
 {
@@ -226,8 +244,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		listening_test(test_numbers), listening_test(test_pointers), listening_test(test_lines),
-		listening_test(test_long),    listening_test(test_far_back), listening_test(test_beside),
-		listening_test(test_differ),
+		listening_test(test_long),    listening_test(test_endless),  listening_test(test_far_back),
+		listening_test(test_beside),  listening_test(test_differ),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
