@@ -290,6 +290,7 @@ static void test_unwritable(void **state)
 	says("/dev/full: cannot be written: No space left");
 	options.place = no_place;
 	assert_int_equal(ts_trace_write_begin(&writer, epr, &run, &options), TS_ERROR);
+	assert_null(writer);
 	says("no place for 00-scene.");
 	ts_run_end(&run);
 }
