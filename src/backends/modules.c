@@ -26,14 +26,14 @@ static ts_status unpack(ts_modules *modules)
 static ts_status path_of(const ts_modules *modules, ts_kernel kernel, char path[PATH])
 {
 	int n = snprintf(path, PATH, "%s/%s.%s", modules->folder, ts_kernel_name(kernel), modules->ending);
-	return n >= 0 && n < PATH ? TS_OK : ts_fail("--build: at most 900 characters are taken");
+	return n >= 0 && n < PATH ? TS_OK : ts_fail("build: at most 900 characters are taken");
 }
 
 ts_status ts_modules_refuse(const ts_modules *modules, ts_kernel kernel, const char *reason)
 {
 	char path[PATH];
 	if (path_of(modules, kernel, path) != TS_OK) return TS_ERROR;
-	return ts_fail("--build: %s: %s; one NAME.%s for each kernel is wanted", path, reason, modules->ending);
+	return ts_fail("build: %s: %s; one NAME.%s for each kernel is wanted", path, reason, modules->ending);
 }
 
 static ts_status read_open(const ts_modules *modules, ts_kernel kernel, FILE *file, ts_module *module)

@@ -122,7 +122,9 @@ static ts_status open_traces(ts_compared *c, const ts_cli *cli)
 	const char *cand = cli->arguments[1], *layout = cli->judging.layout;
 	if (ts_trace_open(c->context, &c->reference, cli->arguments[0]) != TS_OK) return TS_ERROR;
 	if (layout == NULL) return ts_trace_open(c->context, &c->candidate, cand);
-	return ts_trace_open_list(c->context, &c->candidate, cand, layout, cli->job.how.arrival, c->reference);
+	const int arrival = cli->job.how.arrival;
+	ts_status status = ts_trace_open_list(c->context, &c->candidate, cand, layout, arrival, c->reference);
+	return status == TS_OK ? TS_OK : ts_fail("--layout: %s", ts_error_message());
 }
 
 static ts_status open_sides(ts_compared *c, const ts_cli *cli, kind is)

@@ -257,7 +257,7 @@ static ts_status check_mask(ts_buffer_id id, const ts_trace_item *item, const ts
 	if (elements_a_pixel(id, item, r) == 0) return TS_OK;
 	bool samples = ts_buffer_counts(id) != TS_DIM_height && shape[0] == (u64)TS_N_EYE_SAMPLES * r->mask_height;
 	if ((samples || shape[0] == r->mask_height) && shape[1] == r->mask_width) return TS_OK;
-	return ts_fail("--mask: %u x %u pixels; %s has %" PRIu64 " x %" PRIu64, (unsigned)r->mask_width,
+	return ts_fail("mask: %u x %u pixels; %s has %" PRIu64 " x %" PRIu64, (unsigned)r->mask_width,
 	               (unsigned)r->mask_height, ts_buffer_table[id].name, shape[1], shape[0]);
 }
 

@@ -37,18 +37,14 @@ ts_status ts_decided_open(ts_decided *decided, const ts_trace *reference, ts_buf
 	if (rule == NULL) return TS_OK;
 	const ts_trace_item *item = &reference->item[rule->margin], *of = &reference->item[id];
 	if (item->path == NULL || item->npy.n * rule->of != of->npy.n * every(rule)) {
-		return ts_fail("%s: --decided needs %s for each element of %s; render the reference with --margins",
+		return ts_fail("%s: decided: needs %s for each element of %s, which a reference with margins has",
 		               reference->dir, ts_buffer_table[rule->margin].name, ts_buffer_table[id].name);
 	}
 	decided->reader = ts_trace_read(item, rule->margin);
 	return decided->reader != NULL ? TS_OK : TS_ERROR;
 }
 
-void ts_decided_close(ts_decided *decided)
-{
-	ts_reader_close(decided->reader);
-	decided->reader = NULL;
-}
+void ts_decided_close(ts_decided *decided) { ts_reader_close(decided->reader); }
 
 static bool is_decided(const ts_margin_rule *rule, const void *first, const void *second)
 {

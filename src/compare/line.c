@@ -36,7 +36,7 @@ void ts_compare_inputs(char text[TS_INPUTS_TEXT], const ts_comparison *c, const 
 	} else if (unlike != NULL) {
 		snprintf(text, TS_INPUTS_TEXT, "inputs differ: %s", unlike);
 	} else if (tied != NULL) {
-		snprintf(text, TS_INPUTS_TEXT, "inputs may differ where %s is tied: --forced judges by the candidate's own",
+		snprintf(text, TS_INPUTS_TEXT, "inputs may differ where %s is tied; forced judges by the candidate's own",
 		         tied);
 	} else if (used == 0) {
 		snprintf(text, TS_INPUTS_TEXT, "inputs identical");

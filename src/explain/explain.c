@@ -137,7 +137,7 @@ static ts_status answer(explainer *x, const ts_stage *stage)
 	if (q->subject == TS_EXPLAIN_ELEMENT && x->launch > 0 && x->found_launch == SIZE_MAX) {
 		return ts_fail("stage %s: no item writes element %" PRIu64 " of %s%s", stage->name, q->element,
 		               ts_buffer_table[q->buffer].name,
-		               x->there ? "" : "; it is made of what items leave: ask for one by --item I and --kernel NAME");
+		               x->there ? "" : "; it is made of what items leave: ask for one by its number and kernel");
 	}
 	if (run(x, stage, false) != TS_OK) return TS_ERROR;
 	if (e->n_launches == 0) return ts_fail("stage %s: the host computes it, without a kernel", stage->name);

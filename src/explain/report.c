@@ -223,6 +223,6 @@ json_t *ts_explain_lines(const ts_told_what *what)
 		print_stores(to, what);
 		print_one(to, what->a);
 	}
-	if (more > 0) say(to, "%" PRIu64 " more lines; --lines N keeps more", more);
+	if (more > 0) say(to, "%" PRIu64 " more lines; a larger number of lines keeps them", more);
 	return whole(text.lines, text.failed);
 }

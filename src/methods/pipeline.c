@@ -95,7 +95,7 @@ static ts_status check_scene(const ts_pipeline *pipeline, const ts_run *run)
 	if (draws_surfels && TS_PARAM(&run->params, eye_samples) != TS_EYE_SAMPLES_1)
 		return ts_fail("eye.samples=4: surfels have a filter of their own, and 1 would be right");
 	if (draws_surfels && scene->n_surfels == 0)
-		return ts_fail("%s: has no surfels; --from-mesh COUNT samples some from its triangles", scene->name);
+		return ts_fail("%s: has no surfels; surfels.from_mesh=COUNT samples some from its triangles", scene->name);
 	if (!draws_surfels && scene->n_surfels > 0 && scene->n_triangles == 0)
 		return ts_fail("%s: has surfels only; %s by %s draws triangles", scene->name, pipeline->effect->name,
 		               pipeline->name);

@@ -134,7 +134,7 @@ static ts_status check_dir(void)
 	if (lstat(dir, &info) != 0) {
 		return errno == ENOENT ? TS_OK : ts_fail("%s: %s; name a folder that can be written", dir, strerror(errno));
 	}
-	if (!S_ISDIR(info.st_mode)) return ts_fail("%s: exists and is not a folder; name another with -o", dir);
+	if (!S_ISDIR(info.st_mode)) return ts_fail("%s: exists and is not a folder; name another", dir);
 	if (check_mount(&info) != TS_OK) return TS_ERROR;
 	DIR *stream = opendir(dir);
 	if (stream == NULL) return ts_fail("%s: %s; name a folder that can be read and written", dir, strerror(errno));
@@ -263,7 +263,7 @@ static ts_status put_in_place(ts_placed *placed)
 	status = ts_place_exchange(&folder.place);
 	if (status != TS_DIFFERENT) return status;
 	*placed = TS_PLACE_MOVED;
-	if (ts_place_has(folder.old)) return ts_fail("%s: is in the way of --force; move it away", folder.old);
+	if (ts_place_has(folder.old)) return ts_fail("%s: is in the way; move it away", folder.old);
 	status = note(moving);
 	return status == TS_OK ? ts_place_move(&folder.place) : status;
 }

@@ -135,8 +135,8 @@ ts_status ts_page_add_folder(ts_page *page, const char *dir)
 	const char *program = json_string_value(json_object_get(report, "program"));
 	ts_status status = program != NULL && strcmp(program, "touchstone") == 0
 	                       ? ts_page_read(&times, dir, "times.json", true)
-	                       : ts_fail("%s/report.json: of no touchstone; a folder that render -o or compare -o wrote "
-	                                 "would be right",
+	                       : ts_fail("%s/report.json: of no touchstone; a folder that render or compare wrote would be "
+	                                 "right",
 	                                 dir);
 	const json_t *files = json_object_get(report, "files");
 	for (size_t i = 0; i < json_array_size(files) && status == TS_OK; i++) {

@@ -211,7 +211,7 @@ static ts_status print_nodes(const ts_scene *s, FILE *out)
 		if (print_name(out, s->nodes[i].name) != TS_OK) return TS_ERROR;
 		fputc('\n', out);
 	}
-	if (s->n_nodes > MOST) fprintf(out, "  %u more nodes; --json lists all\n", s->n_nodes - MOST);
+	if (s->n_nodes > MOST) fprintf(out, "  %u more nodes; as JSON all are listed\n", s->n_nodes - MOST);
 	return TS_OK;
 }
 

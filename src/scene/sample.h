@@ -1,4 +1,4 @@
-/* Surfels sampled from the triangles of a scene: --from-mesh. */
+/* Surfels sampled from the triangles of a scene: surfels.from_mesh. */
 #ifndef TS_SCENE_SAMPLE_H
 #define TS_SCENE_SAMPLE_H
 #include "build.h"

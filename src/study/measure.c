@@ -263,7 +263,7 @@ ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *m
 	*estimate = (ts_estimate){.held = ts_memory_used(), .run = run};
 	if (estimate->held <= limit && run <= limit - estimate->held) return TS_OK;
 	return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
-	               "--size, %s%s%s",
+	               "image, %s%s%s",
 	               scene->name, (double)estimate->held / 1e9 + (double)run / 1e9, (double)limit / 1e9,
 	               (double)ts_memory_total() / 1e9, what_to_lower(largest, params, run),
 	               truth != NULL ? ", or no truth " : "", truth != NULL ? truth->name : "");

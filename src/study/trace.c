@@ -105,7 +105,7 @@ ts_status ts_tracing_check(const ts_tracing *tracings, const ts_pipeline *const 
 	}
 	if (need <= room) return TS_OK;
 	return ts_fail(
-		"%s: the traces need about %.1f GB, and the disk has %.1f GB; choose --trace-only STAGE,..., --crop, "
-		"or a smaller image",
+		"%s: the traces need about %.1f GB, and the disk has %.1f GB; choose fewer stages, a crop, or a smaller "
+		"image",
 		dir, (double)need / 1e9, (double)room / 1e9);
 }

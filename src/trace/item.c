@@ -23,8 +23,8 @@ static ts_status check_scene(const char *dir)
 	path[strlen(path) - 1] = 0;
 	if (lstat(path, &info) == 0) return S_ISDIR(info.st_mode) ? TS_OK : ts_fail("%s: not a folder", path);
 	if (errno != ENOENT) return ts_fail("%s: %s", path, strerror(errno));
-	return ts_fail("%s: no such folder; traces of one run share it, so they are moved together, or written with "
-	               "--self-contained",
+	return ts_fail("%s: no such folder; traces of one run share it, so they are moved together, or written each "
+	               "with a scene of its own",
 	               path);
 }
 

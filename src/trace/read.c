@@ -223,14 +223,13 @@ static ts_status add_layout(ts_trace *trace, char *text, const ts_trace *like)
 {
 	ts_buffer_id id;
 	char *file = strchr(text, '=');
-	if (file == NULL) return ts_fail("--layout: \"%s\" is not NAME=FILE", text);
+	if (file == NULL) return ts_fail("\"%s\" is not NAME=FILE", text);
 	*file++ = 0;
-	if (!ts_trace_find(&id, text))
-		return ts_fail("--layout: no buffer \"%s\"; touchstone list buffers names all", text);
+	if (!ts_trace_find(&id, text)) return ts_fail("no buffer \"%s\"; touchstone list buffers names all", text);
 	size_t n = strlen(file);
 	if (n > 4 && strcmp(file + n - 4, ".npy") == 0) return ts_item_add(trace, id, file, TS_IN_FOLDER);
-	if (ts_packed_is(file)) return ts_fail("--layout: %s: compressed; \"zstd -d\" makes the .npy of it", file);
-	if (like->item[id].path == NULL) return ts_fail("--layout: %s: the reference lacks it", text);
+	if (ts_packed_is(file)) return ts_fail("%s: compressed; \"zstd -d\" makes the .npy of it", file);
+	if (like->item[id].path == NULL) return ts_fail("%s: the reference lacks it", text);
 	return ts_item_add_raw(trace, id, file, &like->item[id].npy);
 }
 

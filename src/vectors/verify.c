@@ -85,7 +85,7 @@ static ts_status verify_set(ts_backend *backend, bool composed, bool inexact)
 	free(r);
 	if (status != TS_OK || backend->arithmetic.n_wrong == 0 || inexact) return status;
 	return ts_fail("backend %s: %s breaks the numeric contract, so nothing it computes can be relied on, in %" PRIu32
-	               " primitives: %s; --inexact runs it all the same",
+	               " primitives: %s; inexact runs it all the same",
 	               backend->name, backend->device, backend->arithmetic.n_wrong, wrong);
 }
 

@@ -27,7 +27,7 @@ static void test_no_device(void **state)
 		bool none = ts_backend_kinds[i]->devices(devices) == 0;
 		assert_int_equal(ts_backend_kinds[i]->open(&backend, &options), none ? TS_SKIPPED : TS_ERROR);
 		assert_null(backend);
-		if (!none) assert_non_null(strstr(ts_error_message(), "--device 100000: there "));
+		if (!none) assert_non_null(strstr(ts_error_message(), "device 100000: there "));
 	}
 }
 

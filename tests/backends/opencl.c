@@ -16,8 +16,8 @@ static void test_refused(void **state)
 	if (!device_is_there(&ts_opencl_kind)) skip();
 	char many[400] = "";
 	memset(many, ' ', sizeof many - 1);
-	refuses("--device 31: there are ", (ts_backend_options){.device = 31, .build = ""});
-	refuses("--build: at most", (ts_backend_options){.build = many});
+	refuses("device 31: there are ", (ts_backend_options){.device = 31, .build = ""});
+	refuses("build: at most", (ts_backend_options){.build = many});
 	refuses("building the kernels", (ts_backend_options){.build = "-no-such-option"});
 	refuses("building the kernels, whose log stands above", (ts_backend_options){.build = "-Dts_k_vectors_item=1"});
 }

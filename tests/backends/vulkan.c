@@ -22,12 +22,12 @@ static void test_refused(void **state)
 {
 	(void)state;
 	need();
-	refuses("--device 31: there are ", (ts_backend_options){.device = 31});
-	refuses("--work-group 4095: ", (ts_backend_options){.work_group = 4095});
+	refuses("device 31: there are ", (ts_backend_options){.device = 31});
+	refuses("work group of 4095: ", (ts_backend_options){.work_group = 4095});
 	refuses("/nonexistent/vectors.spv: No such file", (ts_backend_options){.build = "/nonexistent"});
 	char many[1200] = "";
 	memset(many, 'x', sizeof many - 1);
-	refuses("--build: at most 900 characters", (ts_backend_options){.build = many});
+	refuses("build: at most 900 characters", (ts_backend_options){.build = many});
 }
 
 /* Quotients and roots of integers are those of the processor. */

@@ -88,7 +88,7 @@ run compare r/trace-megaviews planted
 [ "$status" -eq 0 ] && grep -q '"arrival"' planted/trace.json
 verdict $? 'in order of arrival any order is right'
 
-refuses 'no item writes element 3 of traverse.rendered; it is made of what items leave: ask for one by --item I and --kernel NAME$' \
+refuses 'no item writes element 3 of traverse.rendered; it is made of what items leave: ask for one by its number and kernel$' \
 	explain r/trace-megaviews --stage traverse --element traverse.rendered:3
 prints 'kernel traverse_count, item 0 of' explain r/trace-megaviews --stage traverse --item 0 --kernel traverse_count
 

@@ -12,8 +12,8 @@ without_device() { CUDA_VISIBLE_DEVICES= run "$@"; }
 ends_without_device cuda 'no CUDA device; NVIDIA'
 TS_CUDA_OLD=1 run digest "${on[@]}"
 ends 2 'PTX as C has compute capability 6.0; the kernels need 7.0' 'a device before Volta is refused'
-refuses '--device 7: there are 1 devices, from 0' digest "${on[@]}" --device 7
-refuses '--work-group 1025: .* at most 1024 items at once' digest "${on[@]}" --work-group 1025
+refuses 'device 7: there are 1 devices, from 0' digest "${on[@]}" --device 7
+refuses 'work group of 1025: .* at most 1024 items at once' digest "${on[@]}" --work-group 1025
 
 same_digests 'the digests of C, by PTX run as C' run "${small[@]}" --method epr,mvr
 with_gpu() { LD_LIBRARY_PATH=$without_driver run "$@"; }
@@ -39,7 +39,7 @@ if command -v clang > /dev/null; then
 	rm "$scratch"/ptx/*
 fi
 cp "${touchstone%/*}"/gen/ptx/{vectors,points_vectors,hulls_vectors}.ptx "$scratch/ptx"
-refuses 'stage pose: --build: .*pose.ptx: No such file' digest "${on[@]}" --build "$scratch/ptx"
+refuses 'stage pose: build: .*pose.ptx: No such file' digest "${on[@]}" --build "$scratch/ptx"
 echo 'void' > "$scratch/ptx/vectors.ptx"
 run digest "${on[@]}" --build "$scratch/ptx"
 [ "$status" -eq 2 ] && grep -q 'ptxas: this is not' "$scratch/stderr" && tail -n 1 "$scratch/stderr" | grep -q 'cuda: vectors: '

@@ -64,7 +64,7 @@ rm -rf other
 cp -r pcss/trace-pcss other
 prints ' 0 different' compare pcss/trace-pcss other --decided
 run render soft-shadows "${small[@]}" --method mvr --trace -o without
-refuses 'needs depth_map.margin for each element of depth_map.depth; render the reference with --margins' \
+refuses 'needs depth_map.margin for each element of depth_map.depth, which a reference with margins has' \
 	compare without/trace-mvr ref/trace-mvr --layout depth_map.depth=06-depth_map.depth.npy --decided
 
 # Steps beside that at which two neighbours of different segments would tie, 4 ulps off.
@@ -106,7 +106,7 @@ printf '\x01\x00\x00\x00' | dd of="other/$box" bs=1 seek=$((header + 4 * 50 * 96
 run compare low/trace-hulls other --decided
 [ "$status" -eq 1 ] && [ "$(row hull.box)" = '1 -' ] && [ "$(row segment.label)" = '0 -' ]
 verdict $? 'the box of a pixel that is decided is judged'
-refuses 'needs segment.margin for each element of segment.label; render the reference with --margins' \
+refuses 'needs segment.margin for each element of segment.label, which a reference with margins has' \
 	compare plain/trace-hulls high/trace-hulls --layout segment.label="$(cd plain/trace-hulls && echo *-segment.label.npy)" --decided
 
 # Of many views: another value in the first element that is not decided passes, in the first that is it does not; and a bias

@@ -12,7 +12,7 @@ refuses 'octree.levels, vpl_gather.level, view_map.px or particle.count$' render
 refuses 'parameter view_map.px: 48 is not a power of two; 32 or 64 would be right$' render indirect "${small[@]}" --set view_map.px=48
 refuses 'parameter view_map.px: 255 is not a power of two; 128 or 256 would be right$' digest --set view_map.px=255
 if awk '/^MemTotal/ { exit $2 > 85e6 }' /proc/meminfo; then # kB: three quarters of that hold no 64 GiB
-	refuses 'about 68.* GB .* choose a smaller --size, traverse.queue_mb$' render indirect "${small[@]}" --method megaviews \
+	refuses 'about 68.* GB .* choose a smaller image, traverse.queue_mb$' render indirect "${small[@]}" --method megaviews \
 		--set traverse.queue_mb=65536 --set vpl.paths=20
 fi
 

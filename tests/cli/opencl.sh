@@ -17,8 +17,8 @@ refuses 'a whole number from 0 to 4096' digest "${on[@]}" --work-group 5000
 refuses 'a whole number from 0 to 31' digest "${on[@]}" --device 32
 
 need_device opencl
-refuses '--device 7: there are [0-9]* devices, from 0' digest "${on[@]}" --device 7
-refuses '--build: at most' digest "${on[@]}" --build -D"$(printf '%0300d' 0)"
+refuses 'device 7: there are [0-9]* devices, from 0' digest "${on[@]}" --device 7
+refuses 'build: at most' digest "${on[@]}" --build -D"$(printf '%0300d' 0)"
 run digest "${on[@]}" --build -no-such-option
 [ "$status" -eq 2 ] && tail -n 1 "$scratch/stderr" | grep -q 'backend opencl: building the kernels' &&
 	[ ! -s "$scratch/stdout" ]

@@ -51,7 +51,7 @@ assert rows["points.key"]["verdict"] == rows["points.record"]["verdict"] == "sam
 PY
 verdict $? 'tied texels are counted'
 run compare "$scratch/twice/trace-epr" "$scratch/second/trace-epr"
-[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" | grep -q '^stage 14 lookup.*splat.depth_index is tied: --forced'
+[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" | grep -q '^stage 14 lookup.*splat.depth_index is tied; forced'
 verdict $? 'what is looked up there may differ, and the report says how to judge it'
 same "$scratch/twice/trace-epr" "$scratch/second/trace-epr" 'and each stage is right' --forced
 altered TOUCHSTONE_CL_REVERSE=1 "${twice[@]}" -o "$scratch/order" "${cl[@]}" "${group[@]}"

@@ -82,9 +82,9 @@ refuses 'X,Y' probe $epr --pixel 5
 refuses 'X,Y' probe $epr --pixel 5,6,7
 refuses 'whole number' probe $epr --pixel 5,-1
 refuses 'no pixel (64, 0); the eye has 64 x 64' probe $epr --pixel 64,0
-refuses 'no --view ear of reflections by epr, only .*REFLECTOR.FACE, for instance 3.+X' probe $epr --pixel 0,0 --view ear
-refuses 'no --view 0.+W of .*REFLECTOR.FACE' probe $epr --pixel 0,0 --view 0.+W
-refuses 'no --view 0.6 of .*REFLECTOR.FACE' probe $epr --pixel 0,0 --view 0.6
+refuses 'no view ear of reflections by epr, only .*REFLECTOR.FACE, for instance 3.+X' probe $epr --pixel 0,0 --view ear
+refuses 'no view 0.+W of .*REFLECTOR.FACE' probe $epr --pixel 0,0 --view 0.+W
+refuses 'no view 0.6 of .*REFLECTOR.FACE' probe $epr --pixel 0,0 --view 0.6
 refuses 'no face 2.0; there are 2' probe $epr --pixel 0,0 --view 2.0
 refuses 'no texel (16, 0)' probe $epr --pixel 16,0 --view 0.0
 refuses 'no triangle' probe $epr --triangle 4000000000
@@ -112,7 +112,7 @@ soft=soft-shadows-mvr/trace-mvr
 prints 'answer: reaches' probe $soft --pixel 33,60
 prints 'blocker_depth\|search_radius' probe soft-shadows-pcss/trace-pcss --pixel 33,60
 refuses 'no triangles of soft-shadows by mvr, only the eye' probe $soft --triangle 4
-refuses 'no --view 0.+X of omni-shadows by epr, only the eye' probe omni-shadows-epr/trace-epr --pixel 3,3 --view 0.+X
+refuses 'no view 0.+X of omni-shadows by epr, only the eye' probe omni-shadows-epr/trace-epr --pixel 3,3 --view 0.+X
 run render soft-shadows "${shadows[@]}" --method ivir --trace-only scene,eye,eye.view,pose,lamp,lamp.view,shadow_test -o lacks
 refuses 'this needs depth_map.depth' probe lacks/trace-ivir --pixel 33,60
 
@@ -169,11 +169,11 @@ prints 'direction: in the corner' probe $mega --pixel 0,0 --view 0.front
 refuses 'no texel (16, 0); halves of maps have 16 x 16' probe $mega --pixel 16,0 --view 0.front
 refuses 'no light 4000; there are' probe $mega --pixel 0,0 --view 4000.front
 refuses 'no node of views 4000; there are' probe $mega --pixel 0,0 --view node4000.front
-refuses 'no --view nod4.front of .*nodeN.front' probe $mega --pixel 0,0 --view nod4.front
-refuses 'no --view 4 of .*LIGHT.front' probe $mega --pixel 0,0 --view 4
-refuses 'no --view 0.+X of indirect by megaviews, only the eye' probe $mega --pixel 0,0 --view 0.+X
-refuses 'no --view 0.front of reflections by epr, only the eye' probe $epr --pixel 0,0 --view 0.front
-refuses 'no --view 0.front of soft-shadows by mvr, only the eye' probe $soft --pixel 0,0 --view 0.front
+refuses 'no view nod4.front of .*nodeN.front' probe $mega --pixel 0,0 --view nod4.front
+refuses 'no view 4 of .*LIGHT.front' probe $mega --pixel 0,0 --view 4
+refuses 'no view 0.+X of indirect by megaviews, only the eye' probe $mega --pixel 0,0 --view 0.+X
+refuses 'no view 0.front of reflections by epr, only the eye' probe $epr --pixel 0,0 --view 0.front
+refuses 'no view 0.front of soft-shadows by mvr, only the eye' probe $soft --pixel 0,0 --view 0.front
 run render indirect "${views[@]}" --method megaviews --trace-only scene,eye,eye.view,pose,lamp,rsm.view,rsm.patch -o lacks-views
 refuses 'no file of gbuffer.pixel, .*vpl_gather.pair_views' probe lacks-views/trace-megaviews --pixel 33,60
 refuses 'this needs view_map.depth_node, view_map.fused_depth, view_map.fused_node, view_octree.leaf' probe lacks-views/trace-megaviews --pixel 3,6 --view 0.front

@@ -13,8 +13,8 @@ without_device() { VK_ICD_FILENAMES=/nonexistent VK_DRIVER_FILES=/nonexistent ru
 ends_without_device vulkan 'no Vulkan device; install'
 
 need_device vulkan
-refuses '--device 7: there are [0-9]* devices, from 0' digest "${on[@]}" --device 7
-refuses '--work-group 7: .* runs at most [0-9]* items at once, and [0-9]* together' digest "${on[@]}" --work-group 7
+refuses 'device 7: there are [0-9]* devices, from 0' digest "${on[@]}" --device 7
+refuses 'work group of 7: .* runs at most [0-9]* items at once, and [0-9]* together' digest "${on[@]}" --work-group 7
 
 same_digests "the digests of C" compiling "${small[@]}" --method mvr
 same_digests "the digests of C without reflectors" compiling "${small[@]}" --method mvr --reflectors 0
@@ -45,7 +45,7 @@ refuses 'spirv/vectors.spv: No such file' digest "${on[@]}" --build "$scratch/sp
 compiled "$caches/gen/glsl" "$scratch/spirv" vectors points_vectors hulls_vectors
 refuses 'breaks the numeric contract.*rint (3[0-9]* of 4096' digest "${on[@]}" --build "$scratch/spirv"
 scripts/spirv-exact "$scratch"/spirv/*.spv
-refuses 'stage pose: --build: .*pose.spv: No such file' digest "${on[@]}" --build "$scratch/spirv"
+refuses 'stage pose: build: .*pose.spv: No such file' digest "${on[@]}" --build "$scratch/spirv"
 head -c 30 "$scratch/spirv/vectors.spv" > "$scratch/short"
 cp "$scratch/short" "$scratch/spirv/vectors.spv"
 refuses 'vectors.spv: not a SPIR-V module' digest "${on[@]}" --build "$scratch/spirv"
@@ -57,6 +57,6 @@ grep -q inversesqrt "$scratch/ulps/base/compat.glsl"
 verdict $? 'quotients and roots with errors are planted'
 compiled "$scratch/ulps" "$scratch/off" vectors points_vectors hulls_vectors
 scripts/spirv-exact "$scratch"/off/*.spv 2> /dev/null
-refuses 'stage pose: --build: .*pose.spv: No such file' digest "${on[@]}" --build "$scratch/off" # after all vectors
+refuses 'stage pose: build: .*pose.spv: No such file' digest "${on[@]}" --build "$scratch/off" # after all vectors
 
 finish

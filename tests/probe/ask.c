@@ -45,10 +45,8 @@ static void test_refusals(void **state)
 {
 	(void)state;
 	json_t *answer;
-	assert_refused(ask_triangle(&soft, 0, &answer),
-	               "no triangles of soft-shadows by mvr, only the eye's pixels (--pixel X,Y)");
-	assert_refused(ask_texel(&epr, "0.front", 0, 0, &answer),
-	               "no --view 0.front of reflections by epr, only the eye's");
+	assert_refused(ask_triangle(&soft, 0, &answer), "no triangles of soft-shadows by mvr, only the eye's pixels");
+	assert_refused(ask_texel(&epr, "0.front", 0, 0, &answer), "no view 0.front of reflections by epr, only the eye's");
 	static const char *const views[] = {"",     ".",    "0",    "0.",   "0.+XX", "0.6",
 	                                    "0.00", "+0.0", "-1.0", "x0.0", "0x0.0", "99999999999999999999.0"};
 	for (u32 i = 0; i < sizeof views / sizeof *views; i++) {
@@ -110,7 +108,7 @@ static void test_family(void **state)
 	json_decref(answer);
 	assert_refused(ask_texel(&soft, "shell12.outside", 1, 0, &answer), "not there");
 	assert_null(answer);
-	assert_refused(ask_pixel(&soft, 0, 0, &answer), "only texels (--view shellN.inside)");
+	assert_refused(ask_pixel(&soft, 0, 0, &answer), "only texels of view shellN.inside");
 	assert_refused(ask_texel(&epr, "shell0.inside", 0, 0, &answer), "only triangles (--triangle T)");
 	assert_null(answer);
 	test_unexplained(none);

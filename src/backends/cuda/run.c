@@ -102,7 +102,7 @@ static ts_status begin(ts_cu *cu, const ts_backend_options *options)
 	if (ts_cu_open_device(cu) != TS_OK) return TS_ERROR;
 	cu->work_group = options->work_group != 0 ? options->work_group : GROUP;
 	if (cu->work_group > cu->most.items) {
-		return ts_fail("--work-group %u: %s runs at most %u items at once", cu->work_group, cu->about.name,
+		return ts_fail("work group of %u: %s runs at most %u items at once", cu->work_group, cu->about.name,
 		               cu->most.items);
 	}
 	ts_cu_open_modules(cu, options->build);

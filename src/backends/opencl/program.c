@@ -37,7 +37,7 @@ ts_status ts_cl_put_flags(ts_cl *cl)
 	}
 	int length = snprintf(cl->flags, sizeof cl->flags, "-cl-std=CL1.2%s%s%s%s", rounded, parts, space, cl->options);
 	return length >= 0 && (size_t)length < sizeof cl->flags ? TS_OK
-	                                                        : ts_fail("--build: at most 128 characters are taken");
+	                                                        : ts_fail("build: at most 128 characters are taken");
 }
 
 void ts_cl_forget_programs(ts_cl *cl)

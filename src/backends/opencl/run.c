@@ -17,7 +17,7 @@ ts_status ts_cl_failed(const char *what, cl_int status)
 		{CL_OUT_OF_HOST_MEMORY, "no memory on the host"},
 		{CL_BUILD_PROGRAM_FAILURE, "the driver's compiler failed"},
 		{CL_INVALID_BUILD_OPTIONS, "the driver's compiler does not know the options"},
-		{CL_INVALID_WORK_GROUP_SIZE, "the device does not run work groups of this size; see --work-group"},
+		{CL_INVALID_WORK_GROUP_SIZE, "the device does not run work groups of this size"},
 		{CL_INVALID_BUFFER_SIZE, "larger than the device allocates"},
 	};
 	const char *name = NULL;
@@ -131,7 +131,7 @@ static ts_status suffices(const ts_device *about, bool inexact)
 	if (!about->atomics) return ts_fail("backend opencl: %s has no 64-bit atomics", about->name);
 	if (!about->little_endian) return ts_fail("backend opencl: %s is not little-endian", about->name);
 	if (about->rounded || inexact) return TS_OK;
-	return ts_fail("backend opencl: %s does not round quotients and roots correctly; --inexact runs it all the same",
+	return ts_fail("backend opencl: %s does not round quotients and roots correctly; inexact runs it all the same",
 	               about->name);
 }
 

@@ -212,7 +212,7 @@ static ts_status begin(ts_vk *vk, const ts_backend_options *options)
 	vk->part_bytes = options->part_bytes;
 	ts_vk_open_modules(vk, options->build);
 	if (vk->work_group > vk->most.items || vk->work_group % vk->most.vector != 0) {
-		return ts_fail("--work-group %u: %s runs at most %u items at once, and %u together", vk->work_group,
+		return ts_fail("work group of %u: %s runs at most %u items at once, and %u together", vk->work_group,
 		               vk->about.name, vk->most.items, vk->most.vector);
 	}
 	vk->sees = vk->about.unified && !options->copies;

@@ -47,5 +47,5 @@ const ts_effect ts_effect_reflections = {
 	.mirrors = true,
 	.seen = TS_B_eye_depth_triangle,
 	.difference_scale = 8,
-	.lower = "fewer --reflectors",
+	.lower = "reflectors.count",
 };

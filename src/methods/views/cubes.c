@@ -64,6 +64,6 @@ const ts_pipeline ts_pipeline_megaviews_reflections = {
 	.steps = steps,
 	.plan = plan_cubes,
 	.expect = expect,
-	.lower = "octree.levels, cube_view.px or fewer --reflectors",
+	.lower = "octree.levels, cube_view.px or reflectors.count",
 	.only_named = true,
 };
