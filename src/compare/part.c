@@ -3,35 +3,38 @@
 #include <string.h>
 #include "../trace/emit.h"
 
-enum { NAME = 64 };
-
-static ts_status take_stage(bool part[TS_N_BUFFERS], const ts_pipeline *pipeline, const char *name)
+/* The first n bytes of `text` are that name. */
+static bool is_name(const char *name, const char *text, size_t n)
 {
-	bool known = strcmp(name, "scene") == 0;
+	return strlen(name) == n && memcmp(name, text, n) == 0;
+}
+
+static ts_status take_stage(bool part[TS_N_BUFFERS], const ts_pipeline *pipeline, const char *text, size_t n)
+{
+	bool known = is_name("scene", text, n);
 	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
-		known |= strcmp(step->stage, name) == 0;
+		known |= is_name(step->stage, text, n);
 	}
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) part[id] |= strcmp(ts_emit_maker(pipeline, (ts_buffer_id)id), name) == 0;
-	return known ? TS_OK : ts_fail("stages: \"%s\" is no stage of %s", name, pipeline->name);
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) part[id] |= is_name(ts_emit_maker(pipeline, (ts_buffer_id)id), text, n);
+	if (known) return TS_OK;
+	return ts_fail("stages: \"%.*s\" is no stage of %s", (int)(n < 80 ? n : 80), text, pipeline->name);
 }
 
 ts_status ts_part_make(bool part[TS_N_BUFFERS], const char *stages, const ts_trace *reference,
                        const ts_trace *candidate, const ts_relaxations *relaxations)
 {
-	char name[NAME];
-	u32 n = 0;
+	bool any = false;
 	memset(part, 0, TS_N_BUFFERS * sizeof *part);
 	for (const char *at = stages; *at != 0; at += *at == ',') {
 		size_t length = strcspn(at, ",");
-		snprintf(name, sizeof name, "%.*s", (int)(length < NAME ? length : NAME - 1), at);
-		if (take_stage(part, reference->pipeline, name) != TS_OK) return TS_ERROR;
+		if (take_stage(part, reference->pipeline, at, length) != TS_OK) return TS_ERROR;
 		at += length;
 	}
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		bool both = reference->item[id].path != NULL && candidate->item[id].path != NULL;
-		n += both && !ts_relax_ignores(relaxations, ts_buffer_table[id].name);
+		any |= both && !ts_relax_ignores(relaxations, ts_buffer_table[id].name);
 	}
-	return n > 0 ? TS_OK : ts_fail("%s: no buffer that the reference has too: nothing to judge", candidate->dir);
+	return any ? TS_OK : ts_fail("%s: no buffer that the reference has too: nothing to judge", candidate->dir);
 }
 
 ts_status ts_part_inputs(ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
