@@ -108,6 +108,8 @@ static void test_floats(void **state)
 		{1.0f, 0x1.000006p+0f, false, {false, true, true, true}},
 		{1.0f, 1.25f, false, {false, false, true, true}},
 		{1.0f, 1.2500001f, false, {false, false, false, false}},
+		{0x1.000002p+0f, 1.0f, false, {true, true, true, true}},
+		{0x1.000006p+0f, 1.0f, false, {false, true, true, true}},
 		{4.0f, 3.0f, false, {false, false, false, true}},
 		{0.0f, -0.0f, false, {true, true, true, true}},
 		{0.0f, 0x1p-149f, false, {true, true, true, false}},

@@ -219,6 +219,26 @@ static void test_canonical(void **state)
 	keys_of = TS_B_points_key;
 }
 
+/* Where a missing point was, only the reference can say. */
+static void test_unreadable(void **state)
+{
+	(void)state;
+	const u64 ref[] = {1, 2, 3}, cand[] = {1, 3};
+	ts_order order;
+	ts_trace a = side("ref", ref, 3, false), b = side("cand", cand, 2, true);
+	ts_differences list = {.items = named, .most = 5};
+	assert_int_equal(ts_order_make(&order, keys_of, &a, &b), TS_OK);
+	assert_int_equal(ts_order_unmet(&list, &order, keys_of, &a, &b), TS_OK);
+	assert_int_equal(list.n, 1);
+	remove(a.item[keys_of].path);
+	list.n = 0;
+	assert_int_equal(ts_order_unmet(&list, &order, keys_of, &a, &b), TS_ERROR);
+	says("No such file");
+	ts_order_free(&order);
+	free(a.item[keys_of].path);
+	free(b.item[keys_of].path);
+}
+
 /* Records larger than a window, in random order, with some missing. */
 static void test_gather(void **state)
 {
@@ -260,6 +280,7 @@ int main(void)
 	const struct CMUnitTest order[] = {
 		cmocka_unit_test(test_permutations), cmocka_unit_test(test_unlike),    cmocka_unit_test(test_out_of_range),
 		cmocka_unit_test(test_ends),         cmocka_unit_test(test_canonical), cmocka_unit_test(test_gather),
+		cmocka_unit_test(test_unreadable),
 	};
 	return cmocka_run_group_tests(order, scratch_begin, scratch_remove);
 }
