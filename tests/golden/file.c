@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/uio.h>
 
@@ -163,6 +164,14 @@ static void test_names(void **state)
 	ts_golden_dir none = {.fd = -1, .path = "nowhere"};
 	assert_int_equal(ts_golden_names(&none, take, &all), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "nowhere: cannot list the folder: "));
+	struct rlimit few_files, usual;
+	assert_int_equal(getrlimit(RLIMIT_NOFILE, &usual), 0);
+	few_files = (struct rlimit){.rlim_cur = 0, .rlim_max = usual.rlim_max};
+	assert_int_equal(setrlimit(RLIMIT_NOFILE, &few_files), 0);
+	ts_status status = ts_golden_names(&dir, take, &all);
+	assert_int_equal(setrlimit(RLIMIT_NOFILE, &usual), 0);
+	assert_int_equal(status, TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), strerror(EMFILE)));
 }
 
 int main(void)

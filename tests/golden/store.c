@@ -8,7 +8,7 @@
 
 enum { MOST = 64 << 10 };
 
-static ts_golden computed, stored;
+static ts_golden computed, stored, tiny;
 static const ts_pipeline *epr;
 static char sums[MOST];
 static size_t n_sums;
@@ -24,20 +24,27 @@ static ts_status judge(const char *dir)
 	return TS_OK;
 }
 
+static void make(ts_golden *golden, const char *spec, const char *name)
+{
+	ts_params params = small_params(24, 16);
+	ts_scene *scene;
+	params.reflectors_count = 1;
+	params.reflectors_px = 12;
+	require(ts_scene_load(&scene, spec, &params, NULL));
+	const ts_golden_job job = {.pipeline = epr, .scene = scene, .params = &params, .how = {.threads = 1}};
+	require(ts_golden_compute(golden, &job));
+	ts_scene_free(scene);
+	require(ts_folder_begin(scratch_path("%s", name), judge));
+	require(ts_golden_write(golden, epr, true));
+	require(ts_folder_commit());
+}
+
 static int begin(void **state)
 {
 	if (scratch_begin(state) != 0) return -1;
-	ts_params params = small_params(24, 16);
-	params.reflectors_count = 1;
-	params.reflectors_px = 12;
-	ts_scene *scene = small_scene(&params);
 	epr = ts_pipeline_find("reflections", "epr");
-	const ts_golden_job job = {.pipeline = epr, .scene = scene, .params = &params, .how = {.threads = 1}};
-	require(ts_golden_compute(&computed, &job));
-	ts_scene_free(scene);
-	require(ts_folder_begin(scratch_path("golden"), judge));
-	require(ts_golden_write(&computed, epr, true));
-	require(ts_folder_commit());
+	make(&computed, SMALL_SCENE, "golden");
+	make(&tiny, "scenes/triangle.gltf", "tiny");
 	FILE *file = fopen(scratch_path("golden/SHA256SUMS"), "r");
 	if (file == NULL) return -1;
 	n_sums = fread(sums, 1, MOST - 1, file);
@@ -49,6 +56,7 @@ static int end(void **state)
 {
 	ts_golden_free(&computed);
 	ts_golden_free(&stored);
+	ts_golden_free(&tiny);
 	return scratch_remove(state);
 }
 
@@ -86,6 +94,20 @@ static void test_round_trip(void **state)
 	assert_string_equal(text, "");
 	assert_int_equal(computed.infinite, stored.infinite);
 	assert_int_equal(computed.n_infinite, 0);
+}
+
+/* Of one triangle every file is small, from the first buffer on. */
+static void test_tiny(void **state)
+{
+	(void)state;
+	require(read_back(scratch_path("tiny")));
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_golden_file *a = &tiny.file[id], *b = &stored.file[id];
+		assert_int_equal(a->data != NULL, tiny.sums.hex[id][0] != 0);
+		assert_int_equal(a->bytes, b->bytes);
+		if (a->data != NULL) assert_memory_equal(a->data, b->data, a->bytes);
+	}
+	assert_non_null(stored.file[0].data);
 }
 
 static void write_sums(const char *a, const char *b, size_t n)
@@ -155,6 +177,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_round_trip),
+		cmocka_unit_test(test_tiny),
 		cmocka_unit_test(test_bad_lines),
 		cmocka_unit_test(test_strangers),
 	};

@@ -1,0 +1,105 @@
+/* params.txt of a golden: what each line sets, and nothing of the file before; and what is refused. */
+#include "../model/test.h"
+#include "../scratch.h"
+#include "../../src/golden/params.h"
+
+static ts_golden_dir dir;
+
+static ts_status read_text(ts_golden_said *said, const char *text, size_t n)
+{
+	FILE *file = fopen(scratch_path("params.txt"), "wb");
+	assert_non_null(file);
+	assert_int_equal(fwrite(text, 1, n, file), n);
+	assert_int_equal(fclose(file), 0);
+	return ts_golden_read_params(said, &dir);
+}
+
+static void reads(ts_golden_said *said, const char *text)
+{
+	if (read_text(said, text, strlen(text)) != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+static void test_lines(void **state)
+{
+	(void)state;
+	ts_golden_said said;
+	ts_params usual;
+	ts_params_default(&usual);
+	reads(&said, "effect=reflections\nmethod=epr\nscene=atrium:texels=32\nwidth=48\n");
+	assert_string_equal(said.effect, "reflections");
+	assert_string_equal(said.method, "epr");
+	assert_string_equal(said.scene, "atrium:texels=32");
+	assert_int_equal(said.params.width, 48);
+	assert_int_equal(said.params.height, usual.height);
+	reads(&said, "height=20\nmethod=mvr"); /* without a last end of line */
+	assert_string_equal(said.effect, "");
+	assert_string_equal(said.method, "mvr");
+	assert_string_equal(said.scene, "");
+	assert_int_equal(said.params.width, usual.width);
+	assert_int_equal(said.params.height, 20);
+	reads(&said, "");
+	assert_memory_equal(&said.params, &usual, sizeof usual);
+}
+
+static void refuses(const char *text, size_t n, const char *words)
+{
+	ts_golden_said said;
+	assert_int_equal(read_text(&said, text, n), TS_ERROR);
+	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
+}
+
+static void test_refused(void **state)
+{
+	(void)state;
+	ts_golden_said said;
+	refuses("width\n", 6, "params.txt: \"width\" is not NAME=VALUE");
+	refuses("width=48\n\n", 10, "params.txt: \"\" is not NAME=VALUE");
+	refuses("width=48\0\n", 10, "params.txt: a byte that is no text");
+	refuses("breadth=48\n", 11, "there is no parameter \"breadth\"");
+	refuses("width=0\n", 8, "params.txt: ");
+	remove(scratch_path("params.txt"));
+	assert_int_equal(ts_golden_read_params(&said, &dir), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "params.txt: cannot open"));
+}
+
+static ts_status bound(u32 width, u32 height, u32 frame)
+{
+	ts_params params;
+	ts_params_default(&params);
+	params.width = width;
+	params.height = height;
+	params.frame = frame;
+	return ts_golden_bound(&params);
+}
+
+static void test_bound(void **state)
+{
+	(void)state;
+	assert_int_equal(bound(1024, 1024, 1000), TS_OK);
+	assert_int_equal(bound(1024, 1025, 1000), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "1024 x 1025 pixels, frame 1000: a golden has at most 1048576 pixels"));
+	assert_int_equal(bound(1025, 1024, 0), TS_ERROR);
+	assert_int_equal(bound(16, 16, 1001), TS_ERROR);
+	assert_int_equal(bound(65536, 65536, 0), TS_ERROR); /* whose product is 0 in 32 bits */
+}
+
+static int begin(void **state)
+{
+	return scratch_begin(state) == 0 && ts_golden_dir_open(&dir, NULL, scratch_root) == TS_OK ? 0 : -1;
+}
+
+static int end(void **state)
+{
+	ts_golden_dir_close(&dir);
+	return scratch_remove(state);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_lines),
+		cmocka_unit_test(test_refused),
+		cmocka_unit_test(test_bound),
+	};
+	return cmocka_run_group_tests(tests, begin, end);
+}
