@@ -1,56 +1,13 @@
 /* Verdicts: a bit that is planted in one buffer of a candidate is found there, and told with its bits; and a stage is
  * right or wrong given the candidate's own inputs. */
-#include "api.h"
-
-static ts_context *context;
-static ts_params *params;
-static ts_scene *scene;
-static ts_trace *reference;
-
-static int set_up(void **state)
-{
-	(void)state;
-	context = open_context(2);
-	params = small_params();
-	scene = small_scene(context, params);
-	reference = small_trace(context, scene, params, "epr");
-	return 0;
-}
-
-static int tear_down(void **state)
-{
-	(void)state;
-	ts_trace_close(reference);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
-	return 0;
-}
-
-static void put(ts_trace *trace, const ts_buffer_view *view, const void *data)
-{
-	done(ts_trace_put(trace, view->name, view->n_dims, view->shape, data, bytes_of(view)));
-}
-
-/* A candidate with every buffer of the reference, as it is. */
-static ts_trace *same_candidate(void)
-{
-	ts_trace *trace;
-	const ts_buffer_info *buffer;
-	done(ts_trace_candidate(context, &trace, reference, 0));
-	for (size_t i = 0; (buffer = ts_buffer_at(i)) != NULL; i++) {
-		const ts_buffer_view *view = ts_trace_buffer(reference, buffer->name);
-		if (view != NULL) put(trace, view, view->data);
-	}
-	return trace;
-}
+#include "run.h"
 
 static void test_same(void **state)
 {
 	(void)state;
 	ts_verdicts *verdicts;
 	const ts_verdict_info *verdict;
-	ts_trace *trace = same_candidate();
+	ts_trace *trace = candidate_of(reference, 0);
 	for (int forced = 0; forced < 2; forced++) {
 		ts_compare_options options = {.bytes = sizeof options, .forced = forced};
 		size_t n = 0;
@@ -72,7 +29,7 @@ static void test_planted(void **state)
 {
 	(void)state;
 	const ts_buffer_info *buffer;
-	ts_trace *trace = same_candidate();
+	ts_trace *trace = candidate_of(reference, 0);
 	size_t n_found = 0;
 	for (size_t i = 0; (buffer = ts_buffer_at(i)) != NULL; i++) {
 		const ts_buffer_view *view = ts_trace_buffer(reference, buffer->name);
@@ -167,7 +124,7 @@ static void test_replay(void **state)
 static void test_relaxed(void **state)
 {
 	(void)state;
-	ts_trace *trace = same_candidate();
+	ts_trace *trace = candidate_of(reference, 0);
 	ts_verdicts *verdicts;
 	const ts_buffer_view *view = ts_trace_buffer(reference, "image.radiance");
 	float *copy = malloc(bytes_of(view));
@@ -271,5 +228,5 @@ int main(void)
 		cmocka_unit_test(test_same),    cmocka_unit_test(test_planted), cmocka_unit_test(test_replay),
 		cmocka_unit_test(test_relaxed), cmocka_unit_test(test_arrival), cmocka_unit_test(test_nothing),
 	};
-	return cmocka_run_group_tests(tests, set_up, tear_down);
+	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

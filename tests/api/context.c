@@ -1,4 +1,5 @@
 /* Contexts: what they refuse, whom they tell, how a host ends what takes long; and that the library keeps to itself. */
+#include "../../src/api/api.h"
 #include "api.h"
 #include <fcntl.h>
 #include <locale.h>
@@ -14,6 +15,7 @@ static void test_options(void **state)
 		char newer[8];
 	} wide = {.options = {.bytes = sizeof wide}};
 	done(ts_context_open(&context, NULL));
+	assert_int_equal(context->how.threads, ts_threads_all());
 	ts_context_close(context);
 	done(ts_context_open(&context, &wide.options)); /* of a newer header, and says nothing new */
 	ts_context_close(context);

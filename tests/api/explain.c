@@ -1,44 +1,19 @@
 /* Explanations by the library: the line that stores an element has its value; of two traces the first line that differs
  * is found; and what cannot be asked is refused. */
-#include "api.h"
-
-static ts_context *context;
-static ts_params *params;
-static ts_scene *scene;
-static ts_trace *trace;
-
-static int set_up(void **state)
-{
-	(void)state;
-	context = open_context(1);
-	params = small_params();
-	scene = small_scene(context, params);
-	trace = small_trace(context, scene, params, "epr");
-	return 0;
-}
-
-static int tear_down(void **state)
-{
-	(void)state;
-	ts_trace_close(trace);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
-	return 0;
-}
+#include "run.h"
 
 /* Ten values of the picture: the store that is told is of that element, and has its bits. */
 static void test_stores(void **state)
 {
 	(void)state;
-	const ts_buffer_view *image = ts_trace_buffer(trace, "image.radiance");
+	const ts_buffer_view *image = ts_trace_buffer(reference, "image.radiance");
 	const uint32_t *bits = image->data;
 	for (uint64_t e = 5; e < count_of(image); e += count_of(image) / 10) {
 		ts_tree *answer;
 		char to[64], hex[16];
 		const ts_explain_options options = {
 			.bytes = sizeof options, .stage = "image", .buffer = "image.radiance", .element = e};
-		done(ts_explain_item(context, &answer, &options, trace, NULL, NULL));
+		done(ts_explain_item(context, &answer, &options, reference, NULL, NULL));
 		int64_t number = ts_tree_integer(ts_tree_get(answer, "stores"));
 		const ts_tree *launches = ts_tree_get(answer, "launches"), *line = NULL;
 		for (size_t i = 0; i < ts_tree_n(launches) && line == NULL; i++) {
@@ -62,19 +37,19 @@ static void test_beside(void **state)
 	(void)state;
 	ts_trace *other;
 	ts_tree *answer;
-	const ts_buffer_view *v = ts_trace_buffer(trace, "eye.view");
+	const ts_buffer_view *v = ts_trace_buffer(reference, "eye.view");
 	ts_view *moved = malloc(bytes_of(v));
 	assert_non_null(moved);
 	memcpy(moved, v->data, bytes_of(v));
 	((uint32_t *)moved)[0] ^= 1;
-	done(ts_trace_candidate(context, &other, trace, 0));
-	done(ts_trace_put(other, "eye.view", v->n_dims, v->shape, moved, bytes_of(v)));
+	done(ts_trace_candidate(context, &other, reference, 0));
+	put(other, v, moved);
 	ts_explain_options options = {.bytes = sizeof options, .stage = "eye", .item_said = 1, .item = 7};
-	assert_int_equal(ts_explain_item(context, &answer, &options, trace, NULL, other), TS_DIFFERENT);
+	assert_int_equal(ts_explain_item(context, &answer, &options, reference, NULL, other), TS_DIFFERENT);
 	assert_true(ts_tree_integer(ts_tree_get(ts_tree_get(answer, "first_difference"), "line")) > 0);
 	ts_tree_free(answer);
 	options.as_text = 1;
-	assert_int_equal(ts_explain_item(context, &answer, &options, trace, NULL, other), TS_DIFFERENT);
+	assert_int_equal(ts_explain_item(context, &answer, &options, reference, NULL, other), TS_DIFFERENT);
 	bool marked[2] = {false, false};
 	for (size_t i = 0; i < ts_tree_n(answer); i++) {
 		const char *line = ts_tree_text(ts_tree_at(answer, i));
@@ -83,11 +58,11 @@ static void test_beside(void **state)
 	}
 	assert_true(marked[0] && marked[1]);
 	ts_tree_free(answer);
-	done(ts_explain_item(context, &answer, &options, trace, other, NULL));
+	done(ts_explain_item(context, &answer, &options, reference, other, NULL));
 	ts_tree_free(answer);
-	done(ts_explain_item(context, &answer, &options, trace, NULL, trace));
+	done(ts_explain_item(context, &answer, &options, reference, NULL, reference));
 	ts_tree_free(answer);
-	refused(ts_explain_item(context, &answer, &options, trace, other, other), "not both");
+	refused(ts_explain_item(context, &answer, &options, reference, other, other), "not both");
 	assert_null(answer);
 	ts_trace_close(other);
 	free(moved);
@@ -98,19 +73,19 @@ static void test_refused(void **state)
 	(void)state;
 	ts_tree *answer;
 	ts_explain_options o = {.bytes = sizeof o, .stage = "magic"};
-	refused(ts_explain_item(context, &answer, &o, trace, NULL, NULL), "magic");
+	refused(ts_explain_item(context, &answer, &o, reference, NULL, NULL), "magic");
 	o.stage = "splat";
 	o.buffer = "points.record";
-	refused(ts_explain_item(context, &answer, &o, trace, NULL, NULL), "writes no buffer points.record");
+	refused(ts_explain_item(context, &answer, &o, reference, NULL, NULL), "writes no buffer points.record");
 	o.buffer = "splat.depth_index";
 	o.element = 1u << 30;
-	refused(ts_explain_item(context, &answer, &o, trace, NULL, NULL), "element");
+	refused(ts_explain_item(context, &answer, &o, reference, NULL, NULL), "element");
 	o.item_said = 1;
-	refused(ts_explain_item(context, &answer, &o, trace, NULL, NULL), "leave both out");
+	refused(ts_explain_item(context, &answer, &o, reference, NULL, NULL), "leave both out");
 	o = (ts_explain_options){.bytes = sizeof o, .stage = "splat", .kernel = "splatt", .item_said = 1};
-	refused(ts_explain_item(context, &answer, &o, trace, NULL, NULL), "the nearest is splat");
+	refused(ts_explain_item(context, &answer, &o, reference, NULL, NULL), "the nearest is splat");
 	o.bytes = 3;
-	refused(ts_explain_item(context, &answer, &o, trace, NULL, NULL), "bytes");
+	refused(ts_explain_item(context, &answer, &o, reference, NULL, NULL), "bytes");
 	assert_null(answer);
 }
 
@@ -121,5 +96,5 @@ int main(void)
 		cmocka_unit_test(test_beside),
 		cmocka_unit_test(test_refused),
 	};
-	return cmocka_run_group_tests(tests, set_up, tear_down);
+	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

@@ -1,33 +1,8 @@
 /* Every function of the public headers, with NULL in the place of each argument that must point to something: refused
  * in one line that names the argument, or nothing done. tests/api/nulls.sh holds that none is forgotten. */
-#include "api.h"
+#include "run.h"
 
 #define REFUSED(call, name) refused(call, name " is NULL")
-
-static ts_context *context;
-static ts_params *params;
-static ts_scene *scene;
-static ts_trace *trace;
-
-static int set_up(void **state)
-{
-	(void)state;
-	context = open_context(1);
-	params = small_params();
-	scene = small_scene(context, params);
-	trace = small_trace(context, scene, params, "epr");
-	return 0;
-}
-
-static int tear_down(void **state)
-{
-	(void)state;
-	ts_trace_close(trace);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
-	return 0;
-}
 
 static void test_release(void **state)
 {
@@ -104,30 +79,30 @@ static void test_traces(void **state)
 	REFUSED(ts_trace_open_npy(NULL, &made, "a.npy"), "context");
 	REFUSED(ts_trace_open_npy(context, NULL, "a.npy"), "trace");
 	REFUSED(ts_trace_open_npy(context, &made, NULL), "path");
-	REFUSED(ts_trace_open_list(NULL, &made, ".", "a=b", 0, trace), "context");
-	REFUSED(ts_trace_open_list(context, NULL, ".", "a=b", 0, trace), "trace");
-	REFUSED(ts_trace_open_list(context, &made, NULL, "a=b", 0, trace), "folder");
-	REFUSED(ts_trace_open_list(context, &made, ".", NULL, 0, trace), "list");
+	REFUSED(ts_trace_open_list(NULL, &made, ".", "a=b", 0, reference), "context");
+	REFUSED(ts_trace_open_list(context, NULL, ".", "a=b", 0, reference), "trace");
+	REFUSED(ts_trace_open_list(context, &made, NULL, "a=b", 0, reference), "folder");
+	REFUSED(ts_trace_open_list(context, &made, ".", NULL, 0, reference), "list");
 	REFUSED(ts_trace_open_list(context, &made, ".", "a=b", 0, NULL), "reference");
 	assert_null(ts_trace_about(NULL));
 	assert_null(ts_trace_look(NULL, "eye.view"));
-	assert_null(ts_trace_look(trace, NULL));
-	REFUSED(ts_trace_candidate(NULL, &made, trace, 0), "context");
-	REFUSED(ts_trace_candidate(context, NULL, trace, 0), "trace");
+	assert_null(ts_trace_look(reference, NULL));
+	REFUSED(ts_trace_candidate(NULL, &made, reference, 0), "context");
+	REFUSED(ts_trace_candidate(context, NULL, reference, 0), "trace");
 	REFUSED(ts_trace_candidate(context, &made, NULL, 0), "reference");
 	assert_null(made);
 	REFUSED(ts_trace_put(NULL, "points.key", 1, shape, hex, 0), "trace");
-	REFUSED(ts_trace_put(trace, NULL, 1, shape, hex, 0), "buffer");
-	REFUSED(ts_trace_put(trace, "points.key", 1, NULL, hex, 0), "shape");
+	REFUSED(ts_trace_put(reference, NULL, 1, shape, hex, 0), "buffer");
+	REFUSED(ts_trace_put(reference, "points.key", 1, NULL, hex, 0), "shape");
 	shape[0] = 1;
-	REFUSED(ts_trace_put(trace, "points.key", 1, shape, NULL, 8), "data");
+	REFUSED(ts_trace_put(reference, "points.key", 1, shape, NULL, 8), "data");
 	assert_false(ts_trace_has(NULL, "points.key"));
-	assert_false(ts_trace_has(trace, NULL));
+	assert_false(ts_trace_has(reference, NULL));
 	assert_null(ts_trace_buffer(NULL, "points.key"));
-	assert_null(ts_trace_buffer(trace, NULL));
+	assert_null(ts_trace_buffer(reference, NULL));
 	REFUSED(ts_trace_digest(NULL, "points.key", hex), "trace");
-	REFUSED(ts_trace_digest(trace, NULL, hex), "name");
-	REFUSED(ts_trace_digest(trace, "points.key", NULL), "hex");
+	REFUSED(ts_trace_digest(reference, NULL, hex), "name");
+	REFUSED(ts_trace_digest(reference, "points.key", NULL), "hex");
 	REFUSED(ts_run_digests(NULL, scene, params, "reflections", "epr", ignore, NULL), "context");
 	REFUSED(ts_run_digests(context, NULL, params, "reflections", "epr", ignore, NULL), "scene");
 	REFUSED(ts_run_digests(context, scene, NULL, "reflections", "epr", ignore, NULL), "params");
@@ -135,7 +110,7 @@ static void test_traces(void **state)
 	REFUSED(ts_run_digests(context, scene, params, "reflections", NULL, ignore, NULL), "method");
 	REFUSED(ts_run_digests(context, scene, params, "reflections", "epr", NULL, NULL), "each");
 	assert_int_equal(ts_trace_counter(NULL, "points"), 0);
-	assert_int_equal(ts_trace_counter(trace, NULL), 0);
+	assert_int_equal(ts_trace_counter(reference, NULL), 0);
 }
 
 static void test_verdicts(void **state)
@@ -143,19 +118,19 @@ static void test_verdicts(void **state)
 	(void)state;
 	ts_verdicts *verdicts;
 	ts_trace *made;
-	REFUSED(ts_compare(NULL, &verdicts, trace, trace, NULL), "context");
-	REFUSED(ts_compare(context, NULL, trace, trace, NULL), "verdicts");
-	REFUSED(ts_compare(context, &verdicts, NULL, trace, NULL), "reference");
-	REFUSED(ts_compare(context, &verdicts, trace, NULL, NULL), "candidate");
-	refused(ts_compare(context, &verdicts, trace, trace, &(ts_compare_options){.bytes = 0}), "bytes");
-	REFUSED(ts_replay(NULL, &verdicts, "eye", trace, NULL, NULL), "context");
-	REFUSED(ts_replay(context, NULL, "eye", trace, NULL, NULL), "verdicts");
-	REFUSED(ts_replay(context, &verdicts, NULL, trace, NULL, NULL), "stage");
+	REFUSED(ts_compare(NULL, &verdicts, reference, reference, NULL), "context");
+	REFUSED(ts_compare(context, NULL, reference, reference, NULL), "verdicts");
+	REFUSED(ts_compare(context, &verdicts, NULL, reference, NULL), "reference");
+	REFUSED(ts_compare(context, &verdicts, reference, NULL, NULL), "candidate");
+	refused(ts_compare(context, &verdicts, reference, reference, &(ts_compare_options){.bytes = 0}), "bytes");
+	REFUSED(ts_replay(NULL, &verdicts, "eye", reference, NULL, NULL), "context");
+	REFUSED(ts_replay(context, NULL, "eye", reference, NULL, NULL), "verdicts");
+	REFUSED(ts_replay(context, &verdicts, NULL, reference, NULL, NULL), "stage");
 	REFUSED(ts_replay(context, &verdicts, "eye", NULL, NULL, NULL), "reference");
 	assert_null(verdicts);
-	REFUSED(ts_trace_replay(NULL, &made, "eye", trace, NULL), "context");
-	REFUSED(ts_trace_replay(context, NULL, "eye", trace, NULL), "trace");
-	REFUSED(ts_trace_replay(context, &made, NULL, trace, NULL), "stage");
+	REFUSED(ts_trace_replay(NULL, &made, "eye", reference, NULL), "context");
+	REFUSED(ts_trace_replay(context, NULL, "eye", reference, NULL), "trace");
+	REFUSED(ts_trace_replay(context, &made, NULL, reference, NULL), "stage");
 	REFUSED(ts_trace_replay(context, &made, "eye", NULL, NULL), "reference");
 	assert_null(made);
 	assert_null(ts_verdicts_at(NULL, 0));
@@ -164,11 +139,11 @@ static void test_verdicts(void **state)
 	assert_null(ts_verdicts_field(NULL, 0, 0));
 	assert_null(ts_verdicts_tree(NULL));
 	uint8_t marks[4];
-	REFUSED(ts_compare_marks(NULL, marks, 4, "eye.view", trace, trace, NULL), "context");
-	REFUSED(ts_compare_marks(context, NULL, 4, "eye.view", trace, trace, NULL), "marks");
-	REFUSED(ts_compare_marks(context, marks, 4, NULL, trace, trace, NULL), "buffer");
-	REFUSED(ts_compare_marks(context, marks, 4, "eye.view", NULL, trace, NULL), "reference");
-	REFUSED(ts_compare_marks(context, marks, 4, "eye.view", trace, NULL, NULL), "candidate");
+	REFUSED(ts_compare_marks(NULL, marks, 4, "eye.view", reference, reference, NULL), "context");
+	REFUSED(ts_compare_marks(context, NULL, 4, "eye.view", reference, reference, NULL), "marks");
+	REFUSED(ts_compare_marks(context, marks, 4, NULL, reference, reference, NULL), "buffer");
+	REFUSED(ts_compare_marks(context, marks, 4, "eye.view", NULL, reference, NULL), "reference");
+	REFUSED(ts_compare_marks(context, marks, 4, "eye.view", reference, NULL, NULL), "candidate");
 }
 
 static void test_pages(void **state)
@@ -180,19 +155,19 @@ static void test_pages(void **state)
 	REFUSED(ts_html_open(NULL, &page, NULL), "context");
 	REFUSED(ts_html_open(context, NULL, NULL), "page");
 	done(ts_html_open(context, &page, NULL));
-	done(ts_compare(context, &verdicts, trace, trace, NULL));
+	done(ts_compare(context, &verdicts, reference, reference, NULL));
 	REFUSED(ts_html_add_picture(NULL, "a", "a", rgb, 1, 1), "page");
 	REFUSED(ts_html_add_picture(page, NULL, "a", rgb, 1, 1), "name");
 	REFUSED(ts_html_add_picture(page, "a", NULL, rgb, 1, 1), "from");
 	REFUSED(ts_html_add_picture(page, "a", "a", NULL, 1, 1), "rgb");
 	REFUSED(ts_html_add_folder(NULL, "a"), "page");
 	REFUSED(ts_html_add_folder(page, NULL), "folder");
-	REFUSED(ts_html_add_trace(NULL, trace), "page");
+	REFUSED(ts_html_add_trace(NULL, reference), "page");
 	REFUSED(ts_html_add_trace(page, NULL), "trace");
-	REFUSED(ts_html_add_verdicts(NULL, verdicts, trace, trace, NULL, NULL), "page");
-	REFUSED(ts_html_add_verdicts(page, NULL, trace, trace, NULL, NULL), "verdicts");
-	REFUSED(ts_html_add_verdicts(page, verdicts, NULL, trace, NULL, NULL), "reference");
-	REFUSED(ts_html_add_verdicts(page, verdicts, trace, NULL, NULL, NULL), "candidate");
+	REFUSED(ts_html_add_verdicts(NULL, verdicts, reference, reference, NULL, NULL), "page");
+	REFUSED(ts_html_add_verdicts(page, NULL, reference, reference, NULL, NULL), "verdicts");
+	REFUSED(ts_html_add_verdicts(page, verdicts, NULL, reference, NULL, NULL), "reference");
+	REFUSED(ts_html_add_verdicts(page, verdicts, reference, NULL, NULL, NULL), "candidate");
 	REFUSED(ts_html_add_pair(NULL, "{}"), "page");
 	REFUSED(ts_html_add_pair(page, NULL), "json");
 	REFUSED(ts_html_write(NULL, "/tmp/page.html"), "page");
@@ -208,21 +183,22 @@ static void test_explained(void **state)
 	ts_tree *answer;
 	ts_golden_judged judged = {.bytes = sizeof judged};
 	const ts_explain_options o = {.bytes = sizeof o, .stage = "eye"};
-	REFUSED(ts_explain_item(NULL, &answer, &o, trace, NULL, NULL), "context");
-	REFUSED(ts_explain_item(context, NULL, &o, trace, NULL, NULL), "answer");
-	REFUSED(ts_explain_item(context, &answer, NULL, trace, NULL, NULL), "options");
+	REFUSED(ts_explain_item(NULL, &answer, &o, reference, NULL, NULL), "context");
+	REFUSED(ts_explain_item(context, NULL, &o, reference, NULL, NULL), "answer");
+	REFUSED(ts_explain_item(context, &answer, NULL, reference, NULL, NULL), "options");
 	REFUSED(ts_explain_item(context, &answer, &o, NULL, NULL, NULL), "trace");
-	REFUSED(ts_explain_item(context, &answer, &(ts_explain_options){.bytes = sizeof o}, trace, NULL, NULL), "stage");
+	REFUSED(ts_explain_item(context, &answer, &(ts_explain_options){.bytes = sizeof o}, reference, NULL, NULL),
+	        "stage");
 	assert_null(answer);
 	REFUSED(ts_golden_check(NULL, &judged, "."), "context");
 	REFUSED(ts_golden_check(context, NULL, "."), "judged");
 	REFUSED(ts_golden_check(context, &judged, NULL), "folder");
-	REFUSED(ts_trace_save(NULL, trace, "/tmp/none", NULL), "context");
+	REFUSED(ts_trace_save(NULL, reference, "/tmp/none", NULL), "context");
 	REFUSED(ts_trace_save(context, NULL, "/tmp/none", NULL), "trace");
-	REFUSED(ts_trace_save(context, trace, NULL, NULL), "folder");
-	REFUSED(ts_trace_match(NULL, trace), "reference");
-	done(ts_trace_match(trace, NULL));
-	assert_int_equal(ts_trace_takes(NULL, "eye") + ts_trace_takes(trace, NULL), 0);
+	REFUSED(ts_trace_save(context, reference, NULL, NULL), "folder");
+	REFUSED(ts_trace_match(NULL, reference), "reference");
+	done(ts_trace_match(reference, NULL));
+	assert_int_equal(ts_trace_takes(NULL, "eye") + ts_trace_takes(reference, NULL), 0);
 	char text[TS_FLOAT_TEXT];
 	ts_float_tell(NULL, 1);
 	ts_float_tell(text, 1);
@@ -254,20 +230,20 @@ static void test_answers(void **state)
 {
 	(void)state;
 	ts_tree *answer;
-	REFUSED(ts_probe_pixel(NULL, &answer, trace, 0, 0, NULL), "context");
-	REFUSED(ts_probe_pixel(context, NULL, trace, 0, 0, NULL), "answer");
+	REFUSED(ts_probe_pixel(NULL, &answer, reference, 0, 0, NULL), "context");
+	REFUSED(ts_probe_pixel(context, NULL, reference, 0, 0, NULL), "answer");
 	REFUSED(ts_probe_pixel(context, &answer, NULL, 0, 0, NULL), "trace");
-	REFUSED(ts_probe_triangle(NULL, &answer, trace, 0), "context");
-	REFUSED(ts_probe_triangle(context, NULL, trace, 0), "answer");
+	REFUSED(ts_probe_triangle(NULL, &answer, reference, 0), "context");
+	REFUSED(ts_probe_triangle(context, NULL, reference, 0), "answer");
 	REFUSED(ts_probe_triangle(context, &answer, NULL, 0), "trace");
-	REFUSED(ts_probe_point(NULL, &answer, trace, 0), "context");
-	REFUSED(ts_probe_point(context, NULL, trace, 0), "answer");
+	REFUSED(ts_probe_point(NULL, &answer, reference, 0), "context");
+	REFUSED(ts_probe_point(context, NULL, reference, 0), "answer");
 	REFUSED(ts_probe_point(context, &answer, NULL, 0), "trace");
 	const int64_t key[3] = {0};
-	REFUSED(ts_probe_point_key(NULL, &answer, trace, key), "context");
-	REFUSED(ts_probe_point_key(context, NULL, trace, key), "answer");
+	REFUSED(ts_probe_point_key(NULL, &answer, reference, key), "context");
+	REFUSED(ts_probe_point_key(context, NULL, reference, key), "answer");
 	REFUSED(ts_probe_point_key(context, &answer, NULL, key), "trace");
-	REFUSED(ts_probe_point_key(context, &answer, trace, NULL), "key");
+	REFUSED(ts_probe_point_key(context, &answer, reference, NULL), "key");
 	assert_null(answer);
 	assert_int_equal(ts_tree_kind_of(NULL), TS_TREE_NULL);
 	assert_int_equal(ts_tree_n(NULL), 0);
@@ -356,5 +332,5 @@ int main(void)
 		cmocka_unit_test(test_truth),   cmocka_unit_test(test_vectors),  cmocka_unit_test(test_images),
 		cmocka_unit_test(test_metrics), cmocka_unit_test(test_pages),    cmocka_unit_test(test_explained),
 	};
-	return cmocka_run_group_tests(tests, set_up, tear_down);
+	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

@@ -1,19 +1,15 @@
 /* Answers: of a trace in memory they are those of the same trace in a folder, which the command prints. */
-#include "api.h"
+#include "run.h"
 #include <inttypes.h>
 
 static void test_answers(void **state)
 {
 	(void)state;
-	ts_context *context = open_context(2);
-	ts_params *params = small_params();
-	ts_scene *scene = small_scene(context, params);
-	ts_trace *trace = small_trace(context, scene, params, "epr");
-	const uint64_t *keys = ts_trace_buffer(trace, "eye.depth_triangle")->data;
+	const uint64_t *keys = ts_trace_buffer(reference, "eye.depth_triangle")->data;
 	ts_tree *answer;
 	uint32_t n_seen = 0;
 	for (uint32_t i = 0; i < 64 * 36; i += 37) {
-		done(ts_probe_pixel(context, &answer, trace, i % 64, i / 64, NULL));
+		done(ts_probe_pixel(context, &answer, reference, i % 64, i / 64, NULL));
 		const ts_tree *pixel = ts_tree_get(answer, "pixel");
 		assert_int_equal(ts_tree_kind_of(pixel), TS_TREE_LIST);
 		assert_int_equal(ts_tree_integer(ts_tree_at(pixel, 0)), i % 64);
@@ -23,34 +19,30 @@ static void test_answers(void **state)
 		ts_tree_free(answer);
 	}
 	assert_true(n_seen > 10);
-	done(ts_probe_triangle(context, &answer, trace, 5));
+	done(ts_probe_triangle(context, &answer, reference, 5));
 	assert_int_equal(ts_tree_integer(ts_tree_get(answer, "triangle")), 5);
 	ts_tree_free(answer);
-	done(ts_probe_point(context, &answer, trace, 0));
+	done(ts_probe_point(context, &answer, reference, 0));
 	ts_tree_free(answer);
 	/* By its key a point is the same. */
 	int64_t key[3];
-	done(ts_probe_point(context, &answer, trace, 3));
+	done(ts_probe_point(context, &answer, reference, 3));
 	char *by_index = ts_tree_json(answer), *by_key;
 	const char *text = ts_tree_text(ts_tree_get(answer, "key"));
 	assert_int_equal(sscanf(text, "%" SCNd64 ",%" SCNd64 ",%" SCNd64, &key[0], &key[1], &key[2]), 3);
 	ts_tree_free(answer);
-	done(ts_probe_point_key(context, &answer, trace, key));
+	done(ts_probe_point_key(context, &answer, reference, key));
 	by_key = ts_tree_json(answer);
 	assert_string_equal(by_index, by_key);
 	ts_tree_free(answer);
 	free(by_index);
 	free(by_key);
 	key[0] = 4000000;
-	refused(ts_probe_point_key(context, &answer, trace, key), "4000000");
-	refused(ts_probe_pixel(context, &answer, trace, 64, 0, NULL), "64");
+	refused(ts_probe_point_key(context, &answer, reference, key), "4000000");
+	refused(ts_probe_pixel(context, &answer, reference, 64, 0, NULL), "64");
 	assert_null(answer);
-	refused(ts_probe_pixel(context, &answer, trace, 0, 0, "window"), "window");
-	refused(ts_probe_triangle(context, &answer, trace, 1u << 30), "triangle");
-	ts_trace_close(trace);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
+	refused(ts_probe_pixel(context, &answer, reference, 0, 0, "window"), "window");
+	refused(ts_probe_triangle(context, &answer, reference, 1u << 30), "triangle");
 }
 
 /* Each row is of an option of the command, and all rows of one stand together. */
@@ -72,5 +64,5 @@ static void test_table(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(test_answers), cmocka_unit_test(test_table)};
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

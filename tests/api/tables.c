@@ -68,6 +68,28 @@ static void test_buffers(void **state)
 	assert_int_equal(sizeof(ts_material), 80);
 }
 
+/* Shapes are products and sums of numbers and of sizes that are listed. */
+static void test_sizes(void **state)
+{
+	(void)state;
+	const ts_buffer_info *buffer;
+	const ts_size_info *size;
+	size_t n = 0, used = 0;
+	for (; (size = ts_size_at(n)) != NULL; n++) assert_true(size->name[0] != 0 && size->doc[0] != 0);
+	for (size_t i = 0; (buffer = ts_buffer_at(i)) != NULL; i++) {
+		char shape[256], *rest = NULL;
+		snprintf(shape, sizeof shape, "%s", buffer->shape);
+		for (char *word = strtok_r(shape, " *+", &rest); word != NULL; word = strtok_r(NULL, " *+", &rest)) {
+			size_t k = 0;
+			while (k < n && strcmp(ts_size_at(k)->name, word) != 0) k++;
+			if (k == n) assert_int_equal(strspn(word, "0123456789"), strlen(word));
+			used += k < n;
+		}
+	}
+	assert_true(n > 20 && used > 100);
+	assert_null(ts_size_at(n + 1));
+}
+
 static void test_params(void **state)
 {
 	(void)state;
@@ -96,6 +118,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_methods),
 		cmocka_unit_test(test_buffers),
+		cmocka_unit_test(test_sizes),
 		cmocka_unit_test(test_params),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,7 +2,8 @@
  * of the whole. */
 #include "../../src/trace/sums.h"
 #include "../../src/scene/scene.h"
-#include "api.h"
+#include "run.h"
+#include <sys/stat.h>
 #include <unistd.h>
 
 static const char *scene_of(const char *effect)
@@ -27,18 +28,16 @@ static void compare_digest(void *user, const char *buffer, const char *hex)
 static void test_digests(void **state)
 {
 	(void)state;
-	ts_context *context = open_context(2);
-	ts_params *params = small_params();
 	const ts_method_info *method;
 	size_t n_buffers = 0;
 	for (size_t i = 0; (method = ts_method_at(i)) != NULL; i++) {
-		ts_scene *scene;
+		ts_scene *own;
 		ts_trace *trace;
 		ts_sums sums;
 		const ts_buffer_info *buffer;
-		done(ts_scene_open(context, &scene, scene_of(method->effect), params, NULL));
-		done(ts_trace_run(context, &trace, scene, params, method->effect, method->name, NULL));
-		done(ts_sums_of(&sums, ts_pipeline_find(method->effect, method->name), scene, params, &(ts_how){.threads = 1}));
+		done(ts_scene_open(context, &own, scene_of(method->effect), params, NULL));
+		done(ts_trace_run(context, &trace, own, params, method->effect, method->name, NULL));
+		done(ts_sums_of(&sums, ts_pipeline_find(method->effect, method->name), own, params, &(ts_how){.threads = 1}));
 		for (size_t id = 0; (buffer = ts_buffer_at(id)) != NULL; id++) {
 			char hex[65] = "";
 			if (sums.hex[id][0] == 0) {
@@ -51,27 +50,25 @@ static void test_digests(void **state)
 		}
 		expected e = {.trace = trace};
 		if (i % 5 == 0) {
-			done(ts_run_digests(context, scene, params, method->effect, method->name, compare_digest, &e));
+			done(ts_run_digests(context, own, params, method->effect, method->name, compare_digest, &e));
 			assert_true(e.n > 10);
 		}
 		ts_trace_close(trace);
-		ts_scene_free(scene);
+		ts_scene_free(own);
 	}
 	assert_true(n_buffers > 400);
-	ts_params_free(params);
-	ts_context_close(context);
 }
 
 static void test_part(void **state)
 {
 	(void)state;
-	ts_context *context = open_context(2);
-	ts_params *params = small_params();
-	done(ts_params_set(params, "reflectors.count", "7")); /* several batches */
-	ts_scene *scene = small_scene(context, params);
-	ts_trace *whole = small_trace(context, scene, params, "mvr"), *part;
+	ts_params *more;
+	done(ts_params_copy(&more, params));
+	done(ts_params_set(more, "reflectors.count", "7")); /* several batches */
+	ts_scene *hall = small_scene(context, more);
+	ts_trace *whole = small_trace(context, hall, more, "mvr"), *part;
 	ts_run_options options = {.bytes = sizeof options, .buffers = "image.srgb,resize.face"};
-	done(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options));
+	done(ts_trace_run(context, &part, hall, more, "reflections", "mvr", &options));
 	const char *const names[] = {"image.srgb", "resize.face"};
 	for (size_t i = 0; i < 2; i++) {
 		const ts_buffer_view *a = ts_trace_buffer(whole, names[i]), *b = ts_trace_buffer(part, names[i]);
@@ -85,30 +82,26 @@ static void test_part(void **state)
 	assert_int_equal(ts_trace_counter(whole, "no such counter"), 0);
 	ts_trace_close(part);
 	options.buffers = "image.srgb,points.record";
-	refused(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options), "makes no points.record");
+	refused(ts_trace_run(context, &part, hall, more, "reflections", "mvr", &options), "makes no points.record");
 	assert_null(part);
 	options.buffers = "splat.tie";
-	refused(ts_trace_run(context, &part, scene, params, "reflections", "epr", &options), "makes no splat.tie");
+	refused(ts_trace_run(context, &part, hall, more, "reflections", "epr", &options), "makes no splat.tie");
 	options.buffers = "";
-	refused(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options), "names none");
+	refused(ts_trace_run(context, &part, hall, more, "reflections", "mvr", &options), "names none");
 	options.buffers = "image";
-	refused(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options), "no buffer \"image\"");
+	refused(ts_trace_run(context, &part, hall, more, "reflections", "mvr", &options), "no buffer \"image\"");
 	options = (ts_run_options){.bytes = sizeof options, .buffers = "image.srgb", .margins = 1};
-	refused(ts_trace_run(context, &part, scene, params, "reflections", "mvr", &options), "margins");
+	refused(ts_trace_run(context, &part, hall, more, "reflections", "mvr", &options), "margins");
 	ts_trace_close(whole);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
+	ts_scene_free(hall);
+	ts_params_free(more);
 }
 
 static void test_image(void **state)
 {
 	(void)state;
-	ts_context *context = open_context(2);
-	ts_params *params = small_params();
-	ts_scene *scene = small_scene(context, params);
-	ts_trace *trace = small_trace(context, scene, params, "epr");
-	const ts_buffer_view *image = ts_trace_buffer(trace, "image.srgb");
+	ts_trace *trace;
+	const ts_buffer_view *image = ts_trace_buffer(reference, "image.srgb");
 	assert_non_null(image);
 	assert_int_equal(image->n_dims, 3);
 	assert_int_equal(image->shape[0], 36);
@@ -117,22 +110,15 @@ static void test_image(void **state)
 	assert_string_equal(image->element, "u8");
 	const uint8_t *pixels = image->data;
 	assert_false(memcmp(pixels, pixels + 3, 64 * 36 * 3 - 3) == 0);
-	ts_trace_close(trace);
 	refused(ts_trace_run(context, &trace, scene, params, "reflections", "magic", NULL), "magic");
 	assert_null(trace);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
 }
 
 static void test_put(void **state)
 {
 	(void)state;
-	ts_context *context = open_context(1);
-	ts_params *params = small_params();
-	ts_scene *scene = small_scene(context, params);
-	ts_trace *trace = small_trace(context, scene, params, "mvr"), *own;
-	done(ts_trace_candidate(context, &own, trace, 0));
+	ts_trace *own;
+	done(ts_trace_candidate(context, &own, reference, 0));
 	uint64_t shape[4] = {36, 64}, keys[36 * 64 + 1] = {7};
 	assert_null(ts_trace_buffer(own, "eye.depth_triangle"));
 	assert_false(ts_trace_has(own, "eye.depth_triangle"));
@@ -154,11 +140,7 @@ static void test_put(void **state)
 	done(ts_trace_put(own, "points.record", 1, shape, NULL, 0));
 	assert_int_equal(count_of(ts_trace_buffer(own, "points.record")), 0);
 	ts_trace_close(own);
-	refused(ts_trace_put(trace, "eye.depth_triangle", 2, (uint64_t[]){36, 64}, keys, 36 * 64 * 8), "no candidate");
-	ts_trace_close(trace);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
+	refused(ts_trace_put(reference, "eye.depth_triangle", 2, (uint64_t[]){36, 64}, keys, 36 * 64 * 8), "no candidate");
 }
 
 static void write_file(const char *path, const char *head, const void *data, size_t bytes)
@@ -175,19 +157,17 @@ static void test_files(void **state)
 	(void)state;
 	char folder[FOLDER], path[PATH], head[129];
 	make_folder(folder);
-	ts_context *context = open_context(1);
-	ts_params *params = small_params();
-	ts_scene *scene = small_scene(context, params);
-	ts_trace *trace = small_trace(context, scene, params, "mvr"), *own;
-	const ts_buffer_view *keys = ts_trace_buffer(trace, "eye.depth_triangle");
+	ts_trace *own;
+	const ts_buffer_view *keys = ts_trace_buffer(reference, "eye.depth_triangle");
 	snprintf(path, sizeof path, "%s/keys.bin", folder);
 	write_file(path, "", keys->data, bytes_of(keys));
-	done(ts_trace_open_list(context, &own, folder, "eye.depth_triangle=keys.bin", 1, trace));
+	done(ts_trace_open_list(context, &own, folder, "eye.depth_triangle=keys.bin", 1, reference));
 	const ts_trace_info *about = ts_trace_about(own);
 	assert_string_equal(about->folder, folder);
 	assert_string_equal(about->effect, "reflections");
-	assert_string_equal(about->method, "mvr");
-	assert_true(about->arrival != 0 && ts_trace_about(trace)->arrival == 0 && ts_trace_about(trace)->has_params != 0);
+	assert_string_equal(about->method, "epr");
+	assert_true(about->arrival != 0 && ts_trace_about(reference)->arrival == 0);
+	assert_true(ts_trace_about(reference)->has_params != 0);
 	const ts_buffer_view *look = ts_trace_look(own, "eye.depth_triangle");
 	assert_null(look->data);
 	assert_int_equal(count_of(look), 36 * 64);
@@ -195,7 +175,7 @@ static void test_files(void **state)
 	assert_non_null(ts_trace_look(own, "eye.depth_triangle")->data);
 	assert_null(ts_trace_look(own, "image.srgb"));
 	ts_trace_close(own);
-	refused(ts_trace_open_list(context, &own, folder, "eye.depth_triangle=none.bin", 0, trace), "none.bin");
+	refused(ts_trace_open_list(context, &own, folder, "eye.depth_triangle=none.bin", 0, reference), "none.bin");
 	assert_null(own);
 	unlink(path);
 
@@ -219,10 +199,24 @@ static void test_files(void **state)
 	refused(ts_trace_open_npy(context, &own, path), path);
 	refused(ts_trace_open_npy(context, &own, "/tmp/magic.npy"), "which buffer");
 	remove_folder(folder);
-	ts_trace_close(trace);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
+}
+
+/* Of a trace that cannot be saved nothing stays, and the next one is saved. */
+static void leaves_nothing(const char *folder)
+{
+	char from[PATH], to[PATH];
+	ts_trace *own;
+	struct stat info;
+	snprintf(from, sizeof from, "%s/from", folder);
+	snprintf(to, sizeof to, "%s/to", folder);
+	done(ts_trace_save(context, reference, from, NULL));
+	done(ts_trace_open(context, &own, from));
+	remove_folder(from);
+	refused(ts_trace_save(context, own, to, NULL), from);
+	assert_int_equal(stat(to, &info), -1);
+	done(ts_trace_save(context, reference, to, NULL));
+	assert_int_equal(stat(to, &info), 0);
+	ts_trace_close(own);
 }
 
 /* A candidate that is saved is the same when it is opened, and says who made it; so is what a replayed stage made. */
@@ -231,50 +225,44 @@ static void test_save(void **state)
 	(void)state;
 	char folder[FOLDER], path[PATH];
 	make_folder(folder);
-	ts_context *context = open_context(2);
-	ts_params *params = small_params();
-	ts_scene *scene = small_scene(context, params);
-	ts_trace *trace = small_trace(context, scene, params, "epr"), *own, *made;
+	ts_trace *own, *made;
 	ts_verdicts *verdicts;
-	const ts_buffer_view *keys = ts_trace_buffer(trace, "eye.depth_triangle");
+	const ts_buffer_view *keys = ts_trace_buffer(reference, "eye.depth_triangle");
 	uint64_t *copy = malloc(bytes_of(keys));
 	assert_non_null(copy);
 	memcpy(copy, keys->data, bytes_of(keys));
 	copy[100] ^= 2;
 	snprintf(path, sizeof path, "%s/port", folder);
-	done(ts_trace_candidate(context, &own, trace, 1));
-	done(ts_trace_put(own, "eye.depth_triangle", 2, keys->shape, copy, bytes_of(keys)));
+	done(ts_trace_candidate(context, &own, reference, 1));
+	put(own, keys, copy);
 	done(ts_trace_save(context, own, path, "my port"));
 	refused(ts_trace_save(context, own, path, NULL), path);
 	ts_trace_close(own);
 	done(ts_trace_open(context, &own, path));
 	assert_int_equal(strncmp(ts_trace_about(own)->producer, "my port", 7), 0);
 	assert_true(ts_trace_about(own)->arrival != 0 && !ts_trace_has(own, "image.srgb"));
-	done(ts_trace_match(trace, own));
+	done(ts_trace_match(reference, own));
 	assert_memory_equal(ts_trace_buffer(own, "eye.depth_triangle")->data, copy, bytes_of(keys));
-	done(ts_trace_replay(context, &made, "eye", trace, NULL));
+	done(ts_trace_replay(context, &made, "eye", reference, NULL));
 	snprintf(path, sizeof path, "%s/made", folder);
 	done(ts_trace_save(context, made, path, NULL));
 	ts_trace_close(made);
 	done(ts_trace_open(context, &made, path));
-	done(ts_compare(context, &verdicts, trace, made, NULL));
+	done(ts_compare(context, &verdicts, reference, made, NULL));
 	ts_verdicts_free(verdicts);
 	ts_trace_close(made);
 	refused(ts_trace_save(context, own, "/proc/none/trace", NULL), "/proc/none/trace");
 	ts_trace_close(own);
+	leaves_nothing(folder);
 
 	/* A trace of a method matches none of another; a stage that parameters leave out was not taken. */
 	own = small_trace(context, scene, params, "mvr");
-	refused(ts_trace_match(trace, own), "mvr");
-	assert_true(ts_trace_takes(trace, "splat") && !ts_trace_takes(trace, "lookup.third"));
-	assert_false(ts_trace_takes(trace, "eye.margin") || ts_trace_takes(trace, "magic"));
+	refused(ts_trace_match(reference, own), "mvr");
+	assert_true(ts_trace_takes(reference, "splat") && !ts_trace_takes(reference, "lookup.third"));
+	assert_false(ts_trace_takes(reference, "eye.margin") || ts_trace_takes(reference, "magic"));
 	ts_trace_close(own);
 	remove_folder(folder);
 	free(copy);
-	ts_trace_close(trace);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
 }
 
 /* A trace on disk, compressed or not, is that in memory; a folder that holds something stays as it is. */
@@ -283,17 +271,14 @@ static void test_write(void **state)
 	(void)state;
 	char folder[FOLDER], path[PATH];
 	make_folder(folder);
-	ts_context *context = open_context(2);
-	ts_params *params = small_params();
-	ts_scene *scene = small_scene(context, params);
-	ts_trace *trace = small_trace(context, scene, params, "epr"), *written;
+	ts_trace *written;
 	ts_verdicts *verdicts;
 	snprintf(path, sizeof path, "%s/made/trace", folder);
 	for (int compress = 0; compress < 2; compress++) {
 		const ts_write_options options = {.bytes = sizeof options, .compress = compress};
 		done(ts_trace_write(context, path, scene, params, "reflections", "epr", &options));
 		done(ts_trace_open(context, &written, path));
-		done(ts_compare(context, &verdicts, trace, written, NULL));
+		done(ts_compare(context, &verdicts, reference, written, NULL));
 		for (size_t i = 0; ts_verdicts_at(verdicts, i) != NULL; i++) {
 			assert_int_equal(ts_verdicts_at(verdicts, i)->judgement, TS_SAME);
 		}
@@ -314,10 +299,6 @@ static void test_write(void **state)
 	refused(ts_trace_write(context, "/proc/none/trace", scene, params, "reflections", "epr", NULL), "/proc/none/trace");
 	refused(ts_trace_write(context, path, scene, params, "reflections", "magic", NULL), "magic");
 	remove_folder(folder);
-	ts_trace_close(trace);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
 }
 
 int main(void)
@@ -327,5 +308,5 @@ int main(void)
 		cmocka_unit_test(test_digests), cmocka_unit_test(test_part), cmocka_unit_test(test_image),
 		cmocka_unit_test(test_put),
 	};
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

@@ -1,5 +1,5 @@
 /* Truths: each that a small scene has is a picture that a method's resembles, whatever the threads. */
-#include "api.h"
+#include "run.h"
 #include <math.h>
 
 static bool has_word(const char *text, const char *word)
@@ -25,10 +25,7 @@ static void resembles(const ts_truth_image *truth, const ts_trace *method)
 static void test_reflections(void **state)
 {
 	(void)state;
-	ts_context *context = open_context(2), *alone = open_context(1);
-	ts_params *params = small_params();
-	ts_scene *scene = small_scene(context, params);
-	ts_trace *trace = small_trace(context, scene, params, "mvr");
+	ts_context *alone = open_context(1);
 	const ts_truth_info *truth;
 	size_t n = 0;
 	for (size_t i = 0; (truth = ts_truth_at(i)) != NULL; i++) {
@@ -40,18 +37,14 @@ static void test_reflections(void **state)
 		}
 		done(ts_truth_render(context, &image, scene, params, "reflections", truth->name));
 		done(ts_truth_render(alone, &again, scene, params, "reflections", truth->name));
-		resembles(image, trace);
+		resembles(image, reference);
 		assert_memory_equal(image->radiance, again->radiance, 64 * 36 * 3 * sizeof(float));
 		ts_truth_image_free(again);
 		ts_truth_image_free(image);
 		n++;
 	}
 	assert_true(n >= 2);
-	ts_trace_close(trace);
-	ts_scene_free(scene);
-	ts_params_free(params);
 	ts_context_close(alone);
-	ts_context_close(context);
 }
 
 static int asked;
@@ -64,9 +57,7 @@ static int cancelled(void *user)
 static void test_refusals(void **state)
 {
 	(void)state;
-	ts_context *context = open_context(1), *ended;
-	ts_params *params = small_params();
-	ts_scene *scene = small_scene(context, params);
+	ts_context *ended;
 	ts_truth_image *image;
 	refused(ts_truth_render(context, &image, scene, params, "mirrors", "A"), "mirrors");
 	refused(ts_truth_render(context, &image, scene, params, "reflections", "Z"), "Z");
@@ -77,13 +68,10 @@ static void test_refusals(void **state)
 	refused(ts_truth_render(ended, &image, scene, params, "reflections", "A"), "cancelled");
 	refused(ts_truth_render(ended, &image, scene, params, "soft-shadows", "area"), "cancelled");
 	ts_context_close(ended);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(test_reflections), cmocka_unit_test(test_refusals)};
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

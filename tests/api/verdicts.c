@@ -1,45 +1,22 @@
 /* All that verdicts say: bits planted at random places of several buffers are listed, counted by field and marked there
  * and nowhere else; and a part of a comparison says what the whole does. */
-#include "api.h"
+#include "run.h"
 
 enum { PLANTED = 7 };
 
-static ts_context *context;
-static ts_params *params;
-static ts_scene *scene;
-static ts_trace *reference, *candidate;
+static ts_trace *candidate;
 
-static int set_up(void **state)
+static int begin(void **state)
 {
-	(void)state;
-	const ts_buffer_info *buffer;
-	context = open_context(2);
-	params = small_params();
-	scene = small_scene(context, params);
-	reference = small_trace(context, scene, params, "epr");
-	done(ts_trace_candidate(context, &candidate, reference, 0));
-	for (size_t i = 0; (buffer = ts_buffer_at(i)) != NULL; i++) {
-		if (!ts_trace_has(reference, buffer->name)) continue;
-		const ts_buffer_view *v = ts_trace_buffer(reference, buffer->name);
-		done(ts_trace_put(candidate, v->name, v->n_dims, v->shape, v->data, bytes_of(v)));
-	}
+	run_begin(state);
+	candidate = candidate_of(reference, 0);
 	return 0;
 }
 
-static int tear_down(void **state)
+static int end(void **state)
 {
-	(void)state;
 	ts_trace_close(candidate);
-	ts_trace_close(reference);
-	ts_scene_free(scene);
-	ts_params_free(params);
-	ts_context_close(context);
-	return 0;
-}
-
-static void put(const ts_buffer_view *v, const void *data)
-{
-	done(ts_trace_put(candidate, v->name, v->n_dims, v->shape, data, bytes_of(v)));
+	return run_end(state);
 }
 
 static uint32_t random_below(uint32_t *seed, size_t n)
@@ -48,13 +25,13 @@ static uint32_t random_below(uint32_t *seed, size_t n)
 	return (uint32_t)(((uint64_t)*seed * n) >> 32);
 }
 
-/* A copy of a buffer with the bit `bit` of each of some elements the other way, which `wrong` marks. */
-static uint8_t *plant(const ts_buffer_view *v, size_t bit, uint8_t *wrong, uint32_t *seed)
+/* A copy of a buffer with the bit `bit` of each of at most n elements the other way, which `wrong` marks. */
+static uint8_t *plant(const ts_buffer_view *v, size_t bit, uint32_t n, uint8_t *wrong, uint32_t *seed)
 {
 	uint8_t *copy = malloc(bytes_of(v));
 	assert_non_null(copy);
 	memcpy(copy, v->data, bytes_of(v));
-	for (uint32_t i = 0; i < PLANTED; i++) {
+	for (uint32_t i = 0; i < n; i++) {
 		size_t e = random_below(seed, count_of(v));
 		if (wrong[e] != 0) continue;
 		copy[e * v->element_bytes + bit / 8] ^= (uint8_t)(1 << bit % 8);
@@ -91,6 +68,8 @@ static void check(const ts_buffer_view *v, const uint8_t *wrong, const char *fie
 		assert_int_equal(strncmp(d->spot, field, strlen(field)), 0);
 		assert_int_equal(d->bytes, 4);
 		assert_non_null(strstr(d->line, d->where));
+		assert_true(d->reference[0] != 0 && strcmp(d->reference, d->candidate) != 0);
+		assert_non_null(strstr(d->line, d->reference));
 		listed++;
 	}
 	assert_null(ts_verdicts_difference(verdicts, place, listed));
@@ -118,21 +97,23 @@ static void test_planted(void **state)
 	static const struct {
 		const char *buffer, *field;
 		size_t bit;
-	} places[] = {{"image.radiance", "", 0},
-	              {"mirror_pixel.record", "normal", 8 * offsetof(ts_pixel, normal)},
-	              {"pose.vertex", "normal", 8 * offsetof(ts_vertex, normal) + 3}};
+		uint32_t n;
+	} places[] = {{"image.radiance", "", 0, PLANTED},
+	              {"mirror_pixel.record", "normal", 8 * offsetof(ts_pixel, normal), PLANTED},
+	              {"pose.vertex", "normal", 8 * offsetof(ts_vertex, normal) + 3, PLANTED},
+	              {"pose.vertex", "position", 8 * offsetof(ts_vertex, position), 1}};
 	uint32_t seed = 5;
 	for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
 		const ts_buffer_view *v = ts_trace_buffer(reference, places[i].buffer);
 		assert_non_null(v);
 		uint8_t *wrong = calloc(count_of(v), 1);
 		assert_non_null(wrong);
-		uint8_t *copy = plant(v, places[i].bit, wrong, &seed);
-		put(v, copy);
+		uint8_t *copy = plant(v, places[i].bit, places[i].n, wrong, &seed);
+		put(candidate, v, copy);
 		check(v, wrong, places[i].field, 0);
 		check(v, wrong, places[i].field, 3);
 		check(v, wrong, places[i].field, 100);
-		put(v, v->data);
+		put(candidate, v, v->data);
 		free(copy);
 		free(wrong);
 	}
@@ -149,17 +130,17 @@ static planted plant_two(const char *early, const char *late, uint32_t seed)
 	planted p = {.early = ts_trace_buffer(reference, early), .late = ts_trace_buffer(reference, late)};
 	p.wrong = calloc(count_of(p.early) + count_of(p.late), 1);
 	assert_non_null(p.wrong);
-	p.copies[0] = plant(p.early, 0, p.wrong, &seed);
-	p.copies[1] = plant(p.late, 0, p.wrong + count_of(p.early), &seed);
-	put(p.early, p.copies[0]);
-	put(p.late, p.copies[1]);
+	p.copies[0] = plant(p.early, 0, PLANTED, p.wrong, &seed);
+	p.copies[1] = plant(p.late, 0, PLANTED, p.wrong + count_of(p.early), &seed);
+	put(candidate, p.early, p.copies[0]);
+	put(candidate, p.late, p.copies[1]);
 	return p;
 }
 
 static void mend_two(planted *p)
 {
-	put(p->early, p->early->data);
-	put(p->late, p->late->data);
+	put(candidate, p->early, p->early->data);
+	put(candidate, p->late, p->late->data);
 	free(p->wrong);
 	free(p->copies[0]);
 	free(p->copies[1]);
@@ -229,6 +210,8 @@ static void test_marks(void **state)
 	refused(ts_compare_marks(context, marks, 5, "image.srgb", reference, candidate, NULL), "5 marks");
 	refused(ts_compare_marks(context, marks, 5, "image.blue", reference, candidate, NULL), "image.blue");
 	refused(ts_compare_marks(context, marks, 0, "mirror.radiance", reference, candidate, NULL), "mirror.radiance");
+	const ts_compare_options below = {.bytes = sizeof below, .abs = -1};
+	refused(ts_compare_marks(context, marks, count_of(image), "image.srgb", reference, candidate, &below), "abs: -1");
 	free(marks);
 }
 
@@ -249,14 +232,45 @@ static void test_shorter(void **state)
 	assert_non_null(strstr(ts_verdicts_first(verdicts)->line, "equal as far as both go"));
 	assert_string_equal(ts_verdicts_first(verdicts)->line, ts_verdicts_at(verdicts, place)->line);
 	ts_verdicts_free(verdicts);
-	put(v, v->data);
+	put(candidate, v, v->data);
+}
+
+/* The pairs of a traversal are a set with an order of its own: in any order they are the same, and one that is repeated
+ * in the place of another is beside, the other missing. */
+static void test_pairs(void **state)
+{
+	(void)state;
+	ts_trace *trace, *arrived;
+	ts_verdicts *verdicts;
+	done(ts_trace_run(context, &trace, scene, params, "indirect", "megaviews", NULL));
+	const ts_buffer_view *pairs = ts_trace_buffer(trace, "traverse.rendered");
+	const size_t n = count_of(pairs);
+	const uint64_t *right = pairs->data;
+	uint64_t *turned = malloc(bytes_of(pairs));
+	assert_true(turned != NULL && n > 10);
+	for (size_t i = 0; i < n; i++) turned[i] = right[n - 1 - i];
+	arrived = candidate_of(trace, 1);
+	put(arrived, pairs, turned);
+	done(ts_compare(context, &verdicts, trace, arrived, NULL));
+	assert_int_equal(ts_verdicts_at(verdicts, place_of(verdicts, pairs->name))->judgement, TS_SAME);
+	ts_verdicts_free(verdicts);
+	turned[2] = turned[5];
+	assert_int_equal(ts_compare(context, &verdicts, trace, arrived, NULL), TS_DIFFERENT);
+	const ts_verdict_info *info = ts_verdicts_at(verdicts, place_of(verdicts, pairs->name));
+	assert_true(info->n_missing == 1 && info->n_extra == 1 && info->n_different == 2);
+	assert_string_equal(ts_verdicts_first(verdicts)->how, "missing");
+	assert_int_equal(ts_verdicts_first(verdicts)->element, n - 1 - 2);
+	ts_verdicts_free(verdicts);
+	ts_trace_close(arrived);
+	ts_trace_close(trace);
+	free(turned);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_planted), cmocka_unit_test(test_tree),    cmocka_unit_test(test_stages),
-		cmocka_unit_test(test_marks),   cmocka_unit_test(test_shorter),
+		cmocka_unit_test(test_marks),   cmocka_unit_test(test_shorter), cmocka_unit_test(test_pairs),
 	};
-	return cmocka_run_group_tests(tests, set_up, tear_down);
+	return cmocka_run_group_tests(tests, begin, end);
 }

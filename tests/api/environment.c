@@ -1,0 +1,130 @@
+/* The floating-point environment of a host: no function that takes a context or a page changes it, and none does
+ * anything where it is not the default. */
+#include "run.h"
+#include <fenv.h>
+
+enum { RAISED = FE_INVALID | FE_DIVBYZERO };
+
+static void host_raises(void)
+{
+	assert_int_equal(feclearexcept(FE_ALL_EXCEPT), 0);
+	assert_int_equal(feraiseexcept(RAISED), 0);
+}
+
+static void kept(ts_status status, const char *call)
+{
+	if (status == TS_ERROR) fail_msg("%s: %s", call, ts_error_message());
+	if (fetestexcept(FE_ALL_EXCEPT) != RAISED) fail_msg("%s: other exceptions than the host's", call);
+}
+
+/* Of another mode of rounding. */
+static void left(ts_status status, const char *call)
+{
+	const int mode = fegetround();
+	assert_int_equal(fesetround(FE_TONEAREST), 0);
+	if (mode != FE_UPWARD) fail_msg("%s: another mode of rounding than the host's", call);
+	refused(status, "rounding (not to nearest even)");
+}
+
+/* Calls twice; what the first call makes is released. */
+#define KEEPS(call, release) \
+	do { \
+		host_raises(); \
+		kept(call, #call); \
+		release; \
+		assert_int_equal(fesetround(FE_UPWARD), 0); \
+		left(call, #call); \
+	} while (0)
+
+static void test_runs(void **state)
+{
+	(void)state;
+	char folder[FOLDER], path[PATH];
+	ts_context *opened;
+	ts_scene *made;
+	ts_trace *trace;
+	static const ts_vertex corners[3] = {{.position = {0, 0, 0}}, {.position = {1, 0, 0}}, {.position = {0, 0, 1}}};
+	static const ts_triangle one = {.vertex = {0, 1, 2}, .material = UINT32_MAX};
+	const ts_scene_arrays arrays = {
+		.bytes = sizeof arrays, .vertices = corners, .n_vertices = 3, .triangles = &one, .n_triangles = 1};
+	make_folder(folder);
+	KEEPS(ts_context_open(&opened, NULL), ts_context_close(opened));
+	KEEPS(ts_scene_open(context, &made, SMALL, params, NULL), ts_scene_free(made));
+	KEEPS(ts_scene_make(context, &made, &arrays, params, NULL), ts_scene_free(made));
+	KEEPS(ts_trace_run(context, &trace, scene, params, "reflections", "mvr", NULL), ts_trace_close(trace));
+	snprintf(path, sizeof path, "%s/saved", folder);
+	KEEPS(ts_trace_save(context, reference, path, NULL), (void)0);
+	KEEPS(ts_trace_open(context, &trace, path), ts_trace_close(trace));
+	KEEPS(ts_trace_open_list(context, &trace, path, "eye.view=01-eye.view.npy", 0, reference), ts_trace_close(trace));
+	snprintf(path, sizeof path, "%s/saved/01-eye.view.npy", folder);
+	KEEPS(ts_trace_open_npy(context, &trace, path), ts_trace_close(trace));
+	snprintf(path, sizeof path, "%s/written", folder);
+	KEEPS(ts_trace_write(context, path, scene, params, "reflections", "mvr", NULL), (void)0);
+	remove_folder(folder);
+}
+
+static void no_digest(void *user, const char *buffer, const char *hex)
+{
+	(void)user;
+	(void)buffer;
+	(void)hex;
+}
+
+static void test_answers(void **state)
+{
+	(void)state;
+	ts_trace *candidate = candidate_of(reference, 0), *trace;
+	ts_verdicts *verdicts;
+	ts_tree *answer;
+	ts_truth_image *image;
+	static uint8_t marks[64 * 36 * 3];
+	ts_golden_judged judged = {.bytes = sizeof judged};
+	const ts_explain_options options = {.bytes = sizeof options, .stage = "eye"};
+	KEEPS(ts_run_digests(context, scene, params, "reflections", "mvr", no_digest, NULL), (void)0);
+	KEEPS(ts_compare(context, &verdicts, reference, candidate, NULL), ts_verdicts_free(verdicts));
+	KEEPS(ts_compare_marks(context, marks, sizeof marks, "image.srgb", reference, candidate, NULL), (void)0);
+	KEEPS(ts_replay(context, &verdicts, "eye", reference, NULL, NULL), ts_verdicts_free(verdicts));
+	KEEPS(ts_trace_replay(context, &trace, "eye", reference, NULL), ts_trace_close(trace));
+	KEEPS(ts_explain_item(context, &answer, &options, reference, NULL, NULL), ts_tree_free(answer));
+	KEEPS(ts_probe_pixel(context, &answer, reference, 20, 10, NULL), ts_tree_free(answer));
+	KEEPS(ts_probe_triangle(context, &answer, reference, 5), ts_tree_free(answer));
+	KEEPS(ts_truth_render(context, &image, scene, params, "reflections", "A"), ts_truth_image_free(image));
+	KEEPS(ts_vector_words(context, NULL, NULL, ts_vector_at(0)->name), (void)0);
+	KEEPS(ts_golden_check(context, &judged, "reference/small-epr"), (void)0);
+	ts_trace_close(candidate);
+}
+
+static void test_pages(void **state)
+{
+	(void)state;
+	char folder[FOLDER], path[PATH];
+	ts_html *page;
+	ts_verdicts *verdicts;
+	ts_trace *candidate = candidate_of(reference, 0);
+	static const uint8_t rgb[3] = {1, 2, 3};
+	make_folder(folder);
+	snprintf(path, sizeof path, "%s/page.html", folder);
+	done(ts_html_open(context, &page, NULL));
+	done(ts_compare(context, &verdicts, reference, candidate, NULL));
+	KEEPS(ts_html_add_picture(page, "one", "a.png", rgb, 1, 1), (void)0);
+	done(ts_html_add_picture(page, "other", "b.png", rgb, 1, 1));
+	KEEPS(ts_html_add_pair(page, "{\"verdict\": \"same\"}"), (void)0);
+	KEEPS(ts_html_add_trace(page, reference), (void)0);
+	done(ts_html_add_trace(page, candidate));
+	KEEPS(ts_html_add_verdicts(page, verdicts, reference, candidate, NULL, NULL), (void)0);
+	KEEPS(ts_html_write(page, path), (void)0);
+	ts_html_close(page);
+	ts_verdicts_free(verdicts);
+	ts_trace_close(candidate);
+	remove_folder(folder);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_runs),
+		cmocka_unit_test(test_answers),
+		cmocka_unit_test(test_pages),
+	};
+	return cmocka_run_group_tests(tests, run_begin, run_end);
+}
