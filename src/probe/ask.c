@@ -122,7 +122,7 @@ static ts_status refuse(const ts_probe *p, const ts_probe_question *q)
 	for (u32 i = 0; (part = ts_probe_part_at(i)) != NULL; i++) {
 		if (!is_for(part, pipeline)) continue;
 		append(can, "%s%s", can[0] != 0 ? ", " : "", subjects[part->subject].noun);
-		if (part->view != NULL) append(can, " of view %s", part->view->form);
+		if (part->view != NULL) append(can, " (view %s)", part->view->form);
 	}
 	return ts_fail("%s: probe explains no %s%s of %s by %s, only %s", p->trace->dir, q->view != NULL ? "view " : "",
 	               q->view != NULL ? q->view : subjects[q->subject].noun, pipeline->effect->name, pipeline->name, can);

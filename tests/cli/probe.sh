@@ -91,7 +91,7 @@ refuses 'no triangle' probe $epr --triangle 4000000000
 refuses 'no point' probe $epr --point 4294967294
 refuses 'neither an index nor a key' probe $epr --point 1,2
 refuses 'no point of key' probe $epr --point 0,32000,0
-refuses 'no points of reflections by mvr, only .*--triangle T' probe $mvr --point 0
+refuses 'no points of reflections by mvr, only .*triangles' probe $mvr --point 0
 refuses 'trace.json' probe /nonexistent --pixel 0,0
 "$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x32 --reflectors 2 --set cube.max_px=16 --set octree.levels=5 \
 	--set cube_view.px=16 --method ivir,megaviews --no-images --trace -o cubes > /dev/null

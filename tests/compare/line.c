@@ -17,11 +17,14 @@ static void test_difference(void **state)
 {
 	(void)state;
 	char text[TS_DIFFERENCE_TEXT];
-	tells(1, 0x1.000002p+0f, "pixel (3, 4), field normal[1]: ref 1 = 0x1p+0 (3f800000) candidate 1.00000012 = "
-	                         "0x1.000002p+0 (3f800001) +1 ulp");
-	tells(0, -0.0f, "pixel (3, 4), field normal[1]: ref 0 = 0x0p+0 (00000000) candidate -0 = -0x0p+0 (80000000) -1 ulp");
-	tells(1, ts_u2f(0x7fc00000u), "pixel (3, 4), field normal[1]: ref 1 = 0x1p+0 (3f800000) candidate nan = nan "
-	                              "(7fc00000) NaN");
+	tells(1, 0x1.000002p+0f,
+	      "pixel (3, 4), field normal[1]: ref 1 = 0x1p+0 (3f800000) candidate 1.00000012 = "
+	      "0x1.000002p+0 (3f800001) +1 ulp");
+	tells(0, -0.0f,
+	      "pixel (3, 4), field normal[1]: ref 0 = 0x0p+0 (00000000) candidate -0 = -0x0p+0 (80000000) -1 ulp");
+	tells(1, ts_u2f(0x7fc00000u),
+	      "pixel (3, 4), field normal[1]: ref 1 = 0x1p+0 (3f800000) candidate nan = nan "
+	      "(7fc00000) NaN");
 	const ts_named code = {.difference = {.ref = 7, .cand = 255}, .where = "pixel (0, 1) [2]"};
 	ts_compare_difference(text, TS_B_image_srgb, &code);
 	assert_string_equal(text, "pixel (0, 1) [2], ref 7 (07) candidate 255 (ff)");

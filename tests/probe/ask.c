@@ -51,7 +51,7 @@ static void test_refusals(void **state)
 	                                    "0.00", "+0.0", "-1.0", "x0.0", "0x0.0", "99999999999999999999.0"};
 	for (u32 i = 0; i < sizeof views / sizeof *views; i++) {
 		assert_refused(ask_texel(&epr, views[i], 0, 0, &answer),
-		               "texels (--view REFLECTOR.FACE, for instance 3.+X or 3.0)");
+		               "texels (view REFLECTOR.FACE, for instance 3.+X or 3.0)");
 		assert_null(answer);
 	}
 	assert_refused(ask_texel(&epr, "4294967296.0", 0, 0, &answer), "no face 4294967296.0; there are 2 reflectors");
@@ -108,8 +108,8 @@ static void test_family(void **state)
 	json_decref(answer);
 	assert_refused(ask_texel(&soft, "shell12.outside", 1, 0, &answer), "not there");
 	assert_null(answer);
-	assert_refused(ask_pixel(&soft, 0, 0, &answer), "only texels of view shellN.inside");
-	assert_refused(ask_texel(&epr, "shell0.inside", 0, 0, &answer), "only triangles (--triangle T)");
+	assert_refused(ask_pixel(&soft, 0, 0, &answer), "only texels (view shellN.inside)");
+	assert_refused(ask_texel(&epr, "shell0.inside", 0, 0, &answer), "only triangles");
 	assert_null(answer);
 	test_unexplained(none);
 	ts_tools_begin();
