@@ -17,7 +17,7 @@ static void kept(ts_status status, const char *call)
 	if (fetestexcept(FE_ALL_EXCEPT) != RAISED) fail_msg("%s: other exceptions than the host's", call);
 }
 
-/* Of another mode of rounding. */
+/* The call was refused in another mode of rounding, which stays. */
 static void left(ts_status status, const char *call)
 {
 	const int mode = fegetround();

@@ -201,7 +201,7 @@ static void test_files(void **state)
 	remove_folder(folder);
 }
 
-/* Of a trace that cannot be saved nothing stays, and the next one is saved. */
+/* A trace that cannot be saved leaves nothing behind, and the next one is saved. */
 static void leaves_nothing(const char *folder)
 {
 	char from[PATH], to[PATH];

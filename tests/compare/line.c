@@ -90,7 +90,7 @@ static void inputs_are(const char *right)
 	assert_string_equal(text, right);
 }
 
-/* Of a splat, which reads the resized faces, and points. */
+/* What is said of the inputs of splat, as more and more is known of them. */
 static void test_inputs(void **state)
 {
 	(void)state;

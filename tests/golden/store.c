@@ -96,7 +96,7 @@ static void test_round_trip(void **state)
 	assert_int_equal(computed.n_infinite, 0);
 }
 
-/* Of one triangle every file is small, from the first buffer on. */
+/* Every file of a run on one triangle is small, that of the first buffer too. */
 static void test_tiny(void **state)
 {
 	(void)state;
