@@ -51,16 +51,16 @@ static void relate_centre(u32 *in, u32 random)
 #define LATTICE(name) { name, TS_VECTOR_F32, 2, 119, 133, true }
 
 const ts_vector ts_composites_lattice[] = {
-	{ PRIMITIVE(align), "ts_k_lattice_align", "T_epr of a piece at s samples a world unit: align.frame",
+	{ PRIMITIVE(align), "ts_k_lattice_align", "align.frame of a piece at s samples per world unit (T_epr)",
 	  { PIECE("piece"), POSITIVE("s", 1, 119, 135) },
 	  { COLUMN("c", F32, 3), COLUMN("s", F32, 1), COLUMN("u", F32, 3), COLUMN("pad0", U32, 1), COLUMN("v", F32, 3),
 	    COLUMN("pad1", U32, 1), COLUMN("q", I32, 6), COLUMN("pad2", U32, 2) }, .relate = relate_align },
 	{ PRIMITIVE(lattice_weights), "ts_k_weights_around",
-	  "weights of sample (x, y) on a triangle a b c that is in the lattice",
+	  "weights of sample (x, y) on a triangle a b c in lattice coordinates",
 	  { LATTICE("a"), LATTICE("b"), LATTICE("c"), INTEGER("x", 1, -32768, 32767), INTEGER("y", 1, -32768, 32767) },
 	  GIVES(F32, 3), .relate = relate_weights },
 	{ PRIMITIVE(sample_centre), "ts_k_sample_centre",
-	  "where a sample of a piece is: on the lattice or, with snap, at the closest point of the piece's border",
+	  "position of a sample of a piece: on the lattice or, with snap, the closest point of the piece's border",
 	  { PIECE("piece"), WORLD("frame.c", 3), POSITIVE("frame.s", 1, 119, 135), UNIT("frame.u"), ZERO("frame.pad0", 1),
 	    UNIT("frame.v"), ZERO("frame.pad1", 1), INTEGER("frame.q", 6, -SNAPPED_MAX, SNAPPED_MAX), ZERO("frame.pad2", 2),
 	    FLAG("snap"), INTEGER("x", 1, -32768, 32767), INTEGER("y", 1, -32768, 32767) },
