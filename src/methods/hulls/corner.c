@@ -39,7 +39,7 @@ const ts_stage ts_stage_corner_lobes = {
 	.name = "corner.lobes",
 	.kind = "map",
 	.paper = "SSAGH 4, eqs 4 and 5",
-	.doc = "that light as spherical Gaussians, one a channel",
+	.doc = "the light at the corners as spherical Gaussians, one per channel",
 	.run = corner_lobes,
 	.launches = TS_LAUNCHES(&fitted),
 };

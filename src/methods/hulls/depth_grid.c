@@ -26,7 +26,7 @@ const ts_stage ts_stage_depth_grid = {
 	.name = "depth_grid",
 	.kind = "map",
 	.paper = "SSAGH 3",
-	.doc = "the screen's depth down-sampled",
+	.doc = "the depth of the screen, down-sampled",
 	.run = depth_grid,
 	.launches = TS_LAUNCHES(&sampled),
 };

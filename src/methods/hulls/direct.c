@@ -24,7 +24,7 @@ const ts_stage ts_stage_direct = {
 	.name = "direct",
 	.kind = "map",
 	.paper = "SSAGH 5",
-	.doc = "light of every triangle at every pixel by form factors",
+	.doc = "light of every triangle of light at every pixel, by form factors",
 	.run = direct,
 	.launches = TS_LAUNCHES(&gathered, &of_lamps),
 };

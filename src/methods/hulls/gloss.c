@@ -48,7 +48,7 @@ const ts_stage ts_stage_gloss_hull = {
 	.name = "gloss.hull",
 	.kind = "map",
 	.paper = "SSAGH 4, eqs 3 and 6",
-	.doc = "specular reflection of each pixel's lobes",
+	.doc = "specular reflection of the lobes at each pixel",
 	.run = gloss_hull,
 	.launches = TS_LAUNCHES(&of_lobes),
 };
@@ -57,7 +57,7 @@ const ts_stage ts_stage_gloss_direct = {
 	.name = "gloss.direct",
 	.kind = "map",
 	.paper = "SSAGH 4, eqs 3 and 6",
-	.doc = "specular reflection of every triangle of light",
+	.doc = "specular reflection of every triangle of light at each pixel",
 	.run = gloss_direct,
 	.launches = TS_LAUNCHES(&direct, &direct_of_lamps),
 };

@@ -48,7 +48,7 @@ const ts_stage ts_stage_hull = {
 	.name = "hull",
 	.kind = "map",
 	.paper = "SSAGH 4, eqs 15 to 18",
-	.doc = "each pixel's box, its lobes between the corners, and their integral with the cosine",
+	.doc = "the box of each pixel, its lobes interpolated between the corners, and their integral with the cosine",
 	.run = hull,
 	.launches = TS_LAUNCHES(&interpolated),
 };
@@ -58,7 +58,7 @@ const ts_stage ts_stage_hull_margin = {
 	.kind = "map",
 	.margin_of = "hull",
 	.paper = "SSAGH 3",
-	.doc = "how near each pixel's choice was to another box",
+	.doc = "margins of each pixel's choice of a box",
 	.run = hull_margin,
 	.launches = TS_LAUNCHES(&measured),
 };

@@ -92,7 +92,7 @@ static void lamps_expect(ts_expected *expected, const ts_scene *scene, const ts_
 
 static const ts_effect area_light = {
 	.name = "area-light",
-	.doc = "the light of a lamp or the scene's lights from all of their extent, without shadows",
+	.doc = "the light of a lamp or of the scene's lights with their whole extent, without shadows",
 	.seen = TS_B_eye_depth_triangle,
 	.difference_scale = 4,
 	.lower = "depth_grid.px",
@@ -112,7 +112,7 @@ const ts_pipeline ts_pipeline_direct_lamps = {
 	.name = "direct",
 	.effect = &area_light,
 	.paper = "SSAGH 5",
-	.doc = "the same light gathered by every pixel",
+	.doc = "light gathered at every pixel",
 	.steps = direct_lamps_steps,
 	.plan = lamps_plan,
 	.expect = lamps_expect,
@@ -132,7 +132,7 @@ const ts_pipeline ts_pipeline_direct = {
 	.name = "direct",
 	.effect = &ts_effect_indirect,
 	.paper = "SSAGH 5",
-	.doc = "the same light gathered by every pixel",
+	.doc = "light gathered at every pixel",
 	.steps = direct_steps,
 	.plan = ts_indirect_plan,
 	.expect = hulls_expect,

@@ -76,7 +76,7 @@ const ts_stage ts_stage_segment_margin = {
 	.kind = "map",
 	.margin_of = "segment",
 	.paper = "SSAGH 3, algorithm 1",
-	.doc = "how near what hangs together was to other segments",
+	.doc = "margins of the steps between segments",
 	.run = segment_margin,
 	.launches = TS_LAUNCHES(&measured),
 };
@@ -94,7 +94,7 @@ const ts_stage ts_stage_segment_box = {
 	.name = "segment.box",
 	.kind = "emit",
 	.paper = "SSAGH 3",
-	.doc = "the segments' boxes, but of the sky",
+	.doc = "boxes of the segments, except of the sky",
 	.run = segment_box,
 	.launches = TS_LAUNCHES(&counted, &written),
 };

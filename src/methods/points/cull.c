@@ -58,7 +58,7 @@ const ts_stage ts_stage_cull_margin = {
 	.kind = "map",
 	.margin_of = "cull",
 	.paper = "EPR 3.2",
-	.doc = "how near the random numbers were to their thresholds",
+	.doc = "margins of the random numbers of culling",
 	.run = cull_margin,
 	.launches = TS_LAUNCHES(&measured),
 };

@@ -107,7 +107,7 @@ const ts_stage ts_stage_lookup = {
 	.name = "lookup",
 	.kind = "map",
 	.paper = "EPR 4.1.3",
-	.doc = "25 look-ups a reflective pixel",
+	.doc = "25 look-ups per reflective pixel",
 	.run = lookup,
 	.launches = TS_LAUNCHES(&first),
 };
@@ -116,7 +116,7 @@ const ts_stage ts_stage_lookup_colour = {
 	.name = "lookup.colour",
 	.kind = "map",
 	.paper = "EPR 3.5, 4.1.3",
-	.doc = "25 look-ups of colours a reflective pixel",
+	.doc = "25 look-ups of colours per reflective pixel",
 	.run = lookup_colour,
 	.launches = TS_LAUNCHES(&first_colours),
 };
@@ -136,7 +136,7 @@ const ts_stage ts_stage_lookup_third = {
 	.name = "lookup.third",
 	.kind = "emit",
 	.paper = "EPR 4.1.4",
-	.doc = "the same once more",
+	.doc = "four look-ups for each sample of the second bounce that sees a mirror",
 	.run = lookup_third,
 	.launches = TS_LAUNCHES(&third[0].count, &third[0].queue, &third[0].look_up, &third[1].count, &third[1].queue,
                             &third[1].look_up),

@@ -62,7 +62,7 @@ void ts_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_param
 
 const ts_effect ts_effect_soft_shadows = {
 	.name = "soft-shadows",
-	.doc = "of a lamp or the scene's lights",
+	.doc = "shadows of a lamp or of the scene's lights",
 	.seen = TS_B_eye_depth_triangle,
 	.difference_scale = 8,
 	.lower = "depth_map.px or lamp.views_a_pass",
@@ -70,7 +70,7 @@ const ts_effect ts_effect_soft_shadows = {
 
 const ts_effect ts_effect_omni_shadows = {
 	.name = "omni-shadows",
-	.doc = "of a ball of light in the middle",
+	.doc = "shadows of a ball of light in the middle",
 	.seen = TS_B_eye_depth_triangle,
 	.difference_scale = 8,
 	.lower = "depth_map.px or lamp.views_a_pass",

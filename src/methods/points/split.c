@@ -66,7 +66,7 @@ const ts_stage ts_stage_split = {
 	.name = "split",
 	.kind = "emit",
 	.paper = "EPR 4.1.1, eqs 2 and 3",
-	.doc = "density of every triangle; large ones in pieces",
+	.doc = "density of every triangle; large triangles are split into pieces",
 	.run = split,
 	.launches = TS_LAUNCHES(&of_eye.count, &of_eye.write),
 };
@@ -75,7 +75,7 @@ const ts_stage ts_stage_split_views = {
 	.name = "split.views",
 	.kind = "emit",
 	.paper = "iVIR 3.1, eqs 2 and 3",
-	.doc = "density of every triangle from the off-screen views; uneven and large ones in pieces",
+	.doc = "density of every triangle from the off-screen views; uneven and large triangles are split",
 	.run = split_views,
 	.launches = TS_LAUNCHES(&of_views.count, &of_views.write),
 };
@@ -84,7 +84,7 @@ const ts_stage ts_stage_split_shadow = {
 	.name = "split.shadow",
 	.kind = "emit",
 	.paper = "EPR 5.1, eq. 5",
-	.doc = "density of every triangle from the off-screen views and the eye",
+	.doc = "density of every triangle from the off-screen views and the eye; large triangles are split",
 	.run = split_shadow,
 	.launches = TS_LAUNCHES(&of_views.count, &of_views.write),
 };

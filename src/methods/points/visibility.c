@@ -23,7 +23,7 @@ const ts_stage ts_stage_visibility = {
 	.name = "visibility",
 	.kind = "map",
 	.paper = "EPR 3.1",
-	.doc = "one bit a triangle and cube face",
+	.doc = "visibility of triangles: one bit per triangle and cube face",
 	.run = visibility,
 	.launches = TS_LAUNCHES(&launch),
 };

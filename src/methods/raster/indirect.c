@@ -24,7 +24,7 @@ void ts_indirect_expect(ts_expected *expected, const ts_scene *scene, const ts_p
 
 const ts_effect ts_effect_indirect = {
 	.name = "indirect",
-	.doc = "the light of a lamp or the scene's lights after one bounce",
+	.doc = "the light of a lamp or of the scene's lights after one bounce",
 	.seen = TS_B_eye_depth_triangle,
 	.difference_scale = 4,
 	.lower = "depth_grid.px or rsm.px",

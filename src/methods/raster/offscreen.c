@@ -51,7 +51,7 @@ const ts_stage ts_stage_offscreen = {
 	.name = "offscreen",
 	.kind = "map",
 	.paper = "iVIR 5",
-	.doc = "six off-screen views a cube",
+	.doc = "six off-screen views per cube",
 	.run = offscreen,
 	.looks_at = TS_BUFFERS(TS_B_cube_size_face, TS_B_lamp_light),
 	.makes = TS_BUFFERS(TS_B_offscreen_view),
@@ -61,7 +61,7 @@ const ts_stage ts_stage_offscreen_visibility = {
 	.name = "offscreen.visibility",
 	.kind = "map",
 	.paper = "iVIR 3.1",
-	.doc = "one bit a triangle and off-screen view",
+	.doc = "visibility of triangles: one bit per triangle and off-screen view",
 	.run = offscreen_visibility,
 	.launches = TS_LAUNCHES(&launch),
 };

@@ -43,7 +43,7 @@ void ts_plan_largest(ts_plan *plan, const ts_params *params)
 
 const ts_effect ts_effect_reflections = {
 	.name = "reflections",
-	.doc = "mirrors that move",
+	.doc = "reflections in moving mirrors",
 	.mirrors = true,
 	.seen = TS_B_eye_depth_triangle,
 	.difference_scale = 8,

@@ -32,7 +32,7 @@ const ts_stage ts_stage_fragment_list = {
 	.name = "fragment_list",
 	.kind = "emit",
 	.paper = "NV40: Floating Point Precision",
-	.doc = "which surfels are blended at each pixel, in order",
+	.doc = "the surfels that are blended at each pixel, in order",
 	.run = fragment_list,
 	.launches = TS_LAUNCHES(&counted, &listed, &sorted),
 };

@@ -14,7 +14,7 @@ const ts_stage ts_stage_normal_field = {
 	.name = "normal_field",
 	.kind = "map",
 	.paper = "NV40: Phong Shading for PBR",
-	.doc = "linear fields of normals, which fit the nearest surfels of each",
+	.doc = "a linear field of normals for each surfel, fitted to its nearest surfels",
 	.run = normal_field,
 	.launches = TS_LAUNCHES(&launch),
 };

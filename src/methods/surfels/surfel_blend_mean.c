@@ -14,7 +14,7 @@ const ts_stage ts_stage_surfel_blend_mean = {
 	.name = "surfel_blend.mean",
 	.kind = "map",
 	.paper = "NV40: 3-Pass Deferred Shading",
-	.doc = "those sums by their weights: a G-buffer",
+	.doc = "sums divided by their weights: a G-buffer",
 	.run = surfel_blend_mean,
 	.launches = TS_LAUNCHES(&launch),
 };

@@ -22,7 +22,7 @@ const ts_stage ts_stage_surfel_depth = {
 	.name = "surfel_depth",
 	.kind = "scatter",
 	.paper = "NV40: 3-Pass Deferred Shading",
-	.doc = "visibility: the nearest surfel of every pixel, epsilon farther, by 64-bit minimum",
+	.doc = "visibility: the nearest surfel of every pixel, moved back by epsilon, by 64-bit minimum",
 	.run = surfel_depth,
 	.launches = TS_LAUNCHES(&from_eye),
 };
@@ -31,7 +31,7 @@ const ts_stage ts_stage_surfel_depth_shadow = {
 	.name = "surfel_depth.shadow",
 	.kind = "scatter",
 	.paper = "NV40: Timings & Comparison",
-	.doc = "visibility from every light",
+	.doc = "depth maps of surfels for every light",
 	.run = surfel_depth_shadow,
 	.launches = TS_LAUNCHES(&from_lights),
 };

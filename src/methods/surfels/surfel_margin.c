@@ -34,7 +34,7 @@ const ts_stage ts_stage_surfel_depth_margin = {
 	.kind = "scatter",
 	.margin_of = "surfel_depth",
 	.paper = "NV40: 3-Pass Deferred Shading",
-	.doc = "how near the nearest of every pixel was to another",
+	.doc = "margins of the nearest surfel of every pixel",
 	.run = surfel_depth_margin,
 	.launches = TS_LAUNCHES(&of_depths),
 };
@@ -44,7 +44,7 @@ const ts_stage ts_stage_surfel_blend_margin = {
 	.kind = "scatter",
 	.margin_of = "surfel_blend",
 	.paper = "NV40: Approximate EWA Filtering",
-	.doc = "how near fragments were to come or go, or to be lit",
+	.doc = "margins of the fragments of every pixel, and of their light",
 	.run = surfel_blend_margin,
 	.launches = TS_LAUNCHES(&of_fragments, &of_shading, &of_phong),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),

@@ -25,7 +25,7 @@ const ts_stage ts_stage_surfel_shade_image = {
 	.name = "surfel_shade.image",
 	.kind = "map",
 	.paper = "NV40: 3-Pass Shading",
-	.doc = "the picture, of colours that were shaded before they were blended",
+	.doc = "the picture of colours that were shaded before they were blended",
 	.run = image,
 	.launches = TS_LAUNCHES(&launch),
 };

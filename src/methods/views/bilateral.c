@@ -22,7 +22,7 @@ const ts_stage ts_stage_bilateral = {
 	.name = "bilateral",
 	.kind = "map",
 	.paper = "MegaViews 5.1",
-	.doc = "that light filtered, but not over edges",
+	.doc = "gathered light, filtered but not across edges",
 	.run = bilateral,
 	.launches = TS_LAUNCHES(&along_rows, &along_columns),
 };

@@ -38,7 +38,7 @@ const ts_stage ts_stage_cube_view_mip = {
 	.name = "cube_view.mip",
 	.kind = "map",
 	.paper = "MegaViews 6",
-	.doc = "whole maps of those views in colour as mip chains of cubes",
+	.doc = "coloured maps of the cubes' views as mip chains of cubes",
 	.run = cube_view_mip,
 	.launches = TS_LAUNCHES(&copied, &ts_mip_averaged),
 };

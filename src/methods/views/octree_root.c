@@ -16,7 +16,7 @@ const ts_stage ts_stage_octree_root = {
 	.name = "octree.root",
 	.kind = "map",
 	.paper = "MegaViews 3.1",
-	.doc = "the cube about all vertices that both octrees divide",
+	.doc = "the cube around all vertices, the root of both octrees",
 	.run = octree_root,
 	.launches = TS_LAUNCHES(&extent, &cube),
 };

@@ -55,7 +55,7 @@ const ts_stage ts_stage_view_octree_voxel = {
 	.name = "view_octree.voxel",
 	.kind = "scatter",
 	.paper = "MegaViews 3.1",
-	.doc = "voxels that views are in, and those above them",
+	.doc = "voxels that contain views, at all levels",
 	.run = view_octree_voxel,
 	.launches = TS_LAUNCHES(&marked, &ts_view_octree.raised, &ts_view_octree.counted),
 };

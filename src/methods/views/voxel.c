@@ -24,7 +24,7 @@ const ts_stage ts_stage_voxel = {
 	.name = "voxel",
 	.kind = "scatter",
 	.paper = "MegaViews 4.1",
-	.doc = "voxels that triangles touch, and those above them",
+	.doc = "voxels that triangles touch, at all levels",
 	.run = voxel,
 	.launches = TS_LAUNCHES(&marked, &ts_scene_octree.raised, &ts_scene_octree.counted),
 };
