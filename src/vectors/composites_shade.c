@@ -133,7 +133,7 @@ static void relate_bias(u32 *in, u32 random)
 
 const ts_vector ts_composites_shade[] = {
 	{ PRIMITIVE(light), "ts_k_light",
-	  "direction l from p to the light, and the share of its intensity that arrives (KHR_lights_punctual)",
+	  "direction l from p to the light, and the factor by which its intensity arrives (KHR_lights_punctual)",
 	  { LIGHT("light"), NEAR("p", 3) }, { COLUMN("l", F32, 3), COLUMN("arrives", F32, 1) }, .relate = relate_light },
 	{ PRIMITIVE(brdf), "ts_k_brdf", "BRDF of glTF 2.0 times n.l; n, v and l are unit vectors, n.l is above 0",
 	  { UNIT("n"), UNIT("v"), UNIT("l"), POSITIVE("n_l", 1, 88, 127), SHARE("base", 3), SHARE("metallic", 1),

@@ -4,24 +4,27 @@
  *       ARG(IN, ts_face, cubes, cube_size_face) \
  *       ARG(VALUE, u32, n_cubes, none)
  *   TS_ARGS(ts_splat_args);
+  * From the rows this file makes the struct, and backends/args.c the tables that backends and stages read. A row has a
+ * role, a type, a name, and the buffer of records.def to which the member is bound unless a launch binds another; or
+ * none.
  *
- * make the struct here, and in backends/args.c what backends and stages know of it. A row is a role, a type, a name,
- * and the buffer of records.def that it is bound to unless a launch binds another; or none.
+ *   IN     elements that are read
+ *   OUT    elements that are written, and read only where the same launch wrote them
+ *   MIN    the least of the values that items offer; all ones at first
+ *   SUM    elements that items add to, set or mark; zero at first
+ *   WORK   memory that a stage lends; WORK_IN: memory that is only read
+ *   TALLY  a counter for the report; the last column is its index among the stage's tallies
+ *   VALUE  a number, or a struct of numbers
+ *   INNER  a struct of arguments
+ *   ..._PARTS  may be larger than a device allocates at once: element i is ts_at(name, i)
+ *   ..._OPT    NULL unless a launch asks for the member
  *
- *   IN     elements that are read          OUT   that are written, or read where the same launch wrote them
- *   MIN    the least of what is offered; all ones at first       SUM   what is added, set or marked; zero at first
- *   WORK   memory that a stage lends; WORK_IN: it is read
- *   TALLY  counts for the report: the place among the stage's tallies
- *   VALUE  a number, or a struct of numbers    INNER  a struct of arguments
- *   ..._PARTS  may be larger than what a device allocates at once: its elements are ts_at(name, i)
- *   ..._OPT    NULL unless a launch asks for it
- *
- * The lists have no variable number of arguments, for OpenCL C has none. */
+ * The macros take fixed numbers of arguments, since OpenCL C has no variadic macros. */
 #ifndef TS_KERNELS_ARGS_H
 #define TS_KERNELS_ARGS_H
 #include "compat.h"
 
-#ifndef TS_ARGS_ALSO /* what backends/args.c makes of them */
+#ifndef TS_ARGS_ALSO /* what backends/args.c makes of the rows */
 #define TS_ARGS_ALSO(type)
 #endif
 #define TS_ARGS(type) \

@@ -1,5 +1,5 @@
-/* Bands, where a device ends long loops: items share the rows of a loop by turns. Item i is band i % n of what is item
- * i / n elsewhere, and takes the rows band, band + n, ... */
+/* Bands: on devices that stop long loops, n items share the rows of one loop. Item i is band i % n of item i / n, and
+ * takes the rows band, band + n, ... */
 #ifndef TS_KERNELS_BAND_H
 #define TS_KERNELS_BAND_H
 #include "compat.h"

@@ -1,4 +1,5 @@
-/* What bounds scattering: 64-bit minima at random texels. `touchstone bench backends` measures it; no stage runs it. */
+/* The limit of scattering: 64-bit minima at random texels. `touchstone bench backends` measures this kernel; no stage
+ * runs it. */
 #ifndef TS_KERNELS_BENCH_H
 #define TS_KERNELS_BENCH_H
 #include "args.h"
@@ -7,10 +8,10 @@
 #define TS_ROWS_ts_bench_min_args(ARG) \
 	ARG(OUT, u64, texels, cube_face_depth_triangle) /* all empty before the first launch */ \
 	ARG(VALUE, u32, n_texels, none) \
-	ARG(VALUE, u32, distance, none) /* of every key; less in each launch, which so finds the texels as good as empty */
+	ARG(VALUE, u32, distance, none) /* of every key; less in each launch, so that the texels are as good as empty */
 TS_ARGS(ts_bench_min_args);
 
-/* scatter over offers; of as many as there are texels, four in five lower their texel, in any order */
+/* scatter over offers; with as many offers as texels, four in five lower their texel, in any order */
 TS_FN void ts_k_bench_min_item(const ts_bench_min_args *args, u64 i)
 {
 	u64 texel = ((u64)ts_pcg((u32)i) * args->n_texels) >> 32;

@@ -3,11 +3,11 @@
 #define TS_KERNELS_BISECT_H
 #include "area.h"
 
-/* What a lattice holds: samples of a part, and samples along an edge, so that they stay within 2^15. */
+/* Limits of a lattice: samples of a part; and samples along an edge, so that indices stay below 2^15. */
 #define TS_SPLIT_SAMPLES 65536.0f /* 2^16 */
 #define TS_MOST_WIDTH 16384.0f
 
-/* A part of a triangle, and the way to it: a bit for each bisection, behind a one. */
+/* A part of a triangle, and its path: a one, then a bit for each bisection. */
 typedef struct {
 	ts_v3 v[3];
 	u32 path;

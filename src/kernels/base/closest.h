@@ -1,5 +1,5 @@
-/* Closest points: on a triangle (by its Voronoi regions), on a segment, on a triangle's border; and the centre of a
- * triangle's circle. */
+/* Closest points: on a triangle (by its Voronoi regions), on a segment, on a triangle's border; and the circumcentre of
+ * a triangle. */
 #ifndef TS_KERNELS_CLOSEST_H
 #define TS_KERNELS_CLOSEST_H
 #include "vec.h"
@@ -48,15 +48,15 @@ TS_FN ts_v3 ts_k_closest_on_segment(ts_v3 p, ts_v3 from, ts_v3 to)
 
 TS_FN ts_v3 ts_k_closer(ts_v3 p, ts_v3 a, ts_v3 b) { return ts_length(ts_sub(b, p)) < ts_length(ts_sub(a, p)) ? b : a; }
 
-/* On the edges of a triangle; the first on ties. */
+/* The closest point on the edges of a triangle; of equal distances on the first edge. */
 TS_FN ts_v3 ts_k_closest_on_border(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_v3 r = ts_k_closer(p, ts_k_closest_on_segment(p, a, b), ts_k_closest_on_segment(p, b, c));
 	return ts_k_closer(p, r, ts_k_closest_on_segment(p, c, a));
 }
 
-/* cc = a + ((n x ab) |ac|^2 + (ac x n) |ab|^2) / (2 |n|^2), n = ab x ac; computed in units of the longest edge.
- * a where that is beyond 2^20 of them. */
+/* cc = a + ((n x ab) |ac|^2 + (ac x n) |ab|^2) / (2 |n|^2), n = ab x ac; computed in units of the longer of ab and ac.
+ * Returns a if there is no circle, or cc is 2^20 units away or more. */
 TS_FN ts_v3 ts_k_circumcentre(ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_v3 ab = ts_sub(b, a);

@@ -1,11 +1,11 @@
-/* The one file that asks which language this is. Everything else under kernels/ is the common subset of C11,
+/* The only file that asks which language is compiled. Everything else under kernels/ is the common subset of C11,
  * OpenCL C 1.2 and CUDA C: see CONTRIBUTING.md, "Kernels". */
 #ifndef TS_KERNELS_COMPAT_H
 #define TS_KERNELS_COMPAT_H
 
 #if defined(__OPENCL_C_VERSION__)
 
-#ifndef TS_CANARY_CONTRACTS /* for tests that must see it */
+#ifndef TS_CANARY_CONTRACTS /* defined by tests that must see contraction */
 #pragma OPENCL FP_CONTRACT OFF
 #endif
 #pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
@@ -16,9 +16,10 @@ typedef uint u32;
 typedef long i64;
 typedef ulong u64;
 typedef uchar u8;
-/* Compilers of OpenCL leave long functions out of line, which costs a third of a frame; but of those called from many
- * places copies take long to compile. TS_CALL is out of line, TS_HOT on devices alone. */
-#ifndef TS_FN /* Oclgrind takes no function that must be inlined: -DTS_FN=static */
+/* OpenCL compilers leave long functions out of line, which costs a third of a frame, so TS_FN is inlined. Copies of
+ * functions that are called from many places take long to compile: TS_CALL is out of line everywhere, TS_HOT only on
+ * devices. */
+#ifndef TS_FN /* Oclgrind rejects functions that must be inlined: -DTS_FN=static */
 #define TS_FN static inline __attribute__((always_inline))
 #endif
 #define TS_CALL static __attribute__((noinline, unused))
@@ -29,7 +30,7 @@ typedef uchar u8;
 #define ts_u2f(x) as_float(x)
 #define ts_sqrt(x) sqrt(x)
 #define ts_floor(x) floor(x)
-/* Without a look first: OpenCL C 1.2 has no atomic load, and a plain one races with what others write. */
+/* No read comes first: OpenCL C 1.2 has no atomic load, and a plain load races with writes of other items. */
 #define ts_min_u64(p, v) ((void)atom_min((p), (v)))
 #define ts_min_u32(p, v) ((void)atomic_min((p), (v)))
 #define ts_peek_u32(p) atomic_or((p), 0u)
@@ -38,7 +39,8 @@ typedef uchar u8;
 #define ts_next_i64(p) atom_inc(p)
 #define ts_next_u32(p) atomic_inc(p)
 #define ts_mark_u8(p) (*(p) = 1)
-/* In as many parts as the device needs: the program is built with TS_PARTS and TS_PART_BYTES, a power of two. */
+/* An array in as many parts as the device needs: the program is built with TS_PARTS and TS_PART_BYTES, a power of
+ * two. */
 #if TS_PARTS > 1
 #define TS_PARTED(type, name) __global type *name[TS_PARTS]
 #define TS_PART_OF(array) (TS_PART_BYTES / sizeof(*(array)[0]))
@@ -63,7 +65,7 @@ typedef unsigned char u8;
 #define ts_u2f(x) __uint_as_float(x)
 #define ts_sqrt(x) __fsqrt_rn(x)
 #define ts_floor(x) floorf(x)
-/* Volatile reads are relaxed ones of PTX's memory model, and no race with relaxed atomics of the device. */
+/* A volatile read is a relaxed read in PTX's memory model, so it does not race with relaxed atomics of the device. */
 #define ts_min_u64(p, v) \
 	do { \
 		if ((v) < *(volatile u64 *)(p)) atomicMin((p), (v)); \
@@ -125,7 +127,7 @@ static inline f32 ts_u2f(u32 u)
 }
 #define ts_sqrt(x) sqrtf(x)
 #define ts_floor(x) floorf(x)
-/* Reading first and skipping what is not smaller is safe, because the value only ever falls. */
+/* A value that is not below the one read may be skipped, since the stored value only ever falls. */
 static inline void ts_min_u64(u64 *p, u64 v)
 {
 	u64 old = __atomic_load_n(p, __ATOMIC_RELAXED);
@@ -138,24 +140,25 @@ static inline void ts_min_u32(u32 *p, u32 v)
 	while (v < old && !__atomic_compare_exchange_n(p, &old, v, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
 	}
 }
-/* While others lower it. */
+/* Reads a value that other items may lower at the same time. */
 static inline u32 ts_peek_u32(const u32 *p) { return __atomic_load_n(p, __ATOMIC_RELAXED); }
-/* The same of bits, which are only ever set. */
+/* Sets bits. Bits that are set already may be skipped, since no bit is ever cleared. */
 static inline void ts_or_u64(u64 *p, u64 v)
 {
 	if ((v & ~__atomic_load_n(p, __ATOMIC_RELAXED)) != 0u) __atomic_fetch_or(p, v, __ATOMIC_RELAXED);
 }
 static inline void ts_add_i64(i64 *p, i64 v) { __atomic_fetch_add(p, v, __ATOMIC_RELAXED); }
-/* The value before it is raised by 1. */
+/* Adds 1 and returns the value before. */
 static inline i64 ts_next_i64(i64 *p) { return __atomic_fetch_add(p, 1, __ATOMIC_RELAXED); }
 static inline u32 ts_next_u32(u32 *p) { return __atomic_fetch_add(p, 1u, __ATOMIC_RELAXED); }
-/* 1, whoever else says so at the same time. */
+/* Stores 1; other items may store 1 at the same time. */
 static inline void ts_mark_u8(u8 *p) { __atomic_store_n(p, 1, __ATOMIC_RELAXED); }
 #define TS_ASSERT_SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), #type " has padding")
 
 #endif
 
-/* A member that points to an array that may be larger than what a device allocates at once, and one of its elements. */
+/* TS_PARTED: a member that points to an array that may be larger than a device allocates at once; ts_at: the address of
+ * its element i. */
 #ifndef TS_PARTED
 #define TS_PARTED(type, name) TS_GLOBAL type *name
 #define ts_at(array, i) (&(array)[i])

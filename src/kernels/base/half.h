@@ -1,5 +1,5 @@
-/* Rounding to IEEE binary16, as frame buffers of 16-bit floats do: to nearest, ties to even, by integers (CONTRACT
- * rule 13). No type of 16 bits is needed, for every binary16 is a binary32. */
+/* Rounding to IEEE binary16, as frame buffers of 16-bit floats do: to nearest, ties to even, by integers (CONTRACT rule
+ * 13). No 16-bit type is needed, since every binary16 is a binary32. */
 #ifndef TS_KERNELS_HALF_H
 #define TS_KERNELS_HALF_H
 #include "compat.h"

@@ -1,5 +1,5 @@
-/* Where a ray meets the plane of a triangle, and the triangle's weights there (METHODS 17).
- * Which triangle is met is decided elsewhere: this only measures, so every input gives finite numbers. */
+/* The place where a ray meets the plane of a triangle, and the triangle's weights there (METHODS 17). Truths decide
+ * elsewhere which triangle a ray meets; this file only measures, and gives finite numbers for every input. */
 #ifndef TS_KERNELS_HIT_H
 #define TS_KERNELS_HIT_H
 #include "scene.h"
@@ -18,14 +18,14 @@ TS_FN ts_v3 ts_k_hit_weights(f32 a, f32 b, f32 c)
 	return sum > 0.0f ? ts_v3_make(ts_put(a / sum), ts_put(b / sum), ts_put(c / sum)) : ts_v3_make(third, third, third);
 }
 
-/* Twice the area of p, a, b seen along axis 0, 1 or 2. */
+/* Twice the signed area of p, a, b, seen along axis 0, 1 or 2. */
 TS_FN f32 ts_k_hit_area(ts_v3 p, ts_v3 a, ts_v3 b, u32 axis)
 {
 	ts_v3 n = ts_cross(ts_sub(a, p), ts_sub(b, p));
 	return axis == 0u ? n.x : axis == 1u ? n.y : n.z;
 }
 
-/* Clamped to [0,1]; zero area gives 0. */
+/* part / whole, clamped to [0,1]; 0 if the whole is 0. */
 TS_FN f32 ts_k_hit_share(f32 part, f32 whole)
 {
 	whole = ts_flush(whole);

@@ -1,4 +1,4 @@
-/* All kernels that are no family's: for backends. */
+/* All kernels that belong to no family: for backends. */
 #ifndef TS_KERNELS_BASE_KERNELS_H
 #define TS_KERNELS_BASE_KERNELS_H
 #include "bench.h"

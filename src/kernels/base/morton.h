@@ -1,4 +1,4 @@
-/* Morton codes of voxels: the bits of x, y and z in turn, x lowest, up to 11 of each; and bits counted. */
+/* Morton codes of voxels: the bits of x, y and z in turn, x lowest, up to 11 bits each; and a count of set bits. */
 #ifndef TS_KERNELS_MORTON_H
 #define TS_KERNELS_MORTON_H
 #include "compat.h"
@@ -26,7 +26,7 @@ TS_FN u64 ts_k_spread(u32 x)
 	return (r | (r << 2)) & 0x49249249u;
 }
 
-/* Bit 3 b moves to b, and the others vanish. */
+/* Bit 3 b moves to b; the other bits are dropped. */
 TS_FN i32 ts_k_gather_bits(u64 x)
 {
 	u64 r = x & 0x49249249u;

@@ -55,7 +55,7 @@ TS_FN i32 ts_fix(f32 x, i32 frac, i32 bits)
 	return (u & 0x80000000u) != 0u ? -(i32)q : (i32)q;
 }
 
-/* Truncating, saturating, NaN gives 0. */
+/* To an integer: truncates, saturates; NaN gives 0. */
 TS_FN i32 ts_f2i(f32 x)
 {
 	if (x >= 2147483648.0f) return 2147483647;
@@ -63,7 +63,7 @@ TS_FN i32 ts_f2i(f32 x)
 	return x == x ? (i32)x : 0;
 }
 
-/* The pixel that holds x. */
+/* The pixel that contains x. */
 TS_FN i32 ts_floor_i32(f32 x) { return ts_f2i(ts_floor(x)); }
 
 /* To the nearest integer, ties to even, for |x| < 2^22. */

@@ -32,7 +32,7 @@ TS_FN ts_pose ts_k_pose(TS_GLOBAL const ts_object *object, u32 frame)
 	return r;
 }
 
-/* Motions are by frame, then by object; n_motion of 0 frames: there are none. */
+/* Motions are sorted by frame, then by object. n_motion: their number of frames; 0: there are no motions. */
 TS_FN ts_pose ts_k_pose_at(TS_GLOBAL const ts_object *objects, u32 n_objects, u32 object,
                            TS_GLOBAL const ts_motion *motions, u32 n_motion, u32 frame)
 {

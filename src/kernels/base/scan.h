@@ -1,5 +1,5 @@
 /* Exclusive prefix sums of 32-bit counts in three passes: the sum of every chunk, the sums before every chunk, and the
- * counts before every element. Integers, so the chunks' size never changes a result. */
+ * counts before every element. Sums are integers, so the size of chunks never changes a result. */
 #ifndef TS_KERNELS_SCAN_H
 #define TS_KERNELS_SCAN_H
 #include "args.h"

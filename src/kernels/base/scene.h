@@ -23,7 +23,7 @@ TS_ARGS(ts_arrays);
 #define TS_MASKED 2u
 #define TS_UNLIT 4u
 
-/* The three corners of a triangle and its normal (b - a) x (c - a), not normalised. */
+/* The three corners of a triangle and its normal (b - a) x (c - a), not normalized. */
 typedef struct {
 	ts_v3 a, b, c, n;
 } ts_corners;
@@ -39,7 +39,7 @@ TS_FN ts_corners ts_k_corners(const ts_arrays *scene, u32 triangle)
 	return r;
 }
 
-/* A triangle without area is dropped everywhere (CONTRACT rule 35). */
+/* Every stage drops triangles without area (CONTRACT rule 35). */
 TS_FN bool ts_k_is_degenerate(ts_v3 n) { return !(ts_flush(ts_dot(n, n)) > 0.0f); }
 
 TS_FN bool ts_k_is_two_sided(const ts_arrays *scene, u32 triangle)
@@ -65,7 +65,7 @@ TS_FN u32 ts_k_reflector_of(const ts_arrays *scene, u32 triangle)
 	return scene->objects[ts_k_object_of(scene, triangle)].reflector;
 }
 
-/* A cube may show the triangle: not its own reflector's, and not where it turns its back. */
+/* Whether a cube may show the triangle: it is not of the cube's own reflector, and does not turn its back. */
 TS_FN bool ts_k_may_show(const ts_arrays *scene, TS_GLOBAL const ts_face *cube, u32 triangle, const ts_corners *t)
 {
 	if (cube->n == 0u || cube->object == ts_k_object_of(scene, triangle)) return false;

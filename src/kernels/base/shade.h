@@ -8,13 +8,13 @@
 #define TS_LIGHT_KIND_POINT 1u
 #define TS_LIGHT_KIND_SPOT 2u
 
-/* The colour of what is not there: the same for the eye, rays and empty texels. */
+/* The background: the same for the eye, rays and empty texels. */
 TS_FN ts_v3 ts_k_background(void)
 {
 	return ts_v3_make(0.20000000298023223876953125f, 0.300000011920928955078125f, 0.5f);
 }
 
-/* KHR_lights_punctual: the way to the light in *l (unit) and what arrives of its intensity. */
+/* KHR_lights_punctual: *l is the unit vector to the light. Returns the factor by which its intensity arrives. */
 TS_FN f32 ts_k_light(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 *l)
 {
 	if (light->kind == TS_LIGHT_KIND_DIRECTIONAL) {
@@ -38,7 +38,7 @@ TS_FN f32 ts_k_light(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 *l)
 	return ts_flush(arrives);
 }
 
-/* It shines all around, and what sees for it is a cube. */
+/* The light shines in all directions, so its maps are the faces of a cube. */
 TS_FN bool ts_k_has_cube(TS_GLOBAL const ts_light *light) { return light->kind == TS_LIGHT_KIND_POINT; }
 
 /* GGX's alpha squared; alpha is the roughness squared, at least 2^-9. */
@@ -49,14 +49,14 @@ TS_FN f32 ts_k_alpha_squared(f32 roughness)
 	return ts_max(a2, 0.000003814697265625f);
 }
 
-/* Reflectance where light and viewer are opposite. */
+/* Reflectance at normal incidence. */
 TS_FN ts_v3 ts_k_f0(const ts_surface *s)
 {
 	f32 dielectric = 0.039999999105930328369140625f * (1.0f - s->metallic);
 	return ts_mad(ts_v3_make(dielectric, dielectric, dielectric), s->base, s->metallic);
 }
 
-/* Smith: masking and shadowing over 4 n.l n.v. */
+/* Smith: masking and shadowing divided by 4 n.l n.v. */
 TS_FN f32 ts_k_smith(f32 n_l, f32 n_v, f32 a2)
 {
 	f32 left = n_l * ts_sqrt((n_v * n_v) * (1.0f - a2) + a2);
@@ -91,14 +91,14 @@ TS_FN ts_v3 ts_k_brdf(const ts_surface *s, ts_v3 n, ts_v3 v, ts_v3 l, f32 n_l)
 	return ts_scale(ts_mad(lambert, f, d * visible), n_l);
 }
 
-/* The part of light i that reaches a pixel; NULL: all of it. */
+/* The share of light i that reaches a pixel; all of it if lit is NULL. */
 TS_FN f32 ts_k_share(TS_GLOBAL const u32 *lit, TS_GLOBAL const ts_lamp *lamps, u32 i)
 {
 	return lit != NULL ? (f32)lit[i] / (f32)lamps[i].samples : 1.0f;
 }
 
-/* Outgoing radiance towards v (unit). Two-sided normals turn to the viewer. Of light i lit[i] of lamps[i].samples reach
- * the surface; both may be NULL. */
+/* Outgoing radiance towards v (unit). Two-sided normals turn to the viewer. lit[i] of lamps[i].samples samples of light
+ * i reach the surface; both arrays may be NULL. */
 TS_FN ts_v3 ts_k_shade_lit(const ts_arrays *scene, const ts_surface *s, ts_v3 v, TS_GLOBAL const u32 *lit,
                            TS_GLOBAL const ts_lamp *lamps)
 {
@@ -118,7 +118,7 @@ TS_FN ts_v3 ts_k_shade_lit(const ts_arrays *scene, const ts_surface *s, ts_v3 v,
 	return ts_v3_make(ts_flush(sum.x), ts_flush(sum.y), ts_flush(sum.z));
 }
 
-/* The same in full light. */
+/* ts_k_shade_lit in full light. */
 TS_FN ts_v3 ts_k_shade(const ts_arrays *scene, const ts_surface *s, ts_v3 v)
 {
 	return ts_k_shade_lit(scene, s, v, NULL, NULL);

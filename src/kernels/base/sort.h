@@ -1,5 +1,5 @@
-/* Lists whose entries were appended in any order, each sorted in place by a heap: the leaves of octrees, and the
- * surfels of pixels. */
+/* Sorts each list in place by a heap: the triangles or views of the leaves of octrees, and the surfels of pixels, which
+ * were appended in any order. */
 #ifndef TS_KERNELS_SORT_H
 #define TS_KERNELS_SORT_H
 #include "args.h"
@@ -9,7 +9,7 @@
 	ARG(OUT, u32, entries, none)
 TS_ARGS(ts_sort_args);
 
-/* Lets entry k of a heap of n fall to its place. */
+/* Moves entry k of a heap of n entries down to its place. */
 TS_FN void ts_k_sift(TS_GLOBAL u32 *heap, u32 k, u32 n)
 {
 	u32 value = heap[k];
@@ -22,7 +22,7 @@ TS_FN void ts_k_sift(TS_GLOBAL u32 *heap, u32 k, u32 n)
 	heap[k] = value;
 }
 
-/* map over lists: its entries, which came in any order, sorted */
+/* map over lists: sorts the entries of each */
 TS_FN void ts_k_leaf_sort_item(const ts_sort_args *args, u64 i)
 {
 	TS_GLOBAL u32 *heap = args->entries + args->offset[i];

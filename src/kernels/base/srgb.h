@@ -262,7 +262,7 @@ TS_CONSTANT f32 ts_srgb_threshold[255] = {
 	0.99554526805877685546875f,
 };
 
-/* 0 to 255 of linear l, where 1 is white; NaN and negative values give 0. */
+/* The display value, 0 to 255, of linear l; 1 is white. NaN and negative values give 0. */
 TS_FN u32 ts_srgb_byte(f32 l)
 {
 	u32 n = 0u;

@@ -1,4 +1,4 @@
-/* The one surface: (triangle, weights of its corners) to position, normal and material, for eye pixels, face texels,
+/* The surface: position, normal and material of a triangle at weights of its corners, for eye pixels, face texels,
  * points and ray hits alike (METHODS 4). A footprint is the width of the sample in world units. */
 #ifndef TS_KERNELS_SURFACE_H
 #define TS_KERNELS_SURFACE_H
@@ -74,7 +74,7 @@ TS_FN bool ts_k_is_masked(const ts_arrays *scene, u32 triangle)
 	return (scene->materials[scene->triangles[triangle].material].flags & TS_MASKED) != 0u;
 }
 
-/* A masked sample with too little alpha is not there (METHODS 4). */
+/* A sample of a masked material with alpha below the cutoff is dropped (METHODS 4). */
 TS_CALL bool ts_k_is_below_cutoff(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 normal, f32 footprint)
 {
 	ts_sample s = ts_k_sample(scene, triangle, w, normal, footprint);
@@ -86,13 +86,13 @@ TS_FN bool ts_k_is_cut(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 norm
 	return ts_k_is_masked(scene, triangle) && ts_k_is_below_cutoff(scene, triangle, w, normal, footprint);
 }
 
-/* T and the sign of B = cross(n, T) * handedness. T is zero where there is none. */
+/* T and the sign of B = cross(n, T) * handedness. T is zero where there is no tangent. */
 typedef struct {
 	ts_v3 t;
 	f32 handedness;
 } ts_tangent;
 
-/* Along which u grows on the triangle; none where uv is degenerate. */
+/* The direction in which u grows on the triangle; none where uv is degenerate. */
 TS_FN ts_tangent ts_k_tangent_of_uv(const ts_sample *s, TS_GLOBAL const ts_slot *slot)
 {
 	ts_v2 a = ts_k_slot_uv(slot, s->a);
@@ -111,7 +111,7 @@ TS_FN ts_tangent ts_k_tangent_of_uv(const ts_sample *s, TS_GLOBAL const ts_slot 
 	return r;
 }
 
-/* From TANGENT, else from the uv gradient of the triangle (METHODS 4). */
+/* The tangent of TANGENT, otherwise that of the uv gradient of the triangle (METHODS 4). */
 TS_FN ts_tangent ts_k_tangent(const ts_sample *s, TS_GLOBAL const ts_slot *slot)
 {
 	ts_tangent r;
@@ -186,7 +186,7 @@ TS_FN void ts_k_surface_mirror(const ts_arrays *scene, u32 triangle, ts_surface 
 	r->roughness = 1.0f;
 }
 
-/* Everything. w: weights of the corners, not negative, sum 1. */
+/* Position, normals and material. w: weights of the corners, not negative, of sum 1. */
 TS_FN ts_surface ts_k_surface(const ts_arrays *scene, u32 triangle, ts_v3 w, f32 footprint)
 {
 	ts_corners t = ts_k_corners(scene, triangle);

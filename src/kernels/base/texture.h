@@ -1,5 +1,5 @@
-/* Textures: fixed-point bilinear weights, trilinear between two mip levels, an exact rule for the level (CONTRACT
- * rule 37). Texels are linear, 16 bits a channel, four channels in a u64, red lowest. */
+/* Textures: bilinear filter with fixed-point weights, trilinear between two mip levels, an exact rule for the level
+ * (CONTRACT rule 37). Texels are linear, 16 bits per channel, four channels in a u64, red lowest. */
 #ifndef TS_KERNELS_TEXTURE_H
 #define TS_KERNELS_TEXTURE_H
 #include "scene.h"
@@ -15,7 +15,7 @@ typedef struct {
 #define TS_MIRROR 1u
 #define TS_CLAMP 2u
 
-/* u in turns of the image to [0, 1], before scaling. */
+/* Wraps u, in widths of the image, into [0, 1], before scaling. */
 TS_FN f32 ts_k_texture_wrap(f32 u, u32 wrap)
 {
 	if (wrap == TS_CLAMP) return ts_clamp(u, 0.0f, 1.0f);
@@ -26,7 +26,7 @@ TS_FN f32 ts_k_texture_wrap(f32 u, u32 wrap)
 	return t > 1.0f ? 2.0f - t : t;
 }
 
-/* A neighbour one texel outside, by the same rule. */
+/* Wraps the index of a neighbour, which may be one texel outside, by the same rule. */
 TS_FN u32 ts_k_texture_neighbour(i32 i, i32 n, u32 wrap)
 {
 	if (wrap == TS_REPEAT) return (u32)(i < 0 ? n - 1 : i >= n ? i - n : i);
@@ -51,8 +51,8 @@ TS_FN u32 ts_k_texture_mix4(u32 a, u32 b, u32 c, u32 d, u32 fx, u32 fy)
 	return (top + low + 32768u) >> 16;
 }
 
-/* The four texels around uv, as indices into a level of `width` by `height`, and the weights in 1/256 of those to the
- * right and of those below. */
+/* The four texels around uv, as indices into a level of `width` by `height`: a b above c d. fx and fy are the weights,
+ * in 1/256, of the right and the lower texels. */
 typedef struct {
 	u64 a, b, c, d;
 	u32 fx, fy;
@@ -76,7 +76,7 @@ TS_FN ts_texels ts_k_texture_around(u32 width, u32 height, ts_v2 uv, TS_GLOBAL c
 	return r;
 }
 
-/* Of the texels read there. */
+/* The bilinear mean of the four texels that `at` names. */
 TS_FN ts_rgba16 ts_k_texture_blend(const ts_texels *at, u64 texel_a, u64 texel_b, u64 texel_c, u64 texel_d)
 {
 	ts_rgba16 a = ts_k_texture_unpack(texel_a);
@@ -100,7 +100,7 @@ TS_FN ts_rgba16 ts_k_texture_bilinear(TS_GLOBAL const u64 *level, u32 width, u32
 
 TS_FN u32 ts_k_texture_mix2(u32 a, u32 b, u32 f) { return (a * (256u - f) + b * f + 128u) >> 8; }
 
-/* 65535: 1 */
+/* 65535 becomes 1. */
 TS_FN f32 ts_k_texture_unit(u32 x) { return (f32)x * 0.00001525902189314365386962890625f; }
 
 typedef struct {
@@ -153,8 +153,9 @@ TS_FN ts_rgba ts_k_texture_sample(const ts_arrays *scene, TS_GLOBAL const ts_slo
 	return r;
 }
 
-/* One half log2 of the texels that a footprint of `footprint` world units covers, in 1/256 of a level:
- * K = footprint^2 W H A_uv / A_ws, isotropic, one value a sample. area is |(b-a) x (c-a)|, uv_area its image in uv. */
+/* Half the log2 of K, the texels that a footprint of `footprint` world units covers, in 1/256 of a level: K =
+ * footprint^2 W H A_uv / A_ws, isotropic, one level per sample. area is |(b-a) x (c-a)|, uv_area that of its image in
+ * uv. */
 TS_FN u32 ts_k_texture_lod(u32 width, u32 height, f32 footprint, f32 uv_area, f32 area)
 {
 	f32 texels = (f32)width * (f32)height;

@@ -1,4 +1,4 @@
-/* Vectors, one float operation a statement and sums from left to right (rules 5 and 6). */
+/* Vectors, with one float operation per statement and sums from left to right (rules 5 and 6). */
 #ifndef TS_KERNELS_VEC_H
 #define TS_KERNELS_VEC_H
 #include "num.h"

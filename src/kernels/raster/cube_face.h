@@ -1,4 +1,4 @@
-/* MVR's cube faces: every triangle into depth << 32 | triangle of each face (EPR section 4.2). */
+/* MVR's cube faces: draws every triangle into the keys depth << 32 | triangle of each face (EPR section 4.2). */
 #ifndef TS_KERNELS_CUBE_FACE_H
 #define TS_KERNELS_CUBE_FACE_H
 #include "../base/args.h"
@@ -10,7 +10,7 @@
 	ARG(MIN, u64, texels, cube_face_depth_triangle) /* of the batch */ \
 	ARG(VALUE, u32, first_cube, none) \
 	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
-	ARG(VALUE, u32, others, none)  /* items that share its rows: band.h */
+	ARG(VALUE, u32, others, none)  /* other items that share the rows: band.h */
 TS_ARGS(ts_cube_face_args);
 
 /* scatter over triangles: into every face of every cube of the batch, but not into a reflector's own cube */

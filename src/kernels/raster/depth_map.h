@@ -1,4 +1,4 @@
-/* MVR's depth maps: every triangle into the depths of each off-screen view (iVIR section 4). */
+/* MVR's depth maps: draws every triangle into the depths of each off-screen view (iVIR section 4). */
 #ifndef TS_KERNELS_DEPTH_MAP_H
 #define TS_KERNELS_DEPTH_MAP_H
 #include "../base/args.h"
@@ -10,7 +10,7 @@
 	ARG(MIN, u32, depths, depth_map_depth) /* of the batch */ \
 	ARG(VALUE, u32, first_view, none) \
 	ARG(VALUE, u32, n_views, none) /* the batch */ \
-	ARG(VALUE, u32, others, none)  /* items that share its rows: band.h */
+	ARG(VALUE, u32, others, none)  /* other items that share the rows: band.h */
 TS_ARGS(ts_depth_map_args);
 
 /* scatter over triangles: into every view of the batch */

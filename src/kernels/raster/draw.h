@@ -1,6 +1,6 @@
-/* Drawing triangles into a depth << 32 | triangle buffer, the eye and MVR's cube faces, or into one of depths alone,
- * MVR's shadow maps. Standard rasterization, axial depth, equal depth to the lowest triangle (CONTRACT rules 18, 22,
- * 24). */
+/* Draws triangles into a buffer of keys depth << 32 | triangle (the eye and MVR's cube faces), or of depths alone
+ * (MVR's shadow maps). Standard rasterization, axial depth; of equal depths the lowest triangle wins (CONTRACT rules
+ * 18, 22, 24). */
 #ifndef TS_KERNELS_DRAW_H
 #define TS_KERNELS_DRAW_H
 #include "offscreen.h"
@@ -15,7 +15,7 @@ TS_FN f32 ts_k_fragment_footprint(const ts_camera_k *view, const ts_corners *t, 
 	return ts_k_footprint((fragment->z / view->focal) * view->side, ts_sub(p, view->eye), t->n);
 }
 
-/* Texels of one view: keys, or depths alone; the other is NULL. */
+/* Texels of one view: keys, or depths alone; the other pointer is NULL. */
 typedef struct {
 	TS_GLOBAL u64 *keys;
 	TS_GLOBAL u32 *depths;
@@ -44,7 +44,7 @@ TS_FN ts_fragment ts_k_view_fragment(const ts_camera_k *view, const ts_setup *t,
 	return view->orthographic != 0u ? ts_k_fragment_parallel(t, e, a, b, c) : ts_k_fragment(t, e, a, b, c);
 }
 
-/* Visits a triangle of the fan of a clipped polygon. */
+/* Draws one triangle of the fan of a clipped polygon. */
 TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
                          const ts_corner *a, const ts_corner *b, const ts_corner *c, const ts_band *band,
                          const ts_target *target)
@@ -70,7 +70,7 @@ TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const 
 	}
 }
 
-/* One triangle, facing and not degenerate, into one view: a band of its rows. */
+/* Draws a band of the rows of one triangle, facing and not degenerate, into one view. */
 TS_CALL void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
                        const ts_band *band, const ts_target *target)
 {
@@ -103,8 +103,8 @@ TS_CALL ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *
 	return r;
 }
 
-/* The same of a triangle that may not be drawn there: z is 0 where it does not cover the pixel's centre, or its alpha
- * mask cuts it away. */
+/* ts_k_fragment_at for a triangle that may not be drawn there: z is 0 where the triangle does not cover the pixel's
+ * centre, or its alpha mask cuts it away. */
 TS_FN ts_fragment ts_k_fragment_drawn(const ts_arrays *scene, const ts_camera_k *view, u32 triangle, i32 i, i32 j)
 {
 	ts_corners t = ts_k_corners(scene, triangle);
@@ -114,7 +114,7 @@ TS_FN ts_fragment ts_k_fragment_drawn(const ts_arrays *scene, const ts_camera_k 
 	return r;
 }
 
-/* The surface of a triangle that a view sees at a pixel: what deferred shading starts from. */
+/* The surface of a triangle that a view sees at a pixel: the input of deferred shading. */
 TS_FN ts_surface ts_k_surface_seen(const ts_arrays *scene, const ts_camera_k *view, u32 triangle, i32 x, i32 y)
 {
 	ts_corners t = ts_k_corners(scene, triangle);

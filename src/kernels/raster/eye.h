@@ -1,4 +1,4 @@
-/* The eye's view: every triangle that faces it into depth << 32 | triangle (EPR section 4.1.3). */
+/* The eye's view: draws every triangle that faces the eye into the keys depth << 32 | triangle (EPR section 4.1.3). */
 #ifndef TS_KERNELS_EYE_H
 #define TS_KERNELS_EYE_H
 #include "../base/args.h"
@@ -10,7 +10,7 @@
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(MIN, u64, texels, eye_depth_triangle) \
 	ARG(VALUE, u32, samples, none) /* of a pixel */ \
-	ARG(VALUE, u32, others, none)  /* items that share its rows: band.h */
+	ARG(VALUE, u32, others, none)  /* other items that share the rows: band.h */
 TS_ARGS(ts_eye_args);
 
 /* scatter over triangles, for each sample of the pixels */

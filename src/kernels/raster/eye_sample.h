@@ -1,5 +1,5 @@
-/* Samples of the eye's pixels (METHODS 1): one in the middle, or four on a rotated grid, no two of which share a row or
- * a column of 4 x 4, so that an edge that is nearly level or upright passes them one by one (Akenine-Moller and Strom,
+/* Samples of the eye's pixels (METHODS 1): one in the middle, or four on a rotated grid. No two of the four share a row
+ * or a column of 4 x 4, so that a nearly horizontal or vertical edge passes them one by one (Akenine-Moller and Strom,
  * "Graphics for the Masses", 2003). Places and order are the standard sample locations of Vulkan and Direct3D 11.
  *
  * Buffers of the eye have eye_rows rows: one picture per sample, one below the other. A sample's view is the eye's view
@@ -25,7 +25,8 @@ TS_FN ts_camera_k ts_k_eye_view(TS_GLOBAL const ts_view *eye, u32 samples, u32 s
 	return r;
 }
 
-/* An element of a buffer of the eye: the view of its sample, its pixel, and the first element of that sample. */
+/* The place of an element of the eye's buffers: the view of its sample, its pixel, and the first element of the
+ * sample. */
 typedef struct {
 	ts_camera_k view;
 	u64 first;

@@ -1,6 +1,6 @@
-/* The G-buffer of screen-space methods (SSAGH section 3; METHODS 11). Its depth is zn = 1 - near / z: that of a far
- * plane at infinity, so that 1 - zn is exactly proportional to 1 / z, which thresholds and hull.interpolation build on.
- * 1 is the sky, and nothing else is. */
+/* The G-buffer of screen-space methods (SSAGH section 3; METHODS 11). Its depth is zn = 1 - near / z, with the far
+ * plane at infinity, so that 1 - zn is proportional to 1 / z; thresholds and interpolation of hulls rely on that. zn is
+ * 1 for the sky, and for nothing else. */
 #ifndef TS_KERNELS_GBUFFER_H
 #define TS_KERNELS_GBUFFER_H
 #include "../base/args.h"

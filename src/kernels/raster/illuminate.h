@@ -10,13 +10,13 @@
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_face, cubes, cube_size_face) \
 	ARG(IN, u64, depth_triangle, cube_face_depth_triangle) /* of the batch */ \
-	ARG(OUT, f32, mip, cube_face_mip)                      /* of the batch: 4 floats a texel */ \
+	ARG(OUT, f32, mip, cube_face_mip)                      /* of the batch: 4 floats per texel */ \
 	ARG(VALUE, u32, first_cube, none) \
 	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
-	ARG(VALUE, u32, level, none)   /* that `mip` makes from the level before */
+	ARG(VALUE, u32, level, none)   /* that the kernel mip makes from the finer level */
 TS_ARGS(ts_illuminate_args);
 
-/* Where a texel of the batch lies. */
+/* The place of a texel of the batch. */
 typedef struct {
 	u32 cube, face, x, y;
 	u64 inside;
@@ -38,7 +38,7 @@ TS_FN ts_texel_place ts_k_texel_place(const ts_illuminate_args *args, u64 i)
 	return r;
 }
 
-/* What the centre of a cube sees of a triangle through a texel. */
+/* Radiance of a triangle that the centre of a cube sees through a texel. */
 TS_FN ts_v3 ts_k_texel_radiance(const ts_illuminate_args *args, const ts_texel_place *place, u32 triangle)
 {
 	ts_camera_k view = ts_k_cube_view(&args->cubes[place->cube], place->face);

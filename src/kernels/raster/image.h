@@ -1,5 +1,5 @@
-/* The picture: mirrors show their reflection, everything else is shaded where the eye sees it, in what light reaches
- * it. */
+/* The picture: mirrors show their reflection; every other surface is shaded where the eye sees it, by the light that
+ * reaches it. */
 #ifndef TS_KERNELS_IMAGE_H
 #define TS_KERNELS_IMAGE_H
 #include "../base/args.h"
@@ -17,7 +17,7 @@
 	ARG(IN_OPT, u32, lit, shadow_test_lit) /* NULL: there are no shadows */ \
 	ARG(IN_OPT, ts_lamp, lamps, lamp_shape) \
 	ARG(OUT, f32, radiance, image_radiance) \
-	ARG(OUT_OPT, u8, srgb, image_srgb) /* NULL: of samples, which are not shown */ \
+	ARG(OUT_OPT, u8, srgb, image_srgb) /* NULL: for samples, which have no display value */ \
 	ARG(VALUE, f32, exposure, none) \
 	ARG(VALUE, u32, samples, none) /* of a pixel */
 TS_ARGS(ts_image_args);
@@ -63,10 +63,10 @@ TS_FN void ts_k_image_item(const ts_image_args *args, u64 i)
 	ARG(OUT, u8, srgb, image_srgb) \
 	ARG(VALUE, u64, n_pixels, none) \
 	ARG(VALUE, f32, exposure, none) \
-	ARG(VALUE, f32, gain, none) /* of display values but the sky's */
+	ARG(VALUE, f32, gain, none) /* factor of display values, except the sky's */
 TS_ARGS(ts_resolve_args);
 
-/* map over pixels: the mean of their samples, in linear light and in order, and what a display shows of that */
+/* map over pixels: the mean of the samples, in linear light and in order, and its display value */
 TS_FN void ts_k_image_resolve_item(const ts_resolve_args *args, u64 i)
 {
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);

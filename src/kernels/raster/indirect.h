@@ -1,21 +1,21 @@
-/* The picture of indirect light alone, or of the light of lamps: Lo = albedo / pi E (METHODS 11), and what is reflected
- * specularly, if that was asked for; the background in the sky. */
+/* The picture of indirect light alone, or of the light of lamps: Lo = albedo / pi E (METHODS 11), plus specular
+ * reflection if there is any; the sky has the background. */
 #ifndef TS_KERNELS_INDIRECT_H
 #define TS_KERNELS_INDIRECT_H
 #include "../base/args.h"
 #include "gbuffer.h"
 #include "image.h"
 
-#define TS_BOUNCE_GAIN 8.0f /* beside direct light what comes from one bounce is dim */
+#define TS_BOUNCE_GAIN 8.0f /* light of one bounce is dim beside direct light */
 
 #define TS_ROWS_ts_indirect_args(ARG) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
 	ARG(IN, f32, irradiance, indirect_irradiance) \
 	ARG(IN_OPT, f32, specular, indirect_specular) \
 	ARG(OUT, f32, radiance, image_radiance) \
-	ARG(OUT_OPT, u8, srgb, image_srgb) /* NULL: of samples, which are not shown */ \
+	ARG(OUT_OPT, u8, srgb, image_srgb) /* NULL: for samples, which have no display value */ \
 	ARG(VALUE, f32, exposure, none) \
-	ARG(VALUE, f32, gain, none) /* of display values but the sky's */
+	ARG(VALUE, f32, gain, none) /* factor of display values, except the sky's */
 TS_ARGS(ts_indirect_args);
 
 /* map over pixels and their samples */

@@ -1,5 +1,5 @@
-/* The lattice of samples in the plane of a triangle, or of a piece of one: its frame, the samples that the piece
- * touches, conservatively, and what these show (EPR sections 3.2, 3.3; METHODS 2). */
+/* The lattice of samples in the plane of a piece: its frame, the samples that the piece touches by the conservative
+ * test, and the surface that a sample shows (EPR sections 3.2, 3.3; METHODS 2). */
 #ifndef TS_KERNELS_LATTICE_H
 #define TS_KERNELS_LATTICE_H
 #include "../base/area.h"
@@ -7,15 +7,15 @@
 #include "../base/surface.h"
 #include "raster.h"
 
-/* A point of the plane in the lattice. */
+/* The lattice coordinates of a point p of the plane. */
 TS_FN ts_v2 ts_k_lattice(ts_v3 c, ts_v3 u, ts_v3 v, f32 s, ts_v3 p)
 {
 	ts_v3 d = ts_sub(p, c);
 	return ts_v2_make(s * ts_dot(u, d) + 0.5f, s * ts_dot(v, d) + 0.5f);
 }
 
-/* T_epr = S T_align: a piece into its own plane, centroid on a sample, longest edge along x (EPR section 3.2, eq. 1). A
- * corner is at s (u.(p - c), v.(p - c)) + (1/2, 1/2), snapped to 24.8. */
+/* T_epr = S T_align moves a piece into its own plane, its centroid onto a sample, its longest edge along x (EPR section
+ * 3.2, eq. 1). A corner p is at s (u.(p - c), v.(p - c)) + (1/2, 1/2), snapped to 24.8. */
 TS_FN void ts_k_lattice_align(TS_GLOBAL const ts_piece *piece, f32 s, TS_GLOBAL ts_align *out)
 {
 	ts_v3 corner[3];
@@ -56,8 +56,8 @@ TS_FN ts_cover ts_k_lattice_cover(TS_GLOBAL const ts_align *frame, i32 half_size
 	return r;
 }
 
-/* Weights of a sample on a triangle that is in the lattice: areas; a sample beside the triangle moves to its border
- * (CONTRACT rule 22). */
+/* Weights of a sample on a triangle in lattice coordinates, by areas. A sample beside the triangle gets weights of its
+ * border (CONTRACT rule 22). */
 TS_FN ts_v3 ts_k_weights_around(ts_v2 a, ts_v2 b, ts_v2 d, i32 x, i32 y)
 {
 	ts_v2 p = ts_v2_make((f32)x + 0.5f, (f32)y + 0.5f);
@@ -75,7 +75,7 @@ TS_FN ts_v3 ts_k_weights_around(ts_v2 a, ts_v2 b, ts_v2 d, i32 x, i32 y)
 	return ts_v3_make(w.x / sum, w.y / sum, w.z / sum);
 }
 
-/* On the source triangle, from unsnapped corners. */
+/* Weights of a sample on the source triangle, from unsnapped corners. */
 TS_FN ts_v3 ts_k_lattice_weights(const ts_arrays *scene, TS_GLOBAL const ts_align *frame, u32 triangle, i32 x, i32 y)
 {
 	ts_v3 c = ts_load3(frame->c);
@@ -108,8 +108,8 @@ TS_FN ts_v3 ts_k_lattice_point(TS_GLOBAL const ts_align *frame, i32 x, i32 y)
 	return ts_mad(ts_mad(ts_load3(frame->c), ts_load3(frame->u), du), ts_load3(frame->v), dv);
 }
 
-/* The sample lies in its piece: on the inner side of the edges, in the lattice, where their longest is an axis. In
- * space the sides of long thin pieces would be lost in rounding. */
+/* Whether the sample lies in its piece: on the inner side of all edges. The test is made in the lattice, where the
+ * longest edge lies along an axis; in space rounding would decide for long thin pieces. */
 TS_FN bool ts_k_is_in_piece(TS_GLOBAL const ts_align *frame, ts_v3 a, ts_v3 b, ts_v3 c, i32 x, i32 y)
 {
 	ts_v3 corner[3];
@@ -126,7 +126,8 @@ TS_FN bool ts_k_is_in_piece(TS_GLOBAL const ts_align *frame, ts_v3 a, ts_v3 b, t
 	       ts_diff_of_products(q[2].x, q[0].y, q[2].y, q[0].x) >= 0.0f;
 }
 
-/* Where the sample is as a point: on the lattice, or moved to the closest point of its piece. */
+/* The position of the sample as a point: on the lattice, or with snap, if it lies beside its piece, the closest point
+ * of the piece's border. */
 TS_FN ts_v3 ts_k_sample_centre(TS_GLOBAL const ts_piece *piece, TS_GLOBAL const ts_align *frame, bool snap, i32 x,
                                i32 y)
 {
@@ -137,7 +138,7 @@ TS_FN ts_v3 ts_k_sample_centre(TS_GLOBAL const ts_piece *piece, TS_GLOBAL const 
 	return !snap || ts_k_is_in_piece(frame, a, b, c, x, y) ? p : ts_k_closest_on_border(p, a, b, c);
 }
 
-/* What a sample shows. */
+/* The surface that a sample shows. */
 TS_FN ts_surface ts_k_lattice_surface(const ts_arrays *scene, TS_GLOBAL const ts_align *frame, u32 triangle, i32 x,
                                       i32 y, ts_v3 centre, f32 length)
 {

@@ -1,15 +1,16 @@
-/* How near each decision was, for ports that may legally decide otherwise: the second pass of a margin stage, which
- * changes nothing that was decided (PORTING 7). Standard rasterization: distance of a pixel's centre from the edges
- * that matter there, and from the depth that nearly won. */
+/* Margins: how near each decision was to another answer, for ports that may decide otherwise (PORTING 7). Margin stages
+ * are a second pass and change no decision. Standard rasterization has two: the distance of a pixel's centre from the
+ * edges that matter there, and the distance of the winning depth from the depth that nearly won. */
 #ifndef TS_KERNELS_MARGIN_H
 #define TS_KERNELS_MARGIN_H
 #include "../base/args.h"
 #include "draw.h"
 #include "eye_sample.h"
 
-/* Two minima a pixel, as f32 bits: the distance to an edge, in 1/256 pixel along the axes; and how far another depth is
- * behind, in what one such step in the image changes in the depths of both. Of depths alone, whose triangles are not
- * known, the step is that of the other: what comes no nearer than the depth that is held cannot take its place. */
+/* Two minima per pixel, as f32 bits: the distance to an edge, in 1/256 pixel along the axes; and how far another depth
+ * lies behind, in units of the change of both depths per such step in the image. In maps of depths alone the triangle
+ * of the winning depth is not known: the unit is the change of the other depth, since a depth that comes no nearer than
+ * the winner cannot replace it. */
 #define TS_ROWS_ts_margin_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN_OPT, ts_view, view, eye_view) /* of the eye */ \
@@ -17,13 +18,14 @@
 	ARG(IN_OPT, ts_offscreen, views, offscreen_view) \
 	ARG(IN_OPT, u64, depth_triangle, none) /* what was decided: keys, or depths alone */ \
 	ARG(IN_OPT, u32, depths, depth_map_depth) \
-	ARG(MIN, u64, margin, none) /* [2] a pixel */ \
+	ARG(MIN, u64, margin, none) /* [2] per pixel */ \
 	ARG(VALUE, u32, first_unit, none) \
 	ARG(VALUE, u32, n_units, none) /* the batch: cubes, or views */ \
 	ARG(VALUE, u32, samples, none) /* of a pixel of the eye */
 TS_ARGS(ts_margin_args);
 
-/* What was decided at a pixel. `other` than it is each triangle but its own, of depths each with another depth. */
+/* The decision at a pixel. ts_k_is_other is true for every other triangle; in maps of depths alone, for every other
+ * depth. */
 typedef struct {
 	f32 z;
 	u32 triangle;
@@ -48,10 +50,10 @@ TS_FN bool ts_k_is_other(const ts_shown *shown, u32 triangle, f32 z)
 }
 
 #define TS_MARGIN_REACH 4.0f                       /* edges farther outside do not matter, in 1/256 pixel */
-#define TS_MARGIN_NEAR 0.015625f                   /* nor do depths that are this part farther behind, and four steps */
-#define TS_MARGIN_ROUNDING 0.00000095367431640625f /* part of a depth that rounding may change: 8 ulps */
-#define TS_MARGIN_ALPHA 0.00390625f                /* an alpha mask so near its cutoff decides nothing */
-#define TS_MARGIN_NOWHERE 1048576.0f               /* where nothing is compared, or exactly */
+#define TS_MARGIN_NEAR 0.015625f                                      /* nor do depths farther behind than four steps plus this share of the depth */
+#define TS_MARGIN_ROUNDING 0.00000095367431640625f /* share of a depth that rounding may change: 8 ulps */
+#define TS_MARGIN_ALPHA 0.00390625f                /* an alpha this near its cutoff is undecided */
+#define TS_MARGIN_NOWHERE 1048576.0f               /* where nothing is compared, or the comparison is exact */
 
 TS_FN void ts_k_least_bits(TS_GLOBAL u32 *least, f32 margin)
 {
@@ -73,8 +75,8 @@ TS_FN f32 ts_k_edge_distance(const ts_setup *t, const ts_edges *e)
 	return least;
 }
 
-/* Twice what a step of 1/256 pixel in x and in y changes in the depth z: z^2 |grad(1/z)|, orthographic |grad z|;
- * twice, for the corners may step apart. */
+/* Twice the change of the depth z per step of 1/256 pixel in x and in y: z^2 |grad(1/z)|, orthographic |grad z|. The
+ * factor is two because the corners may step apart. */
 TS_FN f32 ts_k_depth_step(const ts_camera_k *view, const ts_setup *t, const ts_corner *a, const ts_corner *b,
                           const ts_corner *c, f32 z)
 {
@@ -97,7 +99,7 @@ TS_FN f32 ts_k_depth_step(const ts_camera_k *view, const ts_setup *t, const ts_c
 	return (parallel ? 2.0f : 2.0f * (z * z)) * (ts_abs(x) + ts_abs(y));
 }
 
-/* The same of a triangle at a pixel, on the part of its fan that covers the pixel; 0: none does. */
+/* ts_k_depth_step of a triangle at a pixel, on the triangle of its fan that covers the pixel; 0: none does. */
 TS_FN f32 ts_k_depth_step_at(const ts_arrays *scene, const ts_camera_k *view, u32 triangle, i32 i, i32 j)
 {
 	ts_corners t = ts_k_corners(scene, triangle);
@@ -125,7 +127,7 @@ typedef struct {
 	f32 footprint, distance, step;
 } ts_near;
 
-/* Where the alpha mask nearly decides, the distance is 0; where it cuts, there is nothing. */
+/* Where the alpha is near its cutoff the distance is 0. Returns whether the mask leaves the fragment. */
 TS_FN bool ts_k_margin_mask(const ts_arrays *scene, const ts_corners *t, ts_near *near)
 {
 	ts_sample s = ts_k_sample(scene, near->triangle, near->f.w, t->n, near->footprint);

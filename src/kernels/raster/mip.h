@@ -1,4 +1,4 @@
-/* Mip chains of cubes: where the levels of each lie, from six faces of n x n texels down to six texels (METHODS 3). */
+/* Mip chains of cubes: places of the levels, from six faces of n x n texels down to six texels (METHODS 3). */
 #ifndef TS_KERNELS_MIP_H
 #define TS_KERNELS_MIP_H
 #include "../base/num.h"

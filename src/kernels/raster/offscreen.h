@@ -1,4 +1,4 @@
-/* Off-screen views: cube faces, and the depth maps of lights. Which of them may see a triangle (iVIR section 3.1;
+/* Off-screen views: cube faces and the depth maps of lights, and which of them may see a triangle (iVIR section 3.1;
  * METHODS 9). */
 #ifndef TS_KERNELS_OFFSCREEN_H
 #define TS_KERNELS_OFFSCREEN_H
@@ -24,8 +24,8 @@ TS_FN ts_camera_k ts_k_offscreen(TS_GLOBAL const ts_offscreen *view)
 	return r;
 }
 
-/* A view may show the triangle: it is in sight, does not belong to what the view leaves out, and does not turn its
- * back. */
+/* Whether a view may show the triangle: the view is in sight, the triangle is not of the object that the view leaves
+ * out, and does not turn its back. */
 TS_FN bool ts_k_offscreen_may_show(const ts_arrays *scene, TS_GLOBAL const ts_offscreen *view, u32 triangle,
                                    const ts_corners *t)
 {

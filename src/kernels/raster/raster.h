@@ -17,8 +17,8 @@ typedef struct {
 	u32 n;
 } ts_polygon;
 
-/* A view in registers. An orthographic one has `focal` pixels a world unit. The image is moved by `shift`, in 1/256
- * pixel; `side` pixels is that of the square that a pixel's colour stands for: see eye_sample.h. */
+/* A view in registers. An orthographic view has `focal` pixels per world unit. The image is moved by `shift`, in 1/256
+ * pixel; `side` is the side, in pixels, of the square that a sample's colour stands for: see eye_sample.h. */
 typedef struct {
 	ts_v3 eye, right, up, back;
 	f32 focal, near, side;
@@ -93,7 +93,7 @@ TS_FN f32 ts_k_plane_side(const ts_plane *plane, const ts_corner *p)
 	return ts_flush(t + plane->d);
 }
 
-/* From the inside to the outside corner, so that both triangles of an edge get the same bits (rule 16). */
+/* Cuts from the inside to the outside corner, so that both triangles of an edge get the same bits (rule 16). */
 TS_FN ts_corner ts_k_cut(const ts_corner *in, f32 d_in, const ts_corner *out, f32 d_out)
 {
 	f32 t = d_in / (d_in - d_out);
@@ -105,14 +105,14 @@ TS_FN ts_corner ts_k_cut(const ts_corner *in, f32 d_in, const ts_corner *out, f3
 	return r;
 }
 
-/* An edge that lies in the plane can change sides by rounding, corner after corner; what no longer fits is in the
- * plane. */
+/* Rounding can make an edge in the plane change sides at every corner. Corners that no longer fit lie in the plane and
+ * are dropped. */
 TS_FN void ts_k_push(ts_polygon *polygon, ts_corner corner)
 {
 	if (polygon->n < TS_MAX_CORNERS) polygon->corner[polygon->n++] = corner;
 }
 
-/* Sutherland and Hodgman against one plane. */
+/* Clips against one plane, by Sutherland and Hodgman. */
 TS_FN void ts_k_clip(ts_polygon *polygon, ts_plane plane)
 {
 	ts_polygon r;
@@ -145,7 +145,7 @@ TS_FN bool ts_k_any_behind(const ts_polygon *polygon, ts_plane plane)
 	return false;
 }
 
-/* Side plane `side` (-x +x -y +y) of the frustum that is `pixels` from the image's middle. */
+/* Side plane `side` (-x +x -y +y) of the frustum, `pixels` from the image's middle. */
 TS_FN ts_plane ts_k_side_plane(const ts_camera_k *view, u32 side, f32 pixels)
 {
 	f32 sign = (side & 1u) == 0u ? view->focal : -view->focal;
@@ -154,7 +154,7 @@ TS_FN ts_plane ts_k_side_plane(const ts_camera_k *view, u32 side, f32 pixels)
 	return side < 2u ? ts_plane_make(sign, 0.0f, z, d) : ts_plane_make(0.0f, sign, z, d);
 }
 
-/* Nothing of the polygon can reach the image. */
+/* Whether no part of the polygon can reach the image. */
 TS_FN bool ts_k_is_outside(const ts_camera_k *view, const ts_polygon *polygon)
 {
 	if (ts_k_all_behind(polygon, ts_plane_make(0.0f, 0.0f, 1.0f, -view->near))) return true;
@@ -165,7 +165,7 @@ TS_FN bool ts_k_is_outside(const ts_camera_k *view, const ts_polygon *polygon)
 	return false;
 }
 
-/* Near, then the sides at the end of the snapping range (CONTRACT rule 16). */
+/* Clips against the near plane, then the sides at the end of the snapping range (CONTRACT rule 16). */
 TS_FN void ts_k_clip_to_range(const ts_camera_k *view, ts_polygon *polygon)
 {
 	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
@@ -249,7 +249,7 @@ TS_FN ts_edges ts_k_edges(const ts_setup *t, i32 x, i32 y)
 	return r;
 }
 
-/* Inside, or on a top or left edge (rule 18). */
+/* Whether the place of the edges is inside, or on a top or left edge (rule 18). */
 TS_FN bool ts_k_covers(const ts_setup *t, const ts_edges *e)
 {
 	for (u32 k = 0u; k < 3u; k++) {
@@ -260,11 +260,11 @@ TS_FN bool ts_k_covers(const ts_setup *t, const ts_edges *e)
 	return true;
 }
 
-/* The same from pixel to pixel: edges are integers, so steps lose nothing. */
+/* Coverage from pixel to pixel: edges are integers, so steps are exact. */
 typedef struct {
 	ts_edges at;
 	i64 right[3], down[3]; /* steps */
-	i64 least[3];          /* inside from here on: 0 on a top or left edge, else 1 */
+	i64 least[3];          /* least value that is inside: 0 for a top or left edge, otherwise 1 */
 } ts_walk;
 
 TS_FN ts_walk ts_k_walk(const ts_setup *t, i32 i, i32 j)
@@ -409,12 +409,12 @@ TS_FN bool ts_k_inside_lines(const ts_lines *l, i32 i, i32 j)
 	return true;
 }
 
-/* The samples of a row that touch: none, or all from first to last, for the polygon is convex. */
+/* The samples of a row that touch: none, or all from first to last, since the polygon is convex. */
 typedef struct {
 	i32 first, last;
 } ts_span;
 
-/* b > 0 */
+/* The floor of a / b, b > 0. */
 TS_FN i64 ts_k_floor_quotient(i64 a, i64 b)
 {
 	i64 q = a / b;
@@ -440,8 +440,8 @@ TS_FN ts_span ts_k_touched_row(const ts_lines *l, ts_box box, i32 j)
 	return r;
 }
 
-/* What a covered pixel sees: axial depth and perspective weights of the source triangle's corners (rule 22):
- * b_k = E_k / sum E, z = 1 / sum b/z, w = z sum (b/z) w. */
+/* A covered pixel: axial depth, and perspective weights of the source triangle's corners (rule 22): b_k = E_k / sum E,
+ * z = 1 / sum b/z, w = z sum (b/z) w. */
 typedef struct {
 	f32 z;
 	ts_v3 w;
@@ -468,7 +468,7 @@ TS_FN ts_fragment ts_k_fragment(const ts_setup *t, const ts_edges *e, const ts_c
 	return r;
 }
 
-/* The same of an orthographic view: z = sum b z, w = sum b w. */
+/* ts_k_fragment for an orthographic view: z = sum b z, w = sum b w. */
 TS_FN ts_fragment ts_k_fragment_parallel(const ts_setup *t, const ts_edges *e, const ts_corner *a, const ts_corner *b,
                                          const ts_corner *c)
 {

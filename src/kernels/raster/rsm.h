@@ -1,5 +1,5 @@
-/* Reflective shadow maps (Dachsbacher and Stamminger 2005): what a light sees, a triangle a texel as in SSAGH section
- * 5, and those triangles as lights (METHODS 11).
+/* Reflective shadow maps (Dachsbacher and Stamminger 2005): the triangles that a light sees, and each texel as a
+ * triangle of light, as in SSAGH section 5 (METHODS 11).
  *
  * A texel with its hit x_p at axial depth z and distance d from the light, angle theta between the surface's normal and
  * the way to the light, sees of the surface A = (z / f)^2 (z / d) / cos theta; orthographic (1 / f)^2 / cos theta. It
@@ -18,7 +18,7 @@
 	ARG(MIN, u64, depth_triangle, rsm_depth_triangle) \
 	ARG(OUT_OPT, ts_patch, patches, rsm_patch) \
 	ARG(VALUE, u32, n_views, none) \
-	ARG(VALUE, u32, others, none) /* items that share its rows: band.h */
+	ARG(VALUE, u32, others, none) /* other items that share the rows: band.h */
 TS_ARGS(ts_rsm_args);
 
 /* scatter over triangles: into every view */
@@ -37,7 +37,7 @@ TS_FN void ts_k_rsm_item(const ts_rsm_args *args, u64 i)
 	}
 }
 
-/* The view that a texel is of: the last that begins before it or there. */
+/* The view of a texel: the last whose first texel is not after it. */
 TS_FN u32 ts_k_view_of_texel(TS_GLOBAL const ts_offscreen *views, u32 n, u64 texel)
 {
 	u32 v = 0u;
@@ -47,7 +47,7 @@ TS_FN u32 ts_k_view_of_texel(TS_GLOBAL const ts_offscreen *views, u32 n, u64 tex
 
 #define TS_LEAST_LIT 0.015625f
 
-/* Area that a texel sees of a surface at p, at the cosine from the direction of the light. */
+/* Area of a surface at p that a texel sees; cosine: between the surface's normal and the way to the light. */
 TS_FN f32 ts_k_texel_area(const ts_camera_k *view, ts_v3 p, f32 cosine)
 {
 	ts_corner at = ts_k_to_view(view, p);
@@ -58,14 +58,15 @@ TS_FN f32 ts_k_texel_area(const ts_camera_k *view, ts_v3 p, f32 cosine)
 	return (across * facing) / ts_max(cosine, TS_LEAST_LIT);
 }
 
-/* An axis across n, unit: +y or, of an n near it, +x turned into n's plane. */
+/* A unit axis at right angles to n and to +y; to n and to +x if n is near the y axis. */
 TS_FN ts_v3 ts_k_across(ts_v3 n)
 {
 	ts_v3 pole = ts_abs(n.y) < 0.75f ? ts_v3_make(0.0f, 1.0f, 0.0f) : ts_v3_make(1.0f, 0.0f, 0.0f);
 	return ts_normalize(ts_cross(pole, n));
 }
 
-/* Equilateral, of the given area, about p, counter-clockwise about n: circumradius sqrt(4 A / (3 sqrt 3)). */
+/* The corners of an equilateral triangle of this area about p, counter-clockwise about n: circumradius sqrt(4 A / (3
+ * sqrt 3)). */
 TS_FN void ts_k_patch_corners(TS_GLOBAL ts_patch *patch, ts_v3 p, ts_v3 n, f32 area)
 {
 	f32 radius = ts_sqrt(ts_flush(area * 0.769800364971160888671875f));
@@ -91,7 +92,7 @@ TS_FN void ts_k_patch_clear(TS_GLOBAL ts_patch *patch)
 	patch->pad = 0u;
 }
 
-/* What is left of a light by diffuse reflection; unlit materials reflect nothing. */
+/* Diffuse albedo; unlit materials reflect nothing. */
 TS_FN ts_v3 ts_k_albedo(const ts_surface *s)
 {
 	return ts_scale(s->base, (s->flags & TS_UNLIT) != 0u ? 0.0f : 1.0f - s->metallic);

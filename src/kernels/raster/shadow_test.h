@@ -1,8 +1,8 @@
-/* Shadows by depth maps: how many samples of each light reach a pixel of the eye, one rule for all methods
- * (METHODS 10). A sample reaches p if z <= map + bias in the texel that p falls into; outside the map and in an empty
- * texel it does. bias = b w + b_s slope: w the width of a texel at p, slope the change of the surface's depth from
- * texel to texel, which is z^2 |n_xy| / (f |n.(eye - p)|) [1/z is linear in the image]; orthographic w = 1/f and |n_xy|
- * / (f |n_z|). */
+/* Shadows by depth maps: the number of samples of each light that reach a pixel of the eye, by one rule for all methods
+ * (METHODS 10). A sample reaches p if z <= map + bias in the texel that p falls into, and also if that texel is empty
+ * or p is outside the map. bias = b w + b_s slope: w is the width of a texel at p; slope is the change of the surface's
+ * depth from texel to texel, z^2 |n_xy| / (f |n.(eye - p)|), since 1/z is linear in the image. In orthographic views w
+ * is 1/f and slope |n_xy| / (f |n_z|). */
 #ifndef TS_KERNELS_SHADOW_TEST_H
 #define TS_KERNELS_SHADOW_TEST_H
 #include "../base/args.h"
@@ -19,13 +19,13 @@
 	ARG(VALUE, u32, first_view, none) \
 	ARG(VALUE, u32, n_views, none) /* the batch */ \
 	ARG(VALUE, u32, n_lamps, none) \
-	ARG(VALUE, u32, cubes, none) /* the views are faces of cubes: the one that p falls into counts */ \
+	ARG(VALUE, u32, cubes, none) /* not 0: views are faces of cubes; the face that p falls into counts */ \
 	ARG(VALUE, f32, bias, none) \
 	ARG(VALUE, f32, slope, none) \
 	ARG(VALUE, u32, samples, none) /* of a pixel */
 TS_ARGS(ts_shadow_test_args);
 
-/* What the eye sees at a pixel: a point and the face's normal, unit. */
+/* The receiver at a pixel of the eye: its position and its unit face normal. */
 typedef struct {
 	ts_v3 p, n;
 	bool seen;
@@ -45,7 +45,7 @@ TS_FN ts_receiver ts_k_receiver(const ts_arrays *scene, const ts_camera_k *eye, 
 	return r;
 }
 
-#define TS_LEAST_FACING 0.015625f /* beyond this slope the bias grows no more */
+#define TS_LEAST_FACING 0.015625f /* limits the slope, and so the bias */
 
 TS_FN f32 ts_k_shadow_bias(const ts_shadow_test_args *args, const ts_camera_k *view, const ts_receiver *at, f32 z)
 {
@@ -63,7 +63,8 @@ TS_FN f32 ts_k_shadow_bias(const ts_shadow_test_args *args, const ts_camera_k *v
 
 TS_FN i32 ts_k_into(i32 i, i32 n) { return ts_max_i32(ts_min_i32(i, n - 1), 0); }
 
-/* What a texel of a view's map holds; outside the map nothing. Places beside a cube's face are on its border. */
+/* The depth bits of a texel of a view's map; TS_NONE outside the map. Places beside a cube's face take a texel of its
+ * border. */
 TS_FN u32 ts_k_map_texel(const ts_shadow_test_args *args, TS_GLOBAL const ts_offscreen *offscreen, u64 first_texel,
                          i32 i, i32 j)
 {
@@ -77,7 +78,7 @@ TS_FN u32 ts_k_map_texel(const ts_shadow_test_args *args, TS_GLOBAL const ts_off
 	return args->depths[(offscreen->offset - first_texel) + (u64)j * (u64)width + (u64)i];
 }
 
-/* The light sample of a view reaches the point. */
+/* Whether the light sample of a view reaches the point. */
 TS_FN bool ts_k_reaches(const ts_shadow_test_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at,
                         u64 first_texel)
 {
@@ -89,21 +90,21 @@ TS_FN bool ts_k_reaches(const ts_shadow_test_args *args, TS_GLOBAL const ts_offs
 	return depth == TS_NONE || p.z <= ts_u2f(depth) + ts_k_shadow_bias(args, &view, at, p.z);
 }
 
-/* The view that answers for the sample of view v: of cubes the face that the point falls into. */
+/* The view that answers for the sample of view v; of a cube the face that the point falls into. */
 TS_FN TS_GLOBAL const ts_offscreen *ts_k_asked_view(const ts_shadow_test_args *args, u32 v, const ts_receiver *at)
 {
 	u32 face = args->cubes != 0u ? ts_k_cube_place(ts_sub(at->p, ts_load3(args->views[v].eye))).face : 0u;
 	return &args->views[v + face];
 }
 
-/* What the eye sees at element i of its buffers. */
+/* The receiver of element i of the eye's buffers. */
 TS_FN ts_receiver ts_k_receiver_at(const ts_shadow_test_args *args, u64 i)
 {
 	ts_eye_place at = ts_k_eye_place(args->view, args->samples, i);
 	return ts_k_receiver(&args->scene, &at.view, args->depth_triangle[i], at.x, at.y);
 }
 
-/* map over pixels and their samples: adds what the views of the batch let through */
+/* map over pixels and their samples: adds the light samples of the batch that reach them */
 TS_FN void ts_k_shadow_test_item(const ts_shadow_test_args *args, u64 i)
 {
 	ts_receiver at = ts_k_receiver_at(args, i);

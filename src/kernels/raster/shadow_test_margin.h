@@ -1,22 +1,21 @@
-/* How near the answers of depth maps were to others, for ports that round or snap otherwise (PORTING 7): the second
- * pass of resolve.h, which changes nothing that was decided. One step is 1/256 texel of the map, and what 1/256 pixel
- * of the eye moves the receiver there. Depths of maps move as the receiver's surface does; what they show is decided
- * elsewhere (margin.h), and so is the eye's triangle. */
+/* Margins of shadow_test.h, for ports that round or snap otherwise (PORTING 7): a second pass, which changes no
+ * decision. One step is 1/256 texel of the map plus the way that 1/256 pixel of the eye moves the receiver there.
+ * Depths of maps are taken to change as the receiver's surface does; margin.h judges the maps themselves and the eye's
+ * triangle. */
 #ifndef TS_KERNELS_SHADOW_TEST_MARGIN_H
 #define TS_KERNELS_SHADOW_TEST_MARGIN_H
 #include "../base/args.h"
 #include "margin.h"
 #include "shadow_test.h"
 
-/* Two minima a pixel and light, over its views, as f32 bits: the distance to an edge between texels that answer
- * otherwise, in steps along the axes; and how far z is from map + bias, in what a step changes in the depths of
- * both. */
+/* Two minima per pixel and light, over the light's views, as f32 bits: the distance to a texel with another answer, in
+ * steps along the axes; and the distance of z from map + bias, in units of the change of both depths per step. */
 #define TS_ROWS_ts_shadow_test_margin_args(ARG) \
 	ARG(INNER, ts_shadow_test_args, of, none) \
-	ARG(MIN, u64, margin, shadow_test_margin) /* [2] a pixel and light */
+	ARG(MIN, u64, margin, shadow_test_margin) /* [2] per pixel and light */
 TS_ARGS(ts_shadow_test_margin_args);
 
-/* How far the point moves on its surface from pixel to pixel of the eye, at most: world units. */
+/* Greatest way of the receiver on its surface from pixel to pixel of the eye, in world units. */
 TS_FN f32 ts_k_receiver_step(const ts_camera_k *eye, const ts_receiver *at)
 {
 	ts_v3 way = ts_sub(at->p, eye->eye);
@@ -25,7 +24,7 @@ TS_FN f32 ts_k_receiver_step(const ts_camera_k *eye, const ts_receiver *at)
 	return (z / eye->focal) / facing;
 }
 
-/* A receiver before a view's map, and its steps: in 1/256 texel, and in depth. */
+/* A receiver in a view's map, and its steps: in 1/256 texel, and in depth. */
 typedef struct {
 	ts_v2 place;
 	f32 z, bias, step, deeper;
@@ -49,8 +48,8 @@ TS_FN ts_asking ts_k_asking(const ts_shadow_test_args *args, const ts_camera_k *
 	return r;
 }
 
-/* The nearest edge of a texel along an axis, in 1/256 texel, and the texel behind it; far outside the map all are
- * empty. */
+/* The distance to the nearest edge of the texel along an axis, in 1/256 texel, and the texel beyond that edge; far
+ * outside the map all texels are empty. */
 typedef struct {
 	i32 own, next;
 	f32 distance;
@@ -73,7 +72,7 @@ TS_FN void ts_k_least_margin(TS_GLOBAL u64 *margin, f32 distance)
 	*margin = bits < *margin ? bits : *margin;
 }
 
-/* One view: the texel that the point falls into, and those behind its nearest edges. `moves`: see
+/* Margins in one view: tests the texel that the point falls into, and those beyond its nearest edges. moves: that of
  * ts_k_receiver_step. */
 TS_FN void ts_k_reach_margin(const ts_shadow_test_args *args, TS_GLOBAL const ts_offscreen *offscreen,
                              const ts_receiver *at, f32 moves, u64 first_texel, TS_GLOBAL u64 *margin)

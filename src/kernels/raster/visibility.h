@@ -1,5 +1,5 @@
-/* Visibility bits: which faces of which cubes may see a triangle (EPR section 3.1; METHODS 2). Bit 6 r + f.
- * Faces have tan of half the field of view 1. */
+/* Visibility bits: the faces of cubes that may see a triangle (EPR section 3.1; METHODS 2). Face f of cube r has bit 6
+ * r + f. The tangent of half a face's field of view is 1. */
 #ifndef TS_KERNELS_VISIBILITY_H
 #define TS_KERNELS_VISIBILITY_H
 #include "../base/args.h"
@@ -22,7 +22,7 @@ TS_FN ts_v3 ts_k_face_axes(u32 face, ts_v3 d)
 	return ts_v3_make(ts_dot(ts_k_cube_row(face, 0u), d), ts_dot(ts_k_cube_row(face, 1u), d), -ts_dot(back, d));
 }
 
-/* Four sides at x and y from the axis, a unit ahead, of an orthographic view everywhere; and near. */
+/* The sides of a frustum, x and y from the axis one unit ahead, or everywhere in an orthographic view; and near. */
 typedef struct {
 	f32 x, y, near;
 	u32 orthographic;
@@ -33,7 +33,7 @@ TS_FN f32 ts_k_reach(const ts_frustum *frustum, f32 side, f32 z)
 	return frustum->orthographic != 0u ? side : side * z;
 }
 
-/* All corners outside one and the same plane of the frustum, which is closed. */
+/* Whether all corners lie outside one plane of the frustum. A corner on a plane is not outside. */
 TS_FN bool ts_k_outside_plane(const ts_frustum *f, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	f32 ax = ts_k_reach(f, f->x, a.z), bx = ts_k_reach(f, f->x, b.z), cx = ts_k_reach(f, f->x, c.z);
@@ -45,7 +45,7 @@ TS_FN bool ts_k_outside_plane(const ts_frustum *f, ts_v3 a, ts_v3 b, ts_v3 c)
 	return a.z < f->near && b.z < f->near && c.z < f->near;
 }
 
-/* Inside the frustum enlarged by a fifth [EPR 3.1]. */
+/* Whether p lies in the frustum enlarged by a fifth (EPR 3.1). */
 TS_FN bool ts_k_inside_enlarged(const ts_frustum *f, ts_v3 p)
 {
 	f32 fifth_more = 1.2000000476837158203125f;
@@ -53,7 +53,7 @@ TS_FN bool ts_k_inside_enlarged(const ts_frustum *f, ts_v3 p)
 	       ts_abs(p.y) <= fifth_more * ts_k_reach(f, f->y, p.z);
 }
 
-/* A triangle of corners on the axes of a view. */
+/* Whether a view may see the triangle; a, b and c are on the axes of the view. */
 TS_FN bool ts_k_may_see(const ts_frustum *f, ts_v3 a, ts_v3 b, ts_v3 c, u32 vertex_mode)
 {
 	if (vertex_mode == 0u) return !ts_k_outside_plane(f, a, b, c);
@@ -81,7 +81,7 @@ TS_FN u32 ts_k_visible_faces(const ts_corners *t, TS_GLOBAL const ts_face *cube,
 	return faces;
 }
 
-/* The bits of one triangle in one cube: none for its own reflector's, none where it turns its back. */
+/* The six bits of one triangle in one cube: 0 if the cube is its own reflector's, or it turns its back. */
 TS_FN u32 ts_k_visibility(const ts_visibility_args *args, u32 triangle, const ts_corners *t, u32 r)
 {
 	TS_GLOBAL const ts_face *cube = &args->cubes[r];
