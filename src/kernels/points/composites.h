@@ -1,5 +1,5 @@
 /* Composites of points: densities (density.h, view_density.h), culling (cull.h), splats (splat.h), reflected rays
- * (samples.h), what texels hold of depth and colour (scatter.h, forward.h). */
+ * (samples.h), the codes of depth and colour in texels (scatter.h, forward.h). */
 #ifndef TS_KERNELS_POINTS_COMPOSITES_H
 #define TS_KERNELS_POINTS_COMPOSITES_H
 #include "../vectors/composites_row.h"
@@ -20,7 +20,7 @@ TS_COMPOSITE_FLOAT(path_length,
 
 TS_COMPOSITE_FLOAT(ball_spread, ts_k_ball_spread(TS_A, TS_B, TS_C))
 
-/* Of one cube. */
+/* The density that one cube demands. */
 TS_VECTOR(eye_density)
 {
 	ts_density_args args;
@@ -38,7 +38,7 @@ TS_VECTOR(eye_density)
 	out[1] = d.limited;
 }
 
-/* Of one view. */
+/* The density that one view demands. */
 TS_VECTOR(view_density)
 {
 	ts_density_args args;

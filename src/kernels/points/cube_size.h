@@ -12,14 +12,14 @@
 	ARG(IN_OPT, ts_motion, motions, scene_motion) \
 	ARG(WORK_IN, u32, reflector_objects, other) /* object of each reflector */ \
 	ARG(IN, ts_view, view, eye_view) \
-	ARG(OUT, ts_face, cubes, cube_size_face) /* n: the size of the frame before, 0 at first */ \
+	ARG(OUT, ts_face, cubes, cube_size_face) /* n on entry: the size in the frame before, 0 at first */ \
 	ARG(VALUE, u32, n_objects, none) \
 	ARG(VALUE, u32, n_motion, none) /* frames of the motions, or 0 */ \
 	ARG(VALUE, u32, frame, none) \
 	ARG(VALUE, u32, n_max, none) \
 	ARG(VALUE, u32, hysteresis, none) \
-	ARG(VALUE, u32, fixed, none) /* size of every cube, or 0: adapt */ \
-	ARG(VALUE, u32, all, none)   /* also those out of sight */
+	ARG(VALUE, u32, fixed, none) /* side of every cube; 0: sides are adapted */ \
+	ARG(VALUE, u32, all, none)   /* not 0: also cubes out of sight */
 TS_ARGS(ts_cube_size_args);
 
 typedef struct {
@@ -36,7 +36,7 @@ TS_FN void ts_k_extent_add(ts_extent *e, ts_v2 p)
 	e->seen = 1u;
 }
 
-/* The projected edges of a box, clipped at the near plane, not at the screen. */
+/* The extent of the projected edges of a box, clipped at the near plane but not at the image. */
 TS_FN ts_extent ts_k_box_extent(const ts_camera_k *view, ts_v3 lo, ts_v3 hi)
 {
 	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
@@ -79,7 +79,7 @@ TS_FN u32 ts_k_resize_n(const ts_cube_size_args *args, const ts_camera_k *view, 
 	return before != 0u && change < (i32)args->hysteresis ? before : (u32)wanted;
 }
 
-/* map over reflectors: the box and ball of this frame's vertices (METHODS 2) and the cube's size */
+/* map over reflectors: box and ball of the vertices in this frame (METHODS 2), and the size of the cube */
 TS_FN void ts_k_cube_size_item(const ts_cube_size_args *args, u64 i)
 {
 	u32 index = args->reflector_objects[i];

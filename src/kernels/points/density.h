@@ -1,5 +1,5 @@
-/* Density of the points from the eye's resolution (EPR section 4.1.1, eqs 2 and 3; METHODS 2): s = min(rho f_e /
- * min_r d_r, max_r f_r / d_rt) samples a world unit over the reflectors r that may see the triangle. */
+/* Density of the points from the eye's resolution (EPR section 4.1.1, eqs 2 and 3; METHODS 2): s = min(rho f_e / min_r
+ * d_r, max_r f_r / d_rt) samples per world unit over the reflectors r that may see the triangle. */
 #ifndef TS_KERNELS_DENSITY_H
 #define TS_KERNELS_DENSITY_H
 #include "../base/args.h"
@@ -18,7 +18,7 @@
 	ARG(OUT, f32, scale, split_density) \
 	ARG(TALLY, i64, n_capped, 0)  /* pieces whose density was lowered at the end of splitting */ \
 	ARG(TALLY, i64, n_limited, 1) /* triangles whose density the densest cube limits */ \
-	ARG(VALUE, f32, rho, none)    /* samples a pixel a side */ \
+	ARG(VALUE, f32, rho, none)    /* samples per pixel side */ \
 	ARG(VALUE, u32, n_cubes, none) \
 	ARG(VALUE, u32, n_words, none) \
 	ARG(VALUE, u32, paper, none) \
@@ -26,13 +26,13 @@
 	ARG(VALUE, u32, offaxis, none) \
 	ARG(VALUE, u32, ball, none) \
 	ARG(VALUE, u32, split, none) \
-	ARG(IN_OPT, ts_offscreen, views, offscreen_view) /* whose resolution counts, not the eye's; or NULL */ \
+	ARG(IN_OPT, ts_offscreen, views, offscreen_view) /* their resolution counts; NULL: the eye's */ \
 	ARG(VALUE, u32, n_views, none) \
 	ARG(VALUE, u32, rate, none)   /* TS_RATE_* of view_density.h */ \
-	ARG(VALUE, u32, shadow, none) /* TS_SHADOW_* of shadow_density.h: the eye counts too, through shadows */
+	ARG(VALUE, u32, shadow, none) /* TS_SHADOW_* of shadow_density.h: the eye limits the density */
 TS_ARGS(ts_density_args);
 
-/* Shortest way of light from the triangle to the eye by the ball of a reflector. */
+/* Length of the shortest way of light from the triangle to the eye by the ball of a reflector. */
 TS_FN f32 ts_k_path_length(ts_v3 eye, ts_v3 centre, f32 radius, ts_v3 a, ts_v3 b, ts_v3 c, bool paper)
 {
 	if (ts_length(ts_sub(eye, centre)) <= radius) return ts_length(ts_sub(eye, ts_k_closest_on_triangle(eye, a, b, c)));
@@ -51,10 +51,11 @@ TS_FN f32 ts_k_path_length(ts_v3 eye, ts_v3 centre, f32 radius, ts_v3 a, ts_v3 b
 	return ts_length(ts_sub(eye, cp)) + ts_length(ts_sub(cp, t));
 }
 
-/* What a ball adds to the way. A ball turns the normal by w / R over a width of w, and the ray by twice that. So what
- * is one wide at a distance of one from the eye is d_er + d_rt + 2 d_er d_rt / R wide on the triangle, where the ray
- * meets the ball head on. Where it meets the ball at a cosine c, the last term is divided by c one way across the ray
- * and multiplied by c the other way. Since c + 1 / c >= 2, the product of the two widths is least head on. */
+/* The length that a ball adds to the way. A ball turns the normal by w / R over a width of w, and the ray by twice
+ * that. So a beam that is one wide at a distance of one from the eye is d_er + d_rt + 2 d_er d_rt / R wide on the
+ * triangle, where the ray meets the ball head on. Where it meets the ball at a cosine c, the last term is divided by c
+ * one way across the ray and multiplied by c the other way. Since c + 1 / c >= 2, the product of the two widths is
+ * least head on. */
 TS_FN f32 ts_k_ball_spread(f32 radius, f32 to_eye, f32 to_triangle)
 {
 	f32 from_eye = ts_max(to_eye - radius, 0.0f);
@@ -62,13 +63,13 @@ TS_FN f32 ts_k_ball_spread(f32 radius, f32 to_eye, f32 to_triangle)
 	return ts_flush((2.0f * from_eye) * (from_triangle / radius));
 }
 
-/* Samples a world unit on a triangle; whether the densest cube allows no more. */
+/* Samples per world unit on a triangle, and whether the densest cube limits them. */
 typedef struct {
 	f32 s;
 	u32 limited;
 } ts_eye_density;
 
-/* Of triangle a b c, seen by the reflectors of `words`; 0: by none. */
+/* The density of triangle a b c, which the reflectors in `words` may see; 0 if there is none. */
 TS_FN ts_eye_density ts_k_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_camera_k view = ts_k_view(args->view);
@@ -86,7 +87,7 @@ TS_FN ts_eye_density ts_k_density(const ts_density_args *args, TS_GLOBAL const u
 		if (args->ball != 0u && cube->radius > 0.0f) way = way + ts_k_ball_spread(cube->radius, distance, to_triangle);
 		if (args->offaxis != 0u) {
 			ts_corner p = ts_k_to_view(&view, centre);
-			bool ahead = p.z > 0.0f && distance > 0.0f; /* behind the eye there is no pixel to be finer than */
+			bool ahead = p.z > 0.0f && distance > 0.0f; /* behind the eye there are no pixels */
 			way = way * ts_clamp(ahead ? p.z / distance : 1.0f, 0.015625f, 1.0f);
 		}
 		way = ts_max(way, least);

@@ -1,5 +1,5 @@
-/* The copy pass of environment maps: colours of the nearest points into level 0 of the mip chain (iVIR section 5;
- * METHODS 9). */
+/* The copy pass of environment maps: writes the colours of the nearest points to level 0 of the mip chain (iVIR section
+ * 5; METHODS 9). */
 #ifndef TS_KERNELS_ENVIRONMENT_MAP_H
 #define TS_KERNELS_ENVIRONMENT_MAP_H
 #include "../base/args.h"

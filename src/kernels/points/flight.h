@@ -1,10 +1,10 @@
-/* Points on their way to views: as they are stored, or made from their piece; and made again from their index alone,
- * where none is stored (EPR section 3.4; METHODS 18). */
+/* Points on their way to views: read from where they are stored; or, where none is stored, made again from their index
+ * alone (EPR section 3.4; METHODS 18). */
 #ifndef TS_KERNELS_FLIGHT_H
 #define TS_KERNELS_FLIGHT_H
 #include "points.h"
 
-/* Without its sample: x and y are 0. */
+/* A stored point. Its sample is not stored: x and y are 0. */
 TS_FN ts_flight ts_k_flight_record(const ts_points_args *from, u64 i)
 {
 	TS_GLOBAL const ts_point *record = ts_at(from->points, i);
@@ -28,7 +28,7 @@ TS_FN ts_flight ts_k_flight_stored(const ts_points_args *from, u64 i)
 	return r;
 }
 
-/* The piece of point `index`: of those that have points, the last one that begins at the index or before. */
+/* The piece of point `index`: of the pieces that have points, the last whose first point is not after it. */
 TS_FN u32 ts_k_piece_of(const ts_points_args *from, u32 n_pieces, u32 index)
 {
 	u32 low = 0u;
@@ -44,8 +44,8 @@ TS_FN u32 ts_k_piece_of(const ts_points_args *from, u32 n_pieces, u32 index)
 	return low;
 }
 
-/* Finds point *rank of row y, whose samples `touched` touch the piece. If the row has fewer points, subtracts them from
- * *rank and returns false. Samples of a masked material are tested one by one. */
+/* Finds point *rank of row y, in which the samples of the span `touched` touch the piece. If the row has fewer points,
+ * subtracts their number from *rank and returns false. Samples of a masked material are tested one by one. */
 TS_FN bool ts_k_flight_in_row(const ts_points_args *from, const ts_cover *cover, ts_span touched, ts_flight *point,
                               i32 y, u32 *rank)
 {
@@ -68,7 +68,7 @@ TS_FN bool ts_k_flight_in_row(const ts_points_args *from, const ts_cover *cover,
 	return true;
 }
 
-/* Point `index` of pieces whose points from->offset counts: its piece by search, its sample by counting rows. */
+/* Makes point `index` again: finds its piece in from->offset by search, and its sample by counting rows. */
 TS_CALL ts_flight ts_k_flight_again(const ts_points_args *from, u32 n_pieces, u32 index)
 {
 	ts_flight point = ts_k_flight_of_piece(from, ts_k_piece_of(from, n_pieces, index));
@@ -83,14 +83,14 @@ TS_CALL ts_flight ts_k_flight_again(const ts_points_args *from, u32 n_pieces, u3
 	return point;
 }
 
-/* n_pieces 0: points are stored. */
+/* Point `index`; n_pieces is 0 if points are stored. */
 TS_FN ts_flight ts_k_flight_at(const ts_points_args *from, u32 n_pieces, u32 index)
 {
 	if (n_pieces != 0u) return ts_k_flight_again(from, n_pieces, index);
 	return ts_k_flight_stored(from, index);
 }
 
-/* What a point shows. */
+/* The surface that a point shows. */
 TS_FN ts_surface ts_k_flight_surface(const ts_points_args *from, const ts_flight *point)
 {
 	return ts_k_lattice_surface(&from->scene, &from->frames[point->piece], from->pieces[point->piece].triangle,

@@ -1,6 +1,6 @@
-/* Forward shading: every point is lit once, however many texels it fills, and its colour is what texels hold beside
- * its distance (EPR section 3.5; METHODS 18). A colour has 32 bits, as the reference to a point has: 9 of each channel
- * and 5 of an exponent that they share, the format RGB9_E5 of OpenGL's EXT_texture_shared_exponent. */
+/* Forward shading: every point is lit once, however many texels it fills; a texel holds its colour beside its distance
+ * (EPR section 3.5; METHODS 18). A colour has 32 bits, like the index of a point: 9 per channel and 5 of a common
+ * exponent, in the layout of RGB9_E5 of OpenGL's EXT_texture_shared_exponent. */
 #ifndef TS_KERNELS_FORWARD_H
 #define TS_KERNELS_FORWARD_H
 #include "../base/args.h"
@@ -16,10 +16,10 @@
 	ARG(OUT_PARTS, u32, colours, forward_colour) \
 	ARG(VALUE, u32, n_cubes, none) \
 	ARG(VALUE, u32, n_words, none) \
-	ARG(VALUE, u32, for_eye, none) /* points are lit for the eye, not for the mirror of the shortest way */
+	ARG(VALUE, u32, for_eye, none) /* not 0: points are lit for the eye, not for the mirror of the shortest way */
 TS_ARGS(ts_forward_args);
 
-#define TS_MOST_SHARED 65280.0f /* 510 x 2^7: so no colour is all ones, which is an empty texel */
+#define TS_MOST_SHARED 65280.0f /* 510 x 2^7, so that no colour is all ones, which means an empty texel */
 
 /* A channel in units of 2^(exponent - 24), rounded. */
 TS_FN u32 ts_k_shared_channel(f32 channel, i32 exponent)
@@ -47,8 +47,8 @@ TS_FN ts_v3 ts_k_shared_radiance(u32 code)
 	return ts_v3_make((f32)(code & 511u) * unit, (f32)((code >> 9) & 511u) * unit, (f32)((code >> 18) & 511u) * unit);
 }
 
-/* The centre of the mirror that brings the point to the eye by the shortest way, d_er + d_rt (eq. 2), of those that may
- * see it; the eye itself where none does. */
+/* The centre of the mirror with the shortest way from the point to the eye, d_er + d_rt (eq. 2), of the mirrors that
+ * may see the point; the eye itself where none does. */
 TS_FN ts_v3 ts_k_forward_mirror(const ts_forward_args *args, const ts_flight *point)
 {
 	TS_GLOBAL const u64 *words = args->bits + (u64)args->from.pieces[point->piece].triangle * args->n_words;
@@ -68,7 +68,7 @@ TS_FN ts_v3 ts_k_forward_mirror(const ts_forward_args *args, const ts_flight *po
 	return nearest;
 }
 
-/* map over stored points: their light */
+/* map over stored points: their colours */
 TS_FN void ts_k_forward_item(const ts_forward_args *args, u64 i)
 {
 	ts_flight point = ts_k_flight_stored(&args->from, i);

@@ -1,5 +1,6 @@
-/* Eye-based deferred shading: the samples of reflective pixels look up points in cubes, points on mirrors are queued
- * for the next bounce, and every sample has the colour of its point (EPR sections 4.1.2 to 4.1.4; METHODS 2). */
+/* Eye-based deferred shading: the samples of reflective pixels look up points in cubes, samples that find a point on a
+ * mirror are queued for the next bounce, and every sample takes the colour of its point (EPR sections 4.1.2 to 4.1.4;
+ * METHODS 2). */
 #ifndef TS_KERNELS_LOOKUP_H
 #define TS_KERNELS_LOOKUP_H
 #include "../base/args.h"
@@ -21,11 +22,11 @@
 	ARG(IN_OPT, f32, next_radiance, none) \
 	ARG(OUT_OPT, f32, radiance, none)        /* of this bounce's entries */ \
 	ARG(OUT_OPT, u32, used, shade_n_samples) /* samples shaded; first bounce only */ \
-	ARG(VALUE, u32, n_pieces, none)          /* of which points are made again; 0: points are stored */ \
-	ARG(VALUE, u32, coloured, none)          /* colours are found */ \
-	ARG(VALUE, u32, n_samples, none)         /* an entry: 25 at the first bounce, then 4 */ \
-	ARG(VALUE, u32, first, none)             /* entries are pixels */ \
-	ARG(VALUE, u32, follow, none)            /* there is a next bounce */ \
+	ARG(VALUE, u32, n_pieces, none)          /* pieces from which points are made again; 0: points are stored */ \
+	ARG(VALUE, u32, coloured, none)          /* not 0: texels hold colours */ \
+	ARG(VALUE, u32, n_samples, none)         /* per entry: 25 at the first bounce, then 4 */ \
+	ARG(VALUE, u32, first, none)             /* not 0: the first bounce, whose entries are pixels */ \
+	ARG(VALUE, u32, follow, none)            /* not 0: there is a next bounce */ \
 	ARG(VALUE, u32, adaptive, none)
 TS_ARGS(ts_lookup_args);
 
@@ -61,7 +62,7 @@ TS_FN ts_surface ts_k_point_surface(const ts_lookup_args *args, u32 point)
 	return ts_k_flight_surface(&args->from, &seen);
 }
 
-/* map over samples: 1 where the point seen is on a mirror */
+/* map over samples: 1 where the point that was found is on a mirror */
 TS_FN void ts_k_bounce_count_item(const ts_lookup_args *args, u64 i)
 {
 	u32 point = args->found[i];
@@ -102,13 +103,14 @@ TS_FN void ts_k_bounce_item(const ts_lookup_args *args, u64 i)
 	}
 }
 
-/* The next bounce tells the sample's colour. */
+/* Whether the sample gets its colour from the next bounce. */
 TS_FN bool ts_k_is_followed(const ts_lookup_args *args, u64 sample)
 {
 	return args->follow != 0u && args->offset[sample + 1u] != args->offset[sample];
 }
 
-/* The colour of one sample: of the next bounce, of the point towards the cube's centre, or the background. */
+/* The colour of one sample: that of the next bounce, that of its point as seen from the cube's centre, or the
+ * background. */
 TS_FN ts_v3 ts_k_sample_radiance(const ts_lookup_args *args, u64 sample, ts_v3 centre)
 {
 	u32 point = args->found[sample];
@@ -119,7 +121,8 @@ TS_FN ts_v3 ts_k_sample_radiance(const ts_lookup_args *args, u64 sample, ts_v3 c
 	return ts_k_shade(&args->from.scene, &surface, ts_normalize(ts_sub(centre, surface.p)));
 }
 
-/* Samples of an entry that see one point, and are not followed, have one colour. `seen` holds those before sample k. */
+/* The colour of sample k. Samples of an entry that see the same point and are not followed have the same colour; `seen`
+ * holds the colours of the samples before k. */
 TS_FN ts_v3 ts_k_next_radiance(const ts_lookup_args *args, u64 first, u32 k, ts_v3 centre, const ts_v3 *seen)
 {
 	u32 same = ts_k_is_followed(args, first + k) ? k : 0u;
@@ -128,8 +131,8 @@ TS_FN ts_v3 ts_k_next_radiance(const ts_lookup_args *args, u64 first, u32 k, ts_
 	return same < k ? seen[same] : ts_k_sample_radiance(args, first + k, centre);
 }
 
-/* Variance of n numbers from their sums (EPR 4.1.3: "until color variance stopped declining"); the numbers are r + g
- * + b. */
+/* Variance of n numbers r + g + b from their sum and the sum of their squares (EPR 4.1.3: "until color variance stopped
+ * declining"). */
 TS_FN f32 ts_k_variance(f32 sum, f32 squares, u32 n)
 {
 	f32 count = (f32)n;
@@ -137,7 +140,8 @@ TS_FN f32 ts_k_variance(f32 sum, f32 squares, u32 n)
 	return ts_flush(squares / count - mean * mean);
 }
 
-/* The mean of an entry's samples in ascending order; adaptively in batches of four. *used receives how many. */
+/* The mean of an entry's samples in ascending order; adaptively in batches of four. *used: number of samples that were
+ * used. */
 TS_FN ts_v3 ts_k_mean_radiance(const ts_lookup_args *args, u64 entry, ts_v3 centre, u32 *used)
 {
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
@@ -164,7 +168,7 @@ TS_FN ts_v3 ts_k_mean_radiance(const ts_lookup_args *args, u64 entry, ts_v3 cent
 	return ts_v3_make(sum.x / count, sum.y / count, sum.z / count);
 }
 
-/* The mean of an entry's samples, tinted by its mirror. */
+/* Stores the mean of an entry's samples, tinted by its mirror. */
 TS_FN void ts_k_shade_put(const ts_lookup_args *args, u64 entry, ts_v3 mean, u32 used)
 {
 	ts_v3 tint;

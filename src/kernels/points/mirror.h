@@ -29,7 +29,7 @@ TS_FN ts_v3 ts_k_mip_texel(const ts_mip_cube *cube, u32 level, u64 index)
 	return ts_load3(cube->texels + (ts_k_mip_texels(cube->n, level) + index) * 4u);
 }
 
-/* The tap of texel (i, j) of a face; outside the face, the texel its extended position falls into. */
+/* The value of texel (i, j) of a face; outside the face, of the texel into which its extended position falls. */
 TS_FN ts_v3 ts_k_mip_tap(const ts_mip_cube *cube, u32 level, u32 face, i32 i, i32 j)
 {
 	i32 n = (i32)ts_k_mip_size(cube->n, level);
@@ -99,7 +99,7 @@ TS_FN ts_v3 ts_k_mirror_supersample(const ts_mip_cube *cube, TS_GLOBAL const ts_
 	return ts_v3_make(sum.x / count, sum.y / count, sum.z / count);
 }
 
-/* map over reflective pixels: those of the batch */
+/* map over reflective pixels, of which those of the batch look up */
 TS_FN void ts_k_mirror_item(const ts_mirror_args *args, u64 i)
 {
 	TS_GLOBAL const ts_pixel *pixel = &args->pixels[i];

@@ -1,6 +1,6 @@
-/* Reflective pixels of the eye: the surface and how it changes to the neighbouring pixels (EPR section 4.1.3;
- * METHODS 2). Gradients are central differences inside the same object, one-sided at its border, else 0: from pixel to
- * pixel, of samples from one side to the other of the square that a sample stands for. */
+/* Reflective pixels of the eye: the surface, and its change to the neighbouring pixels (EPR section 4.1.3; METHODS 2).
+ * Gradients are central differences inside the same object, one-sided at its border, otherwise 0. Differences are taken
+ * from pixel to pixel; for several samples per pixel, across the square that a sample stands for. */
 #ifndef TS_KERNELS_MIRROR_PIXEL_H
 #define TS_KERNELS_MIRROR_PIXEL_H
 #include "../base/args.h"
@@ -32,7 +32,7 @@ typedef struct {
 	bool seen;
 } ts_glance;
 
-/* What a sample of the eye sees beside its pixel, if it is on the given reflector. The normal is turned to the
+/* The surface that the eye sees beside a sample's pixel, if it is on the given reflector. The normal is turned to the
  * viewer. */
 TS_FN ts_glance ts_k_glance(const ts_mirror_pixel_args *args, const ts_eye_place *at, i32 right, i32 down,
                             u32 reflector)
@@ -84,7 +84,8 @@ TS_FN void ts_k_pixel_gradients(TS_GLOBAL ts_pixel *out, const ts_glance glance[
 	ts_store3(out->normal_dy, ts_k_gradient(above.n, above.seen, here.n, below.n, below.seen, side));
 }
 
-/* The record of element i; tint: its base colour; side: of the square that it stands for, in pixels. */
+/* Writes the record of element i. tint: its base colour; side: that of the square that a sample stands for, in
+ * pixels. */
 TS_FN void ts_k_mirror_pixel_write(const ts_mirror_pixel_args *args, u64 i, const ts_glance glance[TS_N_GLANCES],
                                    ts_v3 tint, f32 side)
 {

@@ -1,12 +1,12 @@
-/* Percentage-closer soft shadows from one depth map a light (PCSS; METHODS 10). What the map shows around a receiver
- * at depth d_R, over the width w_L (d_R - near) / d_R on the plane at depth near, and nearer than it, are blockers;
- * with their mean depth d_B the penumbra is w = (d_R - d_B) w_L / d_B wide, and the share of the map that lets light
- * through is taken over w near / d_R of that plane. Parallel light of tangent t: widths 2 t (d_R - near) and w = 2 t
- * (d_R - d_B).
+/* Percentage-closer soft shadows from one depth map per light (PCSS; METHODS 10). Blockers are the texels nearer than
+ * the receiver within the width w_L (d_R - near) / d_R around it on the plane at depth near; w_L is the light's width,
+ * d_R the receiver's depth. With the blockers' mean depth d_B the penumbra has the width w = (d_R - d_B) w_L / d_B. The
+ * light that arrives is the share of taps without a blocker within the width w near / d_R of that plane. Parallel light
+ * of tangent t has the widths 2 t (d_R - near) and w = 2 t (d_R - d_B).
  *
- * Taps lie far from the receiver, so what they see is compared with the receiver's plane there, where that is nearer
- * than the receiver: a surface does not shade itself, however steep. Beyond this the bias is that of all methods
- * (resolve.h). */
+ * Taps may lie far from the receiver, so their depths are compared with the depth of the receiver's plane there, where
+ * that is nearer than the receiver: a surface does not shade itself, however steep. The bias is that of all methods
+ * (shadow_test.h). */
 #ifndef TS_KERNELS_PCSS_H
 #define TS_KERNELS_PCSS_H
 #include "../base/args.h"
@@ -35,12 +35,12 @@ TS_CONSTANT i32 ts_pcss_filter[64][2] = {
 };
 
 #define TS_ROWS_ts_pcss_args(ARG) \
-	ARG(INNER, ts_shadow_test_args, of, none) /* one view a light */ \
+	ARG(INNER, ts_shadow_test_args, of, none) /* one view per light */ \
 	ARG(IN, ts_lamp, lamps, lamp_shape) \
-	ARG(VALUE, f32, near, none) /* depth of the search's plane, of the receiver's */
+	ARG(VALUE, f32, near, none) /* depth of the plane of the search, as a share of the receiver's */
 TS_ARGS(ts_pcss_args);
 
-/* A receiver as a light's view sees it. */
+/* A receiver in a light's view. */
 typedef struct {
 	ts_camera_k view;
 	ts_v2 place;
@@ -63,14 +63,14 @@ TS_FN ts_shaded ts_k_shaded(const ts_shadow_test_args *args, TS_GLOBAL const ts_
 	return r;
 }
 
-/* The depth up to which light must travel at a place of the map: that of the receiver's plane, or the receiver's own if
- * that is nearer, or if the plane is not met there. */
+/* The depth up to which a place of the map must be free: that of the receiver's plane; or the receiver's own, if that
+ * is nearer or the plane is not met there. */
 TS_FN f32 ts_k_free_depth(const ts_shaded *r, f32 x, f32 y)
 {
 	return ts_min(ts_k_plane_depth(&r->view, &r->plane, x, y, r->z), r->z);
 }
 
-/* What the map shows at a tap if it comes between the light and the receiver's plane, else 0. */
+/* The depth of a tap, if it lies between the light and the receiver's plane; otherwise 0. */
 TS_CALL f32 ts_k_blocker(const ts_shaded *r, f32 radius, i32 tap_x, i32 tap_y)
 {
 	f32 x = r->place.x + radius * ((f32)tap_x * 0.0078125f);
@@ -111,7 +111,7 @@ TS_FN f32 ts_k_filter_radius(const ts_shaded *r, f32 light, f32 blocker)
 	return ((above * light) / blocker) * (r->view.focal / r->z);
 }
 
-/* How many of the filter's taps see no blocker. */
+/* Number of the filter's taps that see no blocker. */
 TS_CALL u32 ts_k_pcss(const ts_pcss_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at)
 {
 	ts_shaded r = ts_k_shaded(&args->of, offscreen, at);

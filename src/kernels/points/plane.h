@@ -1,6 +1,6 @@
-/* A surface's plane on the axes of a view, and its axial depth at a place of the image: the ray (x, y, focal) meets
- * n.p = d at z = d focal / (n.(x, y, focal)), x and y in pixels from the middle; orthographic rays are (x / focal,
- * y / focal) aside and straight ahead. */
+/* The plane n.p = d of a surface on the axes of a view, and its axial depth at a place of the image. The ray (x, y,
+ * focal) meets the plane at z = d focal / (n.(x, y, focal)), x and y in pixels from the middle; an orthographic ray
+ * begins at (x / focal, y / focal) and points straight ahead. */
 #ifndef TS_KERNELS_PLANE_H
 #define TS_KERNELS_PLANE_H
 #include "../raster/raster.h"
@@ -10,7 +10,7 @@ typedef struct {
 	f32 d;
 } ts_image_plane;
 
-/* Through p with the normal n, world. */
+/* The plane through p with the normal n, both in world coordinates. */
 TS_FN ts_image_plane ts_k_image_plane(const ts_camera_k *view, ts_v3 p, ts_v3 n)
 {
 	ts_corner at = ts_k_to_view(view, p);
@@ -20,7 +20,7 @@ TS_FN ts_image_plane ts_k_image_plane(const ts_camera_k *view, ts_v3 p, ts_v3 n)
 	return r;
 }
 
-/* `otherwise` where the plane is not met ahead. */
+/* The plane's depth at (x, y) in pixels; `otherwise` where the plane is not met ahead. */
 TS_FN f32 ts_k_plane_depth(const ts_camera_k *view, const ts_image_plane *plane, f32 x, f32 y, f32 otherwise)
 {
 	bool parallel = view->orthographic != 0u;

@@ -1,4 +1,5 @@
-/* Points: the samples that an aligned piece touches, conservatively, row by row (EPR sections 3.3, 3.4; METHODS 2). */
+/* Points: the samples that an aligned piece touches by the conservative test, row by row (EPR sections 3.3, 3.4;
+ * METHODS 2). */
 #ifndef TS_KERNELS_POINTS_H
 #define TS_KERNELS_POINTS_H
 #include "../base/args.h"
@@ -15,9 +16,9 @@
 	ARG(OUT_PARTS_OPT, ts_point, points, points_record) \
 	ARG(TALLY_OPT, i64, n_points, 0)   /* appended so far */ \
 	ARG(VALUE, u64, room, none)        /* points that the arrays can hold */ \
-	ARG(VALUE, i32, half_size, none)   /* of a lattice square, in 1/256: 129 safe, 128 exact, 0 its centre alone */ \
-	ARG(VALUE, u32, paper_splat, none) /* sub-pixel pieces get a splat of their own area */ \
-	ARG(VALUE, u32, snap, none)        /* samples beside their piece move to its border */
+	ARG(VALUE, i32, half_size, none)   /* of a lattice square, in 1/256: 129 safe, 128 exact, 0 only its centre */ \
+	ARG(VALUE, u32, paper_splat, none) /* not 0: sub-pixel pieces get a splat of their own area */ \
+	ARG(VALUE, u32, snap, none)        /* not 0: samples beside their piece move to its border */
 TS_ARGS(ts_points_args);
 
 #define TS_POINT_TINY 1u
@@ -28,7 +29,7 @@ TS_FN bool ts_k_is_point(const ts_points_args *args, const ts_cover *cover, u64 
 	return ts_k_is_sample(&args->scene, &args->pieces[piece], &args->frames[piece], cover, x, y);
 }
 
-/* Points of a piece's band. */
+/* Number of points in a band of a piece. */
 TS_FN u32 ts_k_points_of(const ts_points_args *args, const ts_band *band)
 {
 	u64 piece = band->item;
@@ -43,14 +44,14 @@ TS_FN u32 ts_k_points_of(const ts_points_args *args, const ts_band *band)
 	return count;
 }
 
-/* map over pieces: how many points */
+/* map over pieces: number of points */
 TS_FN void ts_k_points_count_item(const ts_points_args *args, u64 i)
 {
 	ts_band all = ts_k_band(i, 0u);
 	args->offset[i] = ts_k_points_of(args, &all);
 }
 
-/* l = 1/s (eq. 4); a sub-pixel piece is tiny: by the paper its splat is a square of its own area. */
+/* l = 1/s (eq. 4). A sub-pixel piece is tiny; by the paper its splat is a square of its own area. */
 TS_FN f32 ts_k_splat_length(const ts_points_args *args, TS_GLOBAL const ts_piece *piece, f32 s, u32 *flags)
 {
 	f32 area = ts_k_area(ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c));
@@ -64,7 +65,7 @@ TS_FN ts_v3 ts_k_point_centre(const ts_points_args *args, u64 piece, i32 x, i32 
 	return ts_k_sample_centre(&args->pieces[piece], &args->frames[piece], args->snap != 0u, x, y);
 }
 
-/* A point, as it is stored or made. */
+/* A point, whether read or made. */
 typedef struct {
 	u64 piece;
 	i32 x, y; /* its sample */
@@ -130,8 +131,8 @@ TS_FN void ts_k_points_item(const ts_points_args *args, u64 i)
 	}
 }
 
-/* scatter over pieces: the same points in the order of arrival, as the papers' GPUs append them. Those that find no
- * room are counted only. */
+/* scatter over pieces: the same points in the order of arrival, as the papers' GPUs append them. Points that find no
+ * room are only counted. */
 TS_FN void ts_k_points_append_item(const ts_points_args *args, u64 i)
 {
 	if (!(args->frames[i].s > 0.0f)) return;

@@ -1,5 +1,5 @@
-/* The samples of a reflective pixel: 25 offsets of a toroidal Poisson-disc set, the same in every pixel, the first four
- * of them for later bounces (EPR section 4.1.3; METHODS 2). */
+/* The samples of a reflective pixel: 25 offsets of a toroidal Poisson-disc set, the same in every pixel; later bounces
+ * use the first four (EPR section 4.1.3; METHODS 2). */
 #ifndef TS_KERNELS_SAMPLES_H
 #define TS_KERNELS_SAMPLES_H
 #include "../base/records.h"
@@ -45,8 +45,9 @@ TS_FN ts_ray ts_k_sample_ray(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, u32 k)
 	return ts_k_offset_ray(pixel, eye, ts_k_sample_offset(k));
 }
 
-/* Later bounces have no pixel: the ray from the cube centre that found p is reflected at the tile's normal, spread by
- * the tile's width over that reflector's radius. u, v: the tile's axes. */
+/* A later bounce has no pixel: the ray from the centre of the cube in which p was found is reflected at the tile's
+ * normal, which is turned by the offset times `spread`, the tile's width over the radius of the next reflector. u, v:
+ * the tile's axes. */
 TS_FN ts_v3 ts_k_bounce_direction(ts_v3 p, ts_v3 n, ts_v3 u, ts_v3 v, ts_v3 from, f32 spread, u32 k)
 {
 	ts_v2 o = ts_k_sample_offset(k);

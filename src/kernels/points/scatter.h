@@ -1,10 +1,10 @@
-/* Scattering: every point into every off-screen view that may see it, one texel each, by atomic minimum (iVIR
- * section 4; METHODS 9 and 10). Of depth maps the texel is the axial depth; of environment maps 13 bits of depth and
- * 19 of colour, 6-7-6. The points are stored ones, or made on the spot.
+/* Scattering: writes every point into one texel of every off-screen view that may see it, by atomic minimum (iVIR
+ * section 4; METHODS 9 and 10). A texel of a depth map is an axial depth; a texel of an environment map has 13 bits of
+ * depth and 19 of colour, 6-7-6. The points are stored, or made on the spot.
  *
- * By the paper a texel has the nearest of all points that fall anywhere into it, where MVR has what covers its centre.
- * At the centre a point stands for its triangle: it counts only if that covers the centre, with what that shows
- * there. */
+ * By the paper a texel takes the nearest of all points that fall anywhere into it, while MVR takes the triangle that
+ * covers its centre. With `centre` a point stands for its triangle: it counts only if the triangle covers the texel's
+ * centre, with the depth and colour of the triangle there. */
 #ifndef TS_KERNELS_SCATTER_H
 #define TS_KERNELS_SCATTER_H
 #include "../base/args.h"
@@ -21,26 +21,27 @@
 	ARG(MIN_OPT, u32, colours, scatter_colour) /* of the batch */ \
 	ARG(TALLY, i64, n_points, 0) \
 	ARG(TALLY, i64, n_scatters, 1) \
-	ARG(TALLY, i64, n_writes, 2) /* points made; views they were offered to; texels */ \
+	ARG(TALLY, i64, n_writes, 2) /* points made; views that they were offered to; texels that they were offered to */ \
 	ARG(VALUE, u32, first_view, none) \
 	ARG(VALUE, u32, n_views, none) /* the batch */ \
 	ARG(VALUE, u32, n_words, none) \
-	ARG(VALUE, f32, exposure, none) /* what colours are stored at */ \
-	ARG(VALUE, u32, centre, none)   /* points count at the centre of their texel */ \
-	ARG(VALUE, u32, culled, none)   /* small pieces were dropped at random */ \
-	ARG(VALUE, u32, others, none)   /* items that share its rows: band.h */
+	ARG(VALUE, f32, exposure, none) /* of stored colours */ \
+	ARG(VALUE, u32, centre, none)   /* not 0: points count at the centre of their texel */ \
+	ARG(VALUE, u32, culled, none)   /* not 0: small pieces were dropped at random */ \
+	ARG(VALUE, u32, others, none)   /* other items that share the rows: band.h */
 TS_ARGS(ts_scatter_args);
 
-#define TS_FAR_BITS 20.0f /* the farthest depth that is told apart is so many doublings of the nearest */
+#define TS_FAR_BITS 20.0f /* far / near is 2 to this power */
 
-/* floor(8191 log(d / near) / log(far / near)), at most 8190: 0.17 per cent a step. */
+/* floor(8191 log(d / near) / log(far / near)), at most 8190: steps of 0.17 per cent. */
 TS_FN u32 ts_k_depth_code(f32 distance, f32 near)
 {
 	f32 doublings = ts_log2(ts_max(distance / near, 1.0f));
 	return (u32)ts_min_i32(ts_floor_i32((8191.0f * doublings) / TS_FAR_BITS), 8190);
 }
 
-/* The square root, which spends the few bits where the eye tells shades apart, of what is shown at most as white. */
+/* The code of a channel: the square root of the exposed radiance, at most white. The root spends the few bits where the
+ * eye distinguishes shades. */
 TS_FN u32 ts_k_channel_code(f32 radiance, f32 exposure, f32 most)
 {
 	return (u32)ts_fix(ts_sqrt(ts_flush(ts_clamp(radiance * exposure, 0.0f, 1.0f))) * most, 0, 7);
@@ -65,7 +66,7 @@ TS_FN ts_v3 ts_k_colour_radiance(u32 code, f32 exposure)
 	                  ts_k_channel_radiance(code & 63u, exposure, 63.0f));
 }
 
-/* What the point, at axial depth z, looks like from a view: its textures as the view's texels see them. */
+/* The colour of a point at axial depth z in a view; textures are filtered for the view's texels. */
 TS_CALL u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z)
 {
 	u32 triangle = args->from.pieces[point->piece].triangle;
@@ -76,7 +77,8 @@ TS_CALL u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *v
 	return ts_k_colour_code(ts_k_shade(&args->from.scene, &s, ts_normalize(ts_neg(way))), args->exposure);
 }
 
-/* A texel nearer than the offer's depth would stay, whatever the colour: it is not computed. */
+/* Whether the offer may win. If the texel is nearer it stays, whatever the colour, so the colour need not be
+ * computed. */
 TS_FN bool ts_k_is_wanted(const ts_scatter_args *args, u32 depth, u64 texel)
 {
 	return depth <= ts_peek_u32(&args->colours[texel]);
@@ -93,7 +95,7 @@ TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *vie
 	}
 }
 
-/* What the point's triangle looks like at the centre of texel (i, j). */
+/* Offers depth and colour of the point's triangle at the centre of texel (i, j). */
 TS_CALL void ts_k_offer_centre(const ts_scatter_args *args, const ts_camera_k *view, u32 triangle,
                                const ts_fragment *fragment, u64 texel)
 {
@@ -108,7 +110,7 @@ TS_CALL void ts_k_offer_centre(const ts_scatter_args *args, const ts_camera_k *v
 	}
 }
 
-/* One point into texel (i, j), at its centre. Returns whether its triangle is drawn there. */
+/* Offers a point to texel (i, j), at its centre. Returns whether the point's triangle is drawn there. */
 TS_FN bool ts_k_scatter_centre(const ts_scatter_args *args, const ts_camera_k *view, u32 triangle, i32 i, i32 j,
                                u64 texel)
 {
@@ -122,8 +124,8 @@ TS_FN bool ts_k_scatter_centre(const ts_scatter_args *args, const ts_camera_k *v
 	return true;
 }
 
-/* One point into one view. Returns the texels offered: 0 behind the near plane, outside the image, and at a centre that
- * its triangle does not cover. */
+/* Offers one point to one view. Returns the number of texels offered to: 0 before the near plane, outside the image,
+ * and where the point's triangle does not cover the texel's centre. */
 TS_CALL u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_offscreen *offscreen,
                               const ts_flight *point, u64 first_texel)
 {
@@ -146,8 +148,8 @@ TS_CALL u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_of
 	return 1u;
 }
 
-/* The piece's points count at the centre of their texel. Where others of its size were dropped at random it stands for
- * those, too: it counts at its own place. */
+/* Whether the piece's points count at the centre of their texel. A piece so small that others of its size were dropped
+ * at random stands for these too, so its points count at their own place. */
 TS_FN bool ts_k_is_at_centre(const ts_scatter_args *args, u64 index)
 {
 	if (args->centre == 0u || args->culled == 0u) return args->centre != 0u;
@@ -161,7 +163,7 @@ typedef struct {
 	i64 points, scatters, writes;
 } ts_scatter_tally;
 
-/* One point into every view of the batch that may see its triangle. */
+/* Offers one point to every view of the batch that may see its triangle. */
 TS_FN void ts_k_scatter_point(const ts_scatter_args *args, const ts_flight *point, ts_scatter_tally *tally)
 {
 	TS_GLOBAL const u64 *words = args->bits + (u64)args->from.pieces[point->piece].triangle * args->n_words;
@@ -200,7 +202,7 @@ TS_FN void ts_k_scatter_item(const ts_scatter_args *args, u64 i)
 	ts_k_scatter_count(args, &tally);
 }
 
-/* scatter over pieces: their points are made, and not kept */
+/* scatter over pieces: their points are made and not stored */
 TS_FN void ts_k_scatter_pieces_item(const ts_scatter_args *args, u64 i)
 {
 	ts_band band = ts_k_band(i, args->others);

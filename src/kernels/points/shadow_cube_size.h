@@ -1,5 +1,6 @@
 /* The resolution of shadow cubes from the eye's (EPR section 5.1, eq. 6; METHODS 10): Res_max times the largest d_lt /
- * d_er of the triangles in sight and the light samples, distances from the triangle to the sample and to the eye. */
+ * d_er over the triangles in sight and the light samples; d_lt is the distance from the triangle to the light sample,
+ * d_er that to the eye. */
 #ifndef TS_KERNELS_SHADOW_CUBE_SIZE_H
 #define TS_KERNELS_SHADOW_CUBE_SIZE_H
 #include "../base/args.h"

@@ -1,11 +1,11 @@
 /* Density of the points of omnidirectional shadows from the eye's resolution (EPR section 5.1, eq. 5; METHODS 10).
  *
- * Of each light sample l that may see the triangle: d_lt is the distance to it, d_ev the eye's from its shadow volume,
- * s_l what iVIR wants for the six views of l (view_density.h). A detail of the triangle is magnified by d_lx / d_lt on
- * a receiver x, which the eye sees at f_e / d_ex pixels a unit, so f_e d_lx / (d_ex d_lt) samples a unit are needed.
- * The largest need of the samples counts:
+ * For each light sample l that may see the triangle, d_lt is the distance of the triangle from l, d_ev that of the eye
+ * from the triangle's shadow volume, and s_l the density that iVIR demands for the six views of l (view_density.h). A
+ * detail of the triangle is magnified by d_lx / d_lt on a receiver x, which the eye sees at f_e / d_ex pixels per unit,
+ * so f_e d_lx / (d_ex d_lt) samples per unit are needed. The largest need of all light samples counts:
  * - safe: max_l min((f_e / d_lt) (1 + |l - e| / d_ev), s_l), since d_lx <= |l - e| + d_ex and d_ex >= d_ev;
- * - unit: max_l min(f_e / d_ev, f_l / d_lt), the paper's ratio with pixels a unit in place of distances;
+ * - unit: max_l min(f_e / d_ev, f_l / d_lt), the paper's ratio with pixels per unit in place of distances;
  * - paper: s min(1, max_l d_lt / d_ev), s = max_l s_l, the printed ratio as a share of iVIR's scale. */
 #ifndef TS_KERNELS_SHADOW_DENSITY_H
 #define TS_KERNELS_SHADOW_DENSITY_H
@@ -26,7 +26,7 @@ TS_FN f32 ts_k_quad_distance(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c, ts_v3 d)
 	return ts_min(one, other);
 }
 
-/* p and q on the same side of the plane through the origin with the normal n, or in it. */
+/* Whether p and q are on the same side of the plane through the origin with the normal n, or in the plane. */
 TS_FN bool ts_k_same_side(ts_v3 n, ts_v3 p, ts_v3 q)
 {
 	f32 of_p = ts_flush(ts_dot(n, p));
@@ -34,7 +34,8 @@ TS_FN bool ts_k_same_side(ts_v3 n, ts_v3 p, ts_v3 q)
 	return (of_p >= 0.0f && of_q >= 0.0f) || (of_p <= 0.0f && of_q <= 0.0f);
 }
 
-/* All relative to the light: beyond the triangle, and between the planes through its edges. */
+/* Whether p is in the shadow: beyond the triangle, and between the planes through its edges. All are relative to the
+ * light. */
 TS_FN bool ts_k_is_in_shadow(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_v3 n = ts_cross(ts_sub(b, a), ts_sub(c, a));
@@ -43,8 +44,8 @@ TS_FN bool ts_k_is_in_shadow(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 	       ts_k_same_side(ts_cross(c, a), b, p);
 }
 
-/* d_ev: the least distance from the triangle, its copy `times` as far from the light, and the three quads between;
- * inside and behind the far end 0. */
+/* d_ev: the least distance from the triangle, from its copy `times` as far from the light, and from the three quads
+ * between both; 0 inside and beyond the far end. */
 TS_FN f32 ts_k_shadow_distance(ts_v3 eye, ts_v3 light, ts_v3 a, ts_v3 b, ts_v3 c, f32 times)
 {
 	ts_v3 near[3];
@@ -64,7 +65,7 @@ TS_FN f32 ts_k_shadow_distance(ts_v3 eye, ts_v3 light, ts_v3 a, ts_v3 b, ts_v3 c
 	return r;
 }
 
-/* Of light sample l; `most` is iVIR's scale: of its views, of the paper that of all. */
+/* The need of light sample l. most: iVIR's density for the views of l; by the paper's rate, for all views. */
 TS_FN f32 ts_k_shadow_need(const ts_density_args *args, u32 l, f32 most, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	TS_GLOBAL const ts_offscreen *view = &args->views[l * 6u];

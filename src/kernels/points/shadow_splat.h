@@ -1,9 +1,10 @@
-/* Points made for the eye's resolution into the depth maps of cubes (EPR section 5.1; METHODS 10): those whose splat is
- * smaller than a texel are written as they are (scatter.h), larger ones as squares (splat.h), of depths alone.
+/* Splats points, made for the eye's resolution, into the depth maps of cubes (EPR section 5.1; METHODS 10). A point
+ * whose splat is smaller than a texel is written into its texel (scatter.h), a larger one as a square of depths
+ * (splat.h).
  *
- * Resolving compares the depth of a receiver with that of each texel, and one depth for a splat of many texels would
- * put shadows on the surface itself: the depth is that of the piece's plane in each texel, kept within the piece's
- * own. */
+ * The shadow test compares the depth of a receiver with that of each texel, so one depth for a splat of many texels
+ * would throw shadows on the surface itself. Each texel therefore gets the depth of the piece's plane, clamped to the
+ * depths of the piece's corners. */
 #ifndef TS_KERNELS_SHADOW_SPLAT_H
 #define TS_KERNELS_SHADOW_SPLAT_H
 #include "../base/args.h"
@@ -14,7 +15,7 @@
 #define TS_ROWS_ts_shadow_splat_args(ARG) \
 	ARG(INNER, ts_scatter_args, of, none) /* of depths; its n_writes are those of points smaller than a texel */ \
 	ARG(TALLY, i64, n_splats, 3) \
-	ARG(TALLY, i64, n_texels, 4) /* points larger than a texel; texels that they offered a depth to */ \
+	ARG(TALLY, i64, n_texels, 4) /* points larger than a texel; texels that these were offered to */ \
 	ARG(VALUE, u32, clip, none) \
 	ARG(VALUE, u32, plane_depth, none)
 TS_ARGS(ts_shadow_splat_args);
@@ -24,8 +25,8 @@ typedef struct {
 	i64 splats, texels;
 } ts_shadow_tally;
 
-/* A piece as a depth map sees it. The piece's first splat makes what follows has_cover; points smaller than a texel do
- * without. */
+/* A piece in a depth map's view. The members after has_cover are made for the piece's first splat; points smaller than
+ * a texel do not need them. */
 typedef struct {
 	TS_GLOBAL const ts_offscreen *offscreen;
 	ts_camera_k view;
@@ -35,8 +36,8 @@ typedef struct {
 	f32 nearest, farthest;
 } ts_shadow_caster;
 
-/* All of it lies so far outside one plane of the view that no point reaches in: points and the corners of their
- * splats are within 1.5 cells of the piece, which is 1.5 sqrt(1 + reach^2) in x - reach z. */
+/* Whether the whole piece lies so far outside one plane of the view that no point reaches in. Points and the corners of
+ * their splats are within 1.5 cells of the piece, which is 1.5 sqrt(1 + reach^2) in x - reach z. */
 TS_FN bool ts_k_misses(const ts_camera_k *view, TS_GLOBAL const ts_offscreen *offscreen,
                        TS_GLOBAL const ts_piece *piece, f32 cell)
 {
@@ -94,10 +95,10 @@ TS_FN void ts_k_shadow_cover(const ts_scatter_args *args, ts_shadow_caster *cast
 	}
 }
 
-/* The splat is no longer than a texel from corner to corner, at a scale from the plane to the image of at most f d /
- * z^2: so the lattice meets each texel with a point. 1/128 more makes up for rounding and for the scale's change
- * from a texel's middle to its border, at most 1/(4 f): of faces under 64 texels some points at their borders are
- * written alone where they should be splats. */
+/* Whether the splat is no longer than a texel from corner to corner, at a scale from the plane to the image of at most
+ * f d / z^2; then the lattice has a point in each texel. A reserve of 1/128 covers rounding and the change of the scale
+ * from a texel's middle to its border, which is at most 1/(4 f): on faces under 64 texels some points at the border are
+ * written alone that should be splats. */
 TS_FN bool ts_k_is_within_texel(const ts_camera_k *view, const ts_corner *p, f32 length)
 {
 	if (p->z < view->near) return false;
@@ -114,7 +115,8 @@ TS_FN f32 ts_k_shadow_depth(const ts_shadow_splat_args *args, const ts_shadow_ca
 	return ts_clamp(z, caster->nearest, caster->farthest);
 }
 
-/* One point as a square about its place in the lattice, where squares tile the plane. Returns the texels offered. */
+/* Splats one point as a square about its place in the lattice; the squares tile the plane. Returns the number of texels
+ * offered to. */
 TS_FN u32 ts_k_shadow_square(const ts_shadow_splat_args *args, const ts_shadow_caster *caster, const ts_flight *point,
                              f32 own)
 {
@@ -137,7 +139,7 @@ TS_FN u32 ts_k_shadow_square(const ts_shadow_splat_args *args, const ts_shadow_c
 	return count;
 }
 
-/* One point into one view. */
+/* Splats one point into one view. */
 TS_CALL void ts_k_shadow_splat_into(const ts_shadow_splat_args *args, ts_shadow_caster *caster, const ts_flight *point,
                                     ts_shadow_tally *tally)
 {
@@ -186,14 +188,14 @@ TS_FN void ts_k_shadow_splat_item(const ts_shadow_splat_args *args, u64 i)
 	ts_k_shadow_count(args, &tally);
 }
 
-/* Views that a piece's points are made for at a time. */
+/* Number of views for which a piece's points are made at a time. */
 #define TS_SHADOW_GROUP 8u
 typedef struct {
 	ts_shadow_caster caster[TS_SHADOW_GROUP];
 	u32 n;
 } ts_shadow_group;
 
-/* All points of a band of a piece into the views of a group, which is empty then. */
+/* Splats all points of a band of a piece into the views of a group, and empties the group. */
 TS_FN void ts_k_shadow_piece_into(const ts_shadow_splat_args *args, const ts_cover *cover, ts_flight *point,
                                   const ts_band *band, ts_shadow_group *group, ts_shadow_tally *tally)
 {
@@ -208,7 +210,7 @@ TS_FN void ts_k_shadow_piece_into(const ts_shadow_splat_args *args, const ts_cov
 	group->n = 0u;
 }
 
-/* scatter over pieces: their points are made for some views at a time, and not kept; the first batch counts them */
+/* scatter over pieces: their points are made for some views at a time and not stored; the first batch counts them */
 TS_FN void ts_k_shadow_splat_pieces_item(const ts_shadow_splat_args *args, u64 i)
 {
 	ts_band band = ts_k_band(i, args->of.others);

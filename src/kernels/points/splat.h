@@ -1,5 +1,5 @@
-/* Splatting: every point as a square into every face that may see it; 64-bit minimum of distance << 32 | point
- * (EPR section 3.5; METHODS 2). One distance a splat, unless plane depth is asked for. */
+/* Splatting: draws every point as a square into every face that may see it, by the 64-bit minimum of distance << 32 |
+ * point (EPR section 3.5; METHODS 2). A splat has one distance, unless plane_depth asks for that of its plane. */
 #ifndef TS_KERNELS_SPLAT_H
 #define TS_KERNELS_SPLAT_H
 #include "../base/args.h"
@@ -7,25 +7,25 @@
 #include "../raster/visibility.h"
 
 #define TS_ROWS_ts_splat_args(ARG) \
-	ARG(INNER, ts_points_args, from, none) /* stored ones; offset NULL: they are in no order */ \
+	ARG(INNER, ts_points_args, from, none) /* points; offset NULL: they are in no order */ \
 	ARG(IN, ts_face, cubes, cube_size_face) \
 	ARG(IN, u64, bits, visibility_bits)             /* by triangle */ \
 	ARG(IN_PARTS_OPT, u32, colours, forward_colour) /* of the points */ \
 	ARG(MIN_PARTS, u64, texels, splat_depth_index) \
 	ARG(SUM_PARTS_OPT, u8, tie, splat_tie) \
 	ARG(IN_OPT, ts_pixel, pixels, \
-	    mirror_pixel_record) /* whose samples alone read the texels: others may stay empty */ \
+	    mirror_pixel_record) /* their samples alone read the texels, so others may stay empty */ \
 	ARG(IN_OPT, ts_view, view, eye_view) \
 	ARG(TALLY, i64, n_scatters, 0) \
-	ARG(TALLY, i64, n_writes, 1) /* splats, and texels they offered a key to */ \
+	ARG(TALLY, i64, n_writes, 1) /* splats; texels that these were offered to */ \
 	ARG(VALUE, u32, n_cubes, none) \
 	ARG(VALUE, u32, n_words, none) \
 	ARG(VALUE, u32, n_pieces, none) \
 	ARG(VALUE, u32, clip, none) \
 	ARG(VALUE, u32, n_pixels, none) \
 	ARG(VALUE, u32, plane_depth, none) \
-	ARG(VALUE, u32, coloured, none) /* texels hold the points' colours, not their indices */ \
-	ARG(VALUE, u32, mark, none)     /* the texels are there: mark ties */
+	ARG(VALUE, u32, coloured, none) /* not 0: texels hold the points' colours, not their indices */ \
+	ARG(VALUE, u32, mark, none)     /* not 0: the texels are complete; mark ties */
 TS_ARGS(ts_splat_args);
 
 TS_FN ts_cover ts_k_cover_of(const ts_camera_k *view, const ts_polygon *polygon, i32 half_size)
@@ -37,7 +37,7 @@ TS_FN ts_cover ts_k_cover_of(const ts_camera_k *view, const ts_polygon *polygon,
 	return r;
 }
 
-/* The piece as a face sees it. n = 0: not at all. */
+/* The piece in the view of a face. n = 0: the face does not see it. */
 TS_FN ts_cover ts_k_splat_triangle(const ts_camera_k *view, TS_GLOBAL const ts_piece *piece)
 {
 	ts_polygon t = ts_k_polygon(view, ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c));
@@ -104,7 +104,8 @@ TS_FN f32 ts_k_plane_distance(const ts_camera_k *view, ts_v3 n, ts_v3 c, f32 dis
 	return met > 0.0f ? ts_clamp(met, distance - length, distance + length) : distance;
 }
 
-/* The least key wins a texel. A later pass marks a tie where a key lost by its index alone. */
+/* Offers a key to a texel; the least key wins. The pass that marks ties marks a texel where a key lost only by its
+ * index. */
 TS_FN void ts_k_splat_offer(const ts_splat_args *args, u64 texel, u64 key)
 {
 	TS_GLOBAL u64 *least = ts_at(args->texels, texel);
@@ -115,13 +116,13 @@ TS_FN void ts_k_splat_offer(const ts_splat_args *args, u64 texel, u64 key)
 	}
 }
 
-/* What a texel holds of a point: its index, or its colour. */
+/* The low half of a key: the index of a point, or its colour. */
 TS_FN u32 ts_k_splat_word(const ts_splat_args *args, u32 index)
 {
 	return args->coloured != 0u ? *ts_at(args->colours, index) : index;
 }
 
-/* One point into the face whose texels begin at `first`. Returns the texels offered. */
+/* Splats one point into the face whose texels begin at `first`. Returns the number of texels offered to. */
 TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const ts_cover *triangle,
                      const ts_flight *point, u32 word, u64 first)
 {
@@ -146,7 +147,8 @@ TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const t
 	return count;
 }
 
-/* One point into every face that may see its triangle; *scatters are the faces. Returns the texels offered. */
+/* Splats one point into every face that may see its triangle; *scatters: number of these faces. Returns the number of
+ * texels offered to. */
 TS_CALL i64 ts_k_splat_everywhere(const ts_splat_args *args, const ts_flight *point, u32 word, i64 *scatters)
 {
 	TS_GLOBAL const ts_piece *piece = &args->from.pieces[point->piece];
@@ -178,7 +180,8 @@ TS_FN void ts_k_splat_item(const ts_splat_args *args, u64 i)
 	ts_add_i64(args->n_writes, writes);
 }
 
-/* scatter over pieces: their points are made, splatted and not kept; texels hold the indices that stored ones have */
+/* scatter over pieces: their points are made, splatted and not stored; texels hold the indices that stored points would
+ * have */
 TS_FN void ts_k_splat_fragments_item(const ts_splat_args *args, u64 i)
 {
 	u32 index = args->from.offset[i];

@@ -1,27 +1,27 @@
-/* The points of a piece splatted together, with the bits of splat.h: what depends on the piece and the face alone is
- * done once. Edges become lines in (i, j), and since the axes of a cube's face are the world's but for sign and order,
- * a square's corners need no products. */
+/* Splats the points of a piece together, with the bits of splat.h: what depends only on the piece and the face is
+ * computed once. Edges become lines in (i, j). Since the axes of a cube's face are those of the world except for sign
+ * and order, the corners of a square need no products. */
 #ifndef TS_KERNELS_SPLAT_PIECES_H
 #define TS_KERNELS_SPLAT_PIECES_H
 #include "splat.h"
 
 TS_FN f32 ts_k_along(ts_v3 p, u32 axis) { return axis == 0u ? p.x : axis == 1u ? p.y : p.z; }
 
-/* floor(x) for x from -1 to `most`; what lies beyond becomes one of them. Without branches, for loops for vectors. */
+/* floor(x), clamped to -1 and `most`. Without branches, so that loops become vector code. */
 TS_FN i32 ts_k_floor_within(f32 x, f32 most)
 {
 	f32 near_by = ts_max(-1.0f, ts_min(x, most));
 	return (i32)ts_max(near_by, 0.0f) - (near_by < 0.0f ? 1 : 0);
 }
 
-/* A piece as one face sees it. */
+/* A piece in the view of one face. */
 typedef struct {
 	ts_camera_k view;
 	ts_row right, up, ahead;
 	ts_cover cover;
 	ts_lines lines;
 	ts_v3 u, v, n;
-	ts_v3 du, dv; /* half a square's sides: all points of a piece have one length */
+	ts_v3 du, dv; /* half a square's sides; all points of a piece have the same length */
 	u64 first;    /* texel */
 } ts_piece_view;
 
@@ -63,7 +63,7 @@ TS_FN ts_box ts_k_piece_box(const ts_piece_view *f, ts_v3 c, f32 length)
 	return ts_k_box_meet(r, ts_k_view_box(&f->view));
 }
 
-/* Returns the texels offered. */
+/* Splats point `index` of the piece. Returns the number of texels offered to. */
 TS_FN u32 ts_k_piece_point(const ts_splat_args *args, const ts_piece_view *f, u32 index)
 {
 	TS_GLOBAL const ts_point *point = ts_at(args->from.points, index);
@@ -88,7 +88,8 @@ TS_FN u32 ts_k_piece_point(const ts_splat_args *args, const ts_piece_view *f, u3
 	return count;
 }
 
-/* False: the face does not see it, or no splat reaches a texel. *scatters are the splats, as of the kernel splat. */
+/* Returns false if the face does not see the piece, or no splat reaches a texel. *scatters: number of splats, as the
+ * kernel splat counts them. */
 TS_FN bool ts_k_piece_view(ts_piece_view *f, const ts_splat_args *args, u64 piece, u32 r, u32 face, i64 *scatters)
 {
 	TS_GLOBAL const ts_face *cube = &args->cubes[r];
@@ -112,7 +113,7 @@ TS_FN bool ts_k_piece_view(ts_piece_view *f, const ts_splat_args *args, u64 piec
 	return true;
 }
 
-/* scatter over pieces: what the kernel splat does to their points, which args->from.offset finds */
+/* scatter over pieces: does what the kernel splat does to their points, which args->from.offset finds */
 TS_FN void ts_k_splat_pieces_item(const ts_splat_args *args, u64 i)
 {
 	u32 begin = args->from.offset[i];

@@ -1,6 +1,6 @@
-/* Splitting of triangles too large for one density (METHODS 2): bisected while they have more than 2^16 samples, or
- * more than 2^14 along an edge; for the watertight rate of iVIR also while some view needs 1.5 times as many at one end
- * as at the other (METHODS 9). */
+/* Splitting of triangles that are too large for one density (METHODS 2): a part is bisected while it has more than 2^16
+ * samples, or more than 2^14 along an edge; for the watertight rate of iVIR also while some view needs 1.5 times as
+ * many samples at one end as at the other (METHODS 9). */
 #ifndef TS_KERNELS_SPLIT_H
 #define TS_KERNELS_SPLIT_H
 #include "../base/bisect.h"
@@ -8,7 +8,7 @@
 
 #define TS_MAX_SPLITS 12u
 #define TS_UNEVEN 1.5f
-#define TS_UNEVEN_SAMPLES 64.0f    /* what has no more is not worth it */
+#define TS_UNEVEN_SAMPLES 64.0f    /* parts with fewer samples are not bisected for unevenness */
 #define TS_MOST_SAMPLES 1048576.0f /* 2^20 */
 
 TS_CALL ts_need ts_k_need(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
@@ -21,7 +21,7 @@ TS_CALL ts_need ts_k_need(const ts_density_args *args, TS_GLOBAL const u64 *word
 	return r;
 }
 
-/* What a part needs; of a whole triangle its density is known. */
+/* The density that a part needs; that of a whole triangle is known. */
 TS_FN ts_need ts_k_part_need(const ts_density_args *args, TS_GLOBAL const u64 *words, u32 triangle, const ts_part *part)
 {
 	ts_need r;
@@ -43,7 +43,7 @@ TS_FN void ts_k_piece_write(const ts_density_args *args, u64 index, u32 triangle
 	args->scale[index] = ts_put(s);
 }
 
-/* What is still too large after the last bisection gets fewer samples, and is counted. */
+/* Lowers the density of a part that is still too large after the last bisection, and counts the part. */
 TS_FN f32 ts_k_density_limit(const ts_density_args *args, f32 s, f32 area, f32 edge)
 {
 	f32 most = s;
@@ -53,8 +53,8 @@ TS_FN f32 ts_k_density_limit(const ts_density_args *args, f32 s, f32 area, f32 e
 	return most;
 }
 
-/* Walks the bisections of a triangle whose own density is known, children in order; writes the pieces if asked to.
- * Returns their number. */
+/* Walks the bisections of a triangle whose own density is known, children in order; writes the pieces if `write` is
+ * true. Returns the number of pieces. */
 TS_FN u32 ts_k_split(const ts_density_args *args, u32 triangle, bool write)
 {
 	TS_GLOBAL const u64 *words = args->bits + (u64)triangle * args->n_words;
@@ -89,7 +89,7 @@ TS_FN u32 ts_k_split(const ts_density_args *args, u32 triangle, bool write)
 	return count;
 }
 
-/* Of a whole triangle; counts it where the densest cube limits it. */
+/* The density of a whole triangle. Counts the triangle if the densest cube limits its density. */
 TS_FN f32 ts_k_whole_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	if (args->views != NULL) return ts_k_need(args, words, a, b, c).s;
@@ -98,7 +98,7 @@ TS_FN f32 ts_k_whole_density(const ts_density_args *args, TS_GLOBAL const u64 *w
 	return d.s;
 }
 
-/* map over triangles: density and number of pieces; none where nobody sees it */
+/* map over triangles: density and number of pieces; no pieces if no view sees the triangle */
 TS_FN void ts_k_split_count_item(const ts_density_args *args, u64 i)
 {
 	ts_corners t = ts_k_corners(&args->scene, (u32)i);

@@ -1,27 +1,28 @@
 /* Density of the points from the resolution of the off-screen views (iVIR section 3.1, eqs 2 and 3; METHODS 9), and
- * that of VIR: s = max_v sqrt(1 / A_P(v)) samples a world unit over the views v that may see the triangle, A_P the area
- * on the triangle that one pixel of v covers: z^3 / (f^2 h) at axial depth z, h the distance of v from the plane. */
+ * that of VIR: s = max_v sqrt(1 / A_P(v)) samples per world unit over the views v that may see the triangle, A_P the
+ * area on the triangle that one pixel of v covers: z^3 / (f^2 h) at axial depth z, h the distance of v from the
+ * plane. */
 #ifndef TS_KERNELS_VIEW_DENSITY_H
 #define TS_KERNELS_VIEW_DENSITY_H
 #include "density.h"
 #include "../raster/offscreen.h"
 
-/* So that each texel whose centre sees the triangle gets a sample; at the least depth of what the frustum leaves of it;
- * at the point closest to the view (the paper); VIR's worst case. */
+/* Rates: by which each texel whose centre sees the triangle gets a sample (watertight); at the least depth of the part
+ * in the frustum (exact); at the point closest to the view (the paper); VIR's worst case. */
 #define TS_RATE_IS_EYE 0u /* EPR: see density.h */
 #define TS_RATE_IS_WATERTIGHT 1u
 #define TS_RATE_IS_EXACT 2u
 #define TS_RATE_IS_PAPER 3u
 #define TS_RATE_IS_VIR 4u
 
-#define TS_LEAST_COSINE 0.001000000047497451305389404296875f /* of the normal to the way to the view */
+#define TS_LEAST_COSINE 0.001000000047497451305389404296875f /* between the normal and the way to the view */
 
-/* Samples a world unit, and how many times as many at one end of the triangle as at the other. */
+/* Samples per world unit, and the ratio of the needs at both ends of the triangle. */
 typedef struct {
 	f32 s, uneven;
 } ts_need;
 
-/* f sqrt(h / z^3) = sqrt(1 / A_P) at a point p of the plane with the normal n, unit. */
+/* f sqrt(h / z^3) = sqrt(1 / A_P) at a point p of the plane with the unit normal n. */
 TS_FN f32 ts_k_pixel_rate(const ts_camera_k *view, ts_v3 n, ts_v3 p, f32 z)
 {
 	ts_v3 way = ts_sub(view->eye, p);
@@ -29,7 +30,7 @@ TS_FN f32 ts_k_pixel_rate(const ts_camera_k *view, ts_v3 n, ts_v3 p, f32 z)
 	return (view->focal / z) * ts_sqrt(ts_flush(h / z));
 }
 
-/* Of an orthographic view: A_P = 1 / (f^2 |cos|). */
+/* sqrt(1 / A_P) of an orthographic view: A_P = 1 / (f^2 |cos|). */
 TS_FN f32 ts_k_parallel_rate(const ts_camera_k *view, ts_v3 n, u32 rate)
 {
 	if (rate == TS_RATE_IS_VIR) return view->focal;
@@ -37,7 +38,7 @@ TS_FN f32 ts_k_parallel_rate(const ts_camera_k *view, ts_v3 n, u32 rate)
 	return view->focal * ts_sqrt(cosine);
 }
 
-/* What lies in the frustum, a pixel wider on each side. */
+/* The part of the triangle that lies in the frustum widened by a pixel on each side. */
 TS_FN ts_polygon ts_k_in_frustum(const ts_camera_k *view, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_polygon r = ts_k_polygon(view, a, b, c);
@@ -51,17 +52,18 @@ TS_FN ts_polygon ts_k_in_frustum(const ts_camera_k *view, ts_v3 a, ts_v3 b, ts_v
 	return r;
 }
 
-#define TS_ROUNDING 9.5367431640625e-7f /* 2^-20 of the largest coordinate: what computing a sample may move it by */
+#define TS_ROUNDING 9.5367431640625e-7f /* 2^-20 of the largest coordinate: bound of a sample's rounding error */
 
 TS_FN f32 ts_k_largest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)); }
 
-/* Every texel whose centre sees a triangle at p gets a sample of it, if the lattice's spacing is a <= 1 / (sqrt(2)
- * most), `most` pixels a world unit at the most. Proof: the nearest sample q of the lattice is within a / sqrt(2) of p;
- * its square holds p, so it is emitted; moved to the closest point of the triangle, which is convex, it comes no
- * farther from p; and the way from p to q lies in the triangle, so in the image it is no longer than most a / sqrt(2)
- * <= 1/2: q is in p's texel. (No promise within near / (2 f) of the near plane, since q may lie before it; without
- * `points.snap`; of what `cull` drops; of capped densities.) 1/64 is left over for rounding in the image, and as many
- * pixels as rounding moves samples by, up to a quarter of one. */
+/* Every texel whose centre sees a triangle at p gets a sample of the triangle, if the lattice's spacing is a <= 1 /
+ * (sqrt(2) most), where `most` is the greatest number of pixels per world unit. Proof: the nearest sample q of the
+ * lattice is within a / sqrt(2) of p. Its square contains p, so q is emitted. Moved to the closest point of the
+ * triangle, which is convex, q comes no farther from p. The way from p to q lies in the triangle, so in the image it is
+ * no longer than most a / sqrt(2) <= 1/2, and q is in p's texel. The proof does not hold within near / (2 f) of the
+ * near plane, where q may lie before the plane; without `points.snap`; for pieces that `cull` drops; and for capped
+ * densities. A reserve of 1/64 covers rounding in the image; another covers the rounding of samples, up to a quarter of
+ * a pixel. */
 TS_FN f32 ts_k_watertight_rate(const ts_camera_k *view, f32 most, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	f32 largest = ts_max(ts_k_largest(view->eye), ts_max(ts_k_largest(a), ts_max(ts_k_largest(b), ts_k_largest(c))));
@@ -69,8 +71,9 @@ TS_FN f32 ts_k_watertight_rate(const ts_camera_k *view, f32 most, ts_v3 a, ts_v3
 	return (most * 1.43631064891815185546875f) / (1.0f - 2.0f * moved); /* sqrt(2) 65/64 */
 }
 
-/* Pixels a world unit: the largest singular value from the plane to the image, at most f d / z^2 = f (1/z) (d/z). Each
- * of the two factors is greatest at a corner, their product need not be: so the product of the greatest. */
+/* Pixels per world unit: the largest singular value from the plane to the image, at most f d / z^2 = f (1/z) (d/z).
+ * Each of the two factors is greatest at a corner, but their product need not be; so the product of the greatest
+ * factors is taken. */
 TS_FN ts_need ts_k_watertight(const ts_camera_k *view, const ts_polygon *polygon, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	f32 nearest = 0.0f;
@@ -111,9 +114,9 @@ TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3
 	return r;
 }
 
-/* At the point q closest to the view. It may lie beside the image, even behind it, where there are no pixels: it counts
- * as in the corner. VIR knows the distance alone: at that, the least depth in the image is taken to be that in the
- * middle of its farther border. */
+/* The rate at the point q closest to the view. If q lies beside the image or behind the view, where there are no
+ * pixels, it counts as if in the image's corner. VIR reads only the distance of q: the depth is taken to be that of a
+ * point at this distance in the middle of the farther border. */
 TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n, ts_v3 q, u32 rate)
 {
 	f32 corner = 1.0f + (reach[0] * reach[0] + reach[1] * reach[1]); /* 1 / cos^2 */
@@ -146,7 +149,7 @@ TS_CALL ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 
 	return r;
 }
 
-/* The largest need of those of views [first, end) that are in `words`; 0: there is none. */
+/* The largest need of the views of [first, end) whose bits in `words` are set; 0 if there is none. */
 TS_FN ts_need ts_k_views_density(const ts_density_args *args, TS_GLOBAL const u64 *words, u32 first, u32 end, ts_v3 a,
                                  ts_v3 b, ts_v3 c)
 {

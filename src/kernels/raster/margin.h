@@ -50,7 +50,7 @@ TS_FN bool ts_k_is_other(const ts_shown *shown, u32 triangle, f32 z)
 }
 
 #define TS_MARGIN_REACH 4.0f                       /* edges farther outside do not matter, in 1/256 pixel */
-#define TS_MARGIN_NEAR 0.015625f                                      /* nor do depths farther behind than four steps plus this share of the depth */
+#define TS_MARGIN_NEAR 0.015625f                   /* nor do depths farther behind than 4 steps + this share of depth */
 #define TS_MARGIN_ROUNDING 0.00000095367431640625f /* share of a depth that rounding may change: 8 ulps */
 #define TS_MARGIN_ALPHA 0.00390625f                /* an alpha this near its cutoff is undecided */
 #define TS_MARGIN_NOWHERE 1048576.0f               /* where nothing is compared, or the comparison is exact */
