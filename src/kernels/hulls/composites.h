@@ -1,5 +1,5 @@
-/* Composites of hulls: what corners gather (corner.h), its lobes (corner_lobes.h), lobes between corners and the light
- * of them (hull.h), lamps as triangles (polygon.h). */
+/* Composites of hulls: the light that corners gather (corner.h), its lobes (corner_lobes.h), lobes between corners and
+ * their irradiance (hull.h), lamps as triangles (polygon.h). */
 #ifndef TS_KERNELS_HULLS_COMPOSITES_H
 #define TS_KERNELS_HULLS_COMPOSITES_H
 #include "../vectors/composites_row.h"
@@ -57,7 +57,7 @@ TS_VECTOR(lobe_irradiance)
 	ts_put_f32(out, 0u, ts_k_lobe_irradiance(&args, &g, ts_row_v3(in, 5u)));
 }
 
-/* Of a ball or of a disc; its light is not set. */
+/* A triangle of a ball or of a disc; its exitance is not set. */
 TS_VECTOR(lamp_triangle)
 {
 	TS_GLOBAL ts_patch *patch = ts_row_at_patch(out);

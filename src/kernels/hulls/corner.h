@@ -1,11 +1,11 @@
-/* Light gathered at the corners of a box (SSAGH section 3; METHODS 11): of every triangle of light that faces the
- * corner w = M Omega, exitance times projected area on the unit sphere, a third of it from each of its three vertices.
- * The surface's own horizon is not asked for: the normal is the pixel's, not the corner's. So a corner on the very
- * surface that sends light on must not face it by rounding, for then half a sphere is light: a triangle counts from a
- * sixteenth of its side above its plane on, more and more, and in full from five sixteenths on (corner.facing=ramp).
- * Lamps hang in the air: a triangle of theirs counts in full wherever it faces the corner, as all do by the paper. A
- * light without extent is one direction: it sends pi times what reaches a surface that faces it. Sums are in the order
- * of the triangles, then of the lights. */
+/* Light gathered at the corners of a box (SSAGH section 3; METHODS 11). Every triangle of light that faces the corner
+ * gives w = M Omega, exitance times solid angle, a third of it from the direction of each of its three vertices. The
+ * horizon of the corner's surface is not tested, since the normal is the pixel's, not the corner's. If rounding made a
+ * triangle face a corner on its own surface, half the sphere would be light. So a triangle begins to count where the
+ * corner is a sixteenth of the triangle's side above its plane, and counts in full from five sixteenths on
+ * (corner.facing=ramp). Lamps hang in the air, so their triangles count in full wherever they face the corner, as all
+ * triangles do by the paper. A light without extent is one direction: its weight is pi times the irradiance of a
+ * surface that faces the light. Sums are in the order of the triangles, then of the lights. */
 #ifndef TS_KERNELS_CORNER_H
 #define TS_KERNELS_CORNER_H
 #include "../base/args.h"
@@ -60,8 +60,8 @@ TS_FN ts_corner_pixel ts_k_corner_pixel(const ts_camera_k *view, TS_GLOBAL const
 	return at;
 }
 
-/* What the G-buffer shows there; where that lies out of the box, the middle of the box on the same ray.
- * Where a box ends at the sky, that middle may round to the sky, which has no point. */
+/* The point that the G-buffer shows at a corner; if its depth is out of the box, the point at the middle of the box's
+ * depths on the same ray. Where a box ends at the sky, that middle may round to the sky, which has no point. */
 TS_FN ts_box_corner ts_k_box_corner(const ts_camera_k *view, TS_GLOBAL const ts_segment *box,
                                     TS_GLOBAL const ts_gpixel *pixel, ts_corner_pixel at)
 {
@@ -79,7 +79,7 @@ typedef struct {
 	ts_v3 w, red, green, blue;
 } ts_gathered;
 
-/* How much of a triangle counts at that height above its plane, from 0 to 1. */
+/* The share of a triangle that counts at a corner `height` above its plane, from 0 to 1. */
 TS_FN f32 ts_k_facing(f32 height, f32 side)
 {
 	f32 above = height - side * 0.0625f;

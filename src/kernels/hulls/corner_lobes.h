@@ -1,7 +1,7 @@
-/* Spherical Gaussians of the light that a corner gathered, one a channel (SSAGH eqs 4 and 5; METHODS 11): with m the
- * sum of the weights, phi' that of weights times directions over m and r its length, phi = phi' / r, lambda of r, mu =
- * m / A(lambda). No light: mu 0, lambda 1. Nearly no direction, r < 1e-6: phi 0, as the lobe is the same on all
- * sides. */
+/* Spherical Gaussians of the light that a corner gathered, one per channel (SSAGH eqs 4 and 5; METHODS 11). m is the
+ * sum of the weights, phi' the sum of weights times directions divided by m, r the length of phi'. Then phi = phi' / r,
+ * lambda follows from r, and mu = m / A(lambda). Without light mu is 0 and lambda 1. If r < 1e-6 there is nearly no
+ * direction: the lobe is the same on all sides, and phi is 0. */
 #ifndef TS_KERNELS_CORNER_LOBES_H
 #define TS_KERNELS_CORNER_LOBES_H
 #include "../base/args.h"

@@ -1,6 +1,6 @@
 /* The depth grid: the screen's depth down-sampled to G x G, G a multiple of 32, in blocks of 32 x 32 (SSAGH section 3).
- * The stretch need not be uniform. Texel i shows the pixel at its centre, and pixel x lies in the texel at its own
- * (METHODS 11). */
+ * Columns and rows may be scaled differently. A texel shows the pixel at the texel's centre; a pixel lies in the texel
+ * at the pixel's centre (METHODS 11). */
 #ifndef TS_KERNELS_DEPTH_GRID_H
 #define TS_KERNELS_DEPTH_GRID_H
 #include "../base/args.h"
@@ -15,8 +15,8 @@ TS_FN u32 ts_k_resample(u32 i, u32 from, u32 to) { return (u32)((((u64)i * 2u + 
 
 TS_FN u32 ts_k_block_of(u32 grid, u32 x, u32 y) { return (y / TS_BLOCK) * (grid / TS_BLOCK) + x / TS_BLOCK; }
 
-/* The last column or row of texels at whose pixels a box's corners gather: the box's own, or the one beyond, where the
- * rectangle of the box ends, if the grid has it. */
+/* The column or row of texels at whose pixels the right or lower corners of a box gather: the last of the box, or the
+ * next one, where the rectangle of the box ends, if the grid has it. */
 TS_FN u32 ts_k_box_end(u32 high, u32 grid, u32 rectangle)
 {
 	return rectangle != 0u && high + 1u < grid ? high + 1u : high;

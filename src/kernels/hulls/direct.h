@@ -1,6 +1,6 @@
-/* The ground truth of SSAGH section 5: every pixel gathers from every triangle of light itself, E = sum of M F with
- * F the form factor of the triangle's part above the pixel's horizon, if it faces the pixel (METHODS 11); and what
- * reaches it of lights without extent. In the order of the triangles, then of the lights. */
+/* The ground truth of SSAGH section 5: every pixel itself gathers from every triangle of light that faces the pixel. E
+ * is the sum of M F, F the form factor of the triangle's part above the pixel's horizon (METHODS 11), plus the
+ * irradiance of lights without extent. Sums are in the order of the triangles, then of the lights. */
 #ifndef TS_KERNELS_DIRECT_H
 #define TS_KERNELS_DIRECT_H
 #include "../base/args.h"

@@ -1,15 +1,16 @@
-/* A triangle as a point p sees it (CONTRACT rule 42): the solid angle it is seen under (Van Oosterom and Strackee
- * 1983), and the share that reaches it of all that a surface at p sends out, the form factor (Baum, Rushmeier and
- * Winget 1989), of a triangle that shines to the side from which its corners turn left, and of its part above the
- * surface's horizon. Its edges enter as they are, not as differences of directions: the solid angle of a small triangle
- * is within 1e-6 of itself over the cosine by which it is turned away, a form factor within 1e-7. With p at a corner,
- * on an edge or in the plane, and of a triangle without area, each is a number in its range: what has no direction
- * counts as 0. */
+/* Solid angle and form factor of a triangle, seen from a point p (CONTRACT rule 42). The solid angle is that of Van
+ * Oosterom and Strackee (1983). The form factor (Baum, Rushmeier and Winget 1989) is the share of the light of a
+ * surface at p that reaches the triangle; only the part above the surface's horizon counts, and only if p is on the
+ * side from which the triangle's corners run counter-clockwise. Edges are computed from the corners, not as differences
+ * of directions: the relative error of the solid angle of a small triangle is below 1e-6 over the cosine by which the
+ * triangle is turned away, the error of a form factor below 1e-7. If p is at a corner, on an edge or in the plane, or
+ * the triangle has no area, both are still numbers in their range: vectors without a direction count as 0. */
 #ifndef TS_KERNELS_FORM_FACTOR_H
 #define TS_KERNELS_FORM_FACTOR_H
 #include "../base/vec.h"
 
-/* From 0 to 2 pi: tan(half of it) = |a.(b x c)| / (1 + a.b + b.c + c.a), unit vectors from p to the corners. */
+/* The solid angle Omega, from 0 to 2 pi: tan(Omega / 2) = |a.(b x c)| / (1 + a.b + b.c + c.a), with unit vectors from p
+ * to the corners. */
 TS_FN f32 ts_k_solid_angle(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_v3 normal = ts_cross(ts_sub(b, a), ts_sub(c, a));
@@ -33,7 +34,8 @@ TS_FN ts_v3 ts_k_ways(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 	return ts_add(ways, ts_normalize(ts_sub(c, p)));
 }
 
-/* Gamma_i.n of the edge between two points: the angle it is seen under, along the normal of its plane through p. */
+/* Gamma_i.n of the edge between two points. Gamma_i has the angle of the edge as seen from p for its length, and is
+ * normal to the plane of p and the edge. */
 TS_FN f32 ts_k_form_edge(ts_v3 p, ts_v3 n, ts_v3 from, ts_v3 to)
 {
 	ts_v3 r = ts_normalize(ts_sub(from, p));
@@ -51,8 +53,8 @@ TS_FN ts_v3 ts_k_form_cut(ts_v3 above, f32 d_above, ts_v3 below, f32 d_below)
 	return ts_mad(above, ts_sub(below, above), t);
 }
 
-/* From 0 to 1, n a unit vector: F = |sum of Gamma_i.n| / 2 pi over the edges above the horizon and, where it cuts the
- * triangle, the edge on it. 0 unless p is in front of the triangle. */
+/* The form factor, from 0 to 1; n is a unit vector. F = |sum of Gamma_i.n| / 2 pi over the edges above the horizon and,
+ * if the horizon cuts the triangle, the edge on the horizon. 0 unless p is in front of the triangle. */
 TS_FN f32 ts_k_form_factor(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_v3 light = ts_cross(ts_sub(b, a), ts_sub(c, a));

@@ -1,7 +1,7 @@
 /* Spherical Gaussians (SSAGH, section 4; CONTRACT rule 41): G(mu, lambda, phi) is mu e^(lambda (phi.w - 1)) in
- * direction w, phi a unit vector; and its integrals: over the sphere, and with the cosine to a normal n over the
- * hemisphere about n. Sharpness is from 0 to 1e5, an integral of amplitude 1. Where the paper's forms cancel or
- * overflow in single precision, others that do not take their place: within 8e-7 of the exact integrals. */
+ * direction w, phi a unit vector. The integrals are over the sphere, and with the cosine to a normal n over the
+ * hemisphere about n, for the height mu = 1 and sharpness lambda from 0 to 1e5. Where the paper's forms cancel or
+ * overflow in single precision, equal forms that do not replace them; errors are within 8e-7. */
 #ifndef TS_KERNELS_GAUSSIAN_H
 #define TS_KERNELS_GAUSSIAN_H
 #include "gaussian_quadrature.h"
@@ -61,8 +61,8 @@ TS_FN f32 ts_k_sg_integral(f32 lambda)
 	return 12.56637096405029296875f * (x < 0.5f ? p : closed);
 }
 
-/* Eqs 9 and 10 as they are printed, lambda above 0: they cancel where lambda is small, and e^lambda is at most the
- * largest float. */
+/* Eqs 9 and 10 as printed, for lambda above 0. They cancel where lambda is small; e^lambda saturates at the largest
+ * float. */
 TS_FN f32 ts_k_sg_printed(f32 lambda, bool lower)
 {
 	f32 scale = 6.283185482025146484375f / (lambda * lambda);
@@ -119,7 +119,7 @@ TS_FN f32 ts_k_sg_t(f32 lambda)
 	return root * part;
 }
 
-/* Eq 17, 1 / u = 0.2958 t + 0.5033: how much of the cosine over the whole sphere there is. */
+/* Eq 17, 1 / u = 0.2958 t + 0.5033: the share of the cosine over the whole sphere. */
 TS_FN f32 ts_k_sg_s(f32 t, f32 cos_beta)
 {
 	f32 per_u = 0.2958000004291534423828125f * t;
@@ -158,8 +158,8 @@ TS_FN f32 ts_k_sg_as_sg(f32 lambda, f32 cos_beta)
 	return both.mu * ts_k_sg_integral(both.lambda);
 }
 
-/* A_h, the integral of G(1, lambda, phi) with the clamped cosine to n, cos_beta = n.phi, by one of TS_COSINE_IS_*;
- * printed: of eqs 9 and 10 the printed forms. */
+/* A_h, the integral of G(1, lambda, phi) with the clamped cosine to n, cos_beta = n.phi, by one of TS_COSINE_IS_*.
+ * printed: not 0 for eqs 9 and 10 as printed. */
 TS_FN f32 ts_k_sg_cosine(f32 lambda, f32 cos_beta, u32 method, u32 printed)
 {
 	f32 c = ts_clamp(cos_beta, -1.0f, 1.0f);
@@ -169,8 +169,8 @@ TS_FN f32 ts_k_sg_cosine(f32 lambda, f32 cos_beta, u32 method, u32 printed)
 	return ts_k_sg_ours(lambda, c, printed);
 }
 
-/* The mean's length of a von Mises-Fisher distribution, a Gaussian normalized: coth k - 1 / k; below 1/2 by its
- * series. */
+/* The length of the mean of a von Mises-Fisher distribution, which is a normalized Gaussian: coth k - 1 / k; below 1/2
+ * by its series. */
 TS_FN f32 ts_k_sg_mean(f32 k)
 {
 	f32 z = k * k;
@@ -185,8 +185,8 @@ TS_FN f32 ts_k_sg_mean(f32 k)
 }
 /* clang-format on */
 
-/* Its inverse. From within 5 %, k = r (3 - r^2) / (1 - r^2), by Newton's steps, the slope being 1 - 2 r / k - r^2;
- * beyond 0.9, where coth k is 1 but for 4e-9, 1 / (1 - r). */
+/* The inverse of ts_k_sg_mean: three Newton steps with the slope 1 - 2 r / k - r^2 from k = r (3 - r^2) / (1 - r^2),
+ * which is within 5 %; above 0.9, where coth k is 1 within 4e-9, 1 / (1 - r). */
 TS_FN f32 ts_k_sg_vmf(f32 r)
 {
 	if (!(r > 0.0f)) return 0.0f;
@@ -202,8 +202,8 @@ TS_FN f32 ts_k_sg_vmf(f32 r)
 	return k;
 }
 
-/* Eq 4: the sharpness of a light whose directions have a mean of length r, at most 1 - 1e-5: Toksvig's r / (1 - r), or
- * that of the von Mises-Fisher distribution of that mean. */
+/* Eq 4: the sharpness of light whose directions have a mean of length r, clamped to 1 - 1e-5: Toksvig's r / (1 - r), or
+ * that of the von Mises-Fisher distribution with this mean. */
 TS_FN f32 ts_k_sg_sharpness(f32 r, u32 vmf)
 {
 	f32 at = ts_clamp(r, 0.0f, 0.999989986419677734375f);

@@ -12,7 +12,8 @@
 #define TS_SG_NODES 64u
 #define TS_SG_PI 3.1415927410125732421875f
 
-/* The part of a length of u beyond which e^(-lambda u) is below 2e-9 of what it is at its start is left out. */
+/* The length of u that is integrated: the rest, in which e^(-lambda u) is below 2e-9 of its value at the start, is left
+ * out. */
 TS_FN f32 ts_k_sg_reach(f32 lambda, f32 length)
 {
 	f32 decay = lambda * length;
@@ -35,7 +36,7 @@ TS_FN f32 ts_k_sg_node(u32 i, f32 *weight)
 	return cube * p;
 }
 
-/* Of the band, v behind its start: H / 2. */
+/* H / 2 in the band, v from its start. */
 TS_FN f32 ts_k_sg_band(f32 c, f32 s, f32 v)
 {
 	f32 cx = c * (s - v);

@@ -1,7 +1,8 @@
-/* Specular reflection of gathered light (SSAGH eq. 6; METHODS 11). The microfacet BRDF of glTF 2.0 is D V F; its
+/* Specular reflection of gathered light (SSAGH eq. 6; METHODS 11). The microfacet BRDF of glTF 2.0 is D V F. Its
  * distribution of normals D becomes a spherical Gaussian, turned from half vectors to directions of light (Wang, Ren,
- * Gong, Snyder and Guo 2009), so that light which is one, too, is multiplied with it by eq. 3 and integrated with the
- * cosine like diffuse light. V and F change little within a lobe: they are those at the middle of the product. */
+ * Gong, Snyder and Guo 2009). Its product with a lobe of light, by eq. 3, is a Gaussian again, which is integrated with
+ * the cosine like diffuse light. V and F change little within a lobe, so their values at the middle of the product are
+ * taken. */
 #ifndef TS_KERNELS_GLOSS_H
 #define TS_KERNELS_GLOSS_H
 #include "../base/args.h"
@@ -36,9 +37,9 @@ TS_FN void ts_k_gloss_item(const ts_gloss_args *args, u64 i)
 }
 
 /* GGX's distribution of normals has the peak 1 / (pi a2), a2 = alpha^2, and the integral 1 with the cosine. The
- * Gaussian about the normal that has both has a sharpness of (1 - a2) (2 / a2 + 1) within 1.4 %, exactly where a2 is 0
- * or 1. Half vectors turn by half of what directions of light do, and less across the plane of the eye: about the
- * reflected eye the sharpness is a (4 n.v)-th of that. n, v: unit; n.v is at least 2^-10. */
+ * Gaussian about the normal with the same peak and integral has a sharpness of (1 - a2) (2 / a2 + 1) within 1.4 %, and
+ * exactly where a2 is 0 or 1. A half vector turns by half the angle of the direction of light, and by less across the
+ * plane of the eye, so about the reflected eye the sharpness is divided by 4 n.v. n, v: unit; n.v is at least 2^-10. */
 TS_FN ts_sg ts_k_gloss_lobe(ts_v3 n, ts_v3 v, f32 alpha_squared)
 {
 	f32 n_v = ts_dot(n, v);
@@ -48,7 +49,7 @@ TS_FN ts_sg ts_k_gloss_lobe(ts_v3 n, ts_v3 v, f32 alpha_squared)
 	return ts_sg_make(0.3183098733425140380859375f / alpha_squared, sharpness / (4.0f * across), phi);
 }
 
-/* A surface that reflects to the eye, and by which integral. */
+/* A surface that reflects to the eye, and the integral to use. */
 typedef struct {
 	ts_sg lobe;
 	ts_v3 n, v, f0;
@@ -70,7 +71,7 @@ TS_FN ts_glossy ts_k_glossy(TS_GLOBAL const ts_gpixel *pixel, TS_GLOBAL const ts
 	return r;
 }
 
-/* V F with the light from l; the cosines to the normal are at least 2^-10. */
+/* V F for light from l; the cosines to the normal are at least 2^-10. */
 TS_FN ts_v3 ts_k_gloss_factor(const ts_glossy *at, ts_v3 l)
 {
 	f32 n_l = ts_max(ts_dot(at->n, l), 0.0009765625f);
@@ -80,8 +81,8 @@ TS_FN ts_v3 ts_k_gloss_factor(const ts_glossy *at, ts_v3 l)
 	return ts_scale(ts_k_schlick(at->f0, v_h), ts_k_smith(n_l, n_v, at->alpha_squared));
 }
 
-/* What is reflected of a lobe of exitance, already multiplied with the surface's, one without a direction as if from
- * above: what is no number is dark. */
+/* The light reflected of a lobe of exitance that is already multiplied with the surface's lobe. A lobe without an axis
+ * counts as from above. NaN gives 0. */
 TS_FN ts_v3 ts_k_gloss_reflected(const ts_glossy *at, const ts_sg *both)
 {
 	f32 integral = ts_k_sg_cosine(both->lambda, ts_dot(at->n, both->phi), at->cosine, at->printed);
@@ -98,7 +99,7 @@ TS_FN ts_v3 ts_k_gloss_reflected(const ts_glossy *at, const ts_sg *both)
 	ARG(OUT, f32, specular, indirect_specular)
 TS_ARGS(ts_gloss_hull_args);
 
-/* map over pixels and their samples: from the lobes of their boxes */
+/* map over pixels and their samples: reflects the lobes of their boxes */
 TS_FN void ts_k_gloss_hull_item(const ts_gloss_hull_args *args, u64 i)
 {
 	u32 box = args->box[i];
@@ -128,7 +129,7 @@ TS_FN void ts_k_gloss_hull_item(const ts_gloss_hull_args *args, u64 i)
 	ARG(VALUE, u32, printed, none) /* hull.integrals=printed */
 TS_ARGS(ts_gloss_direct_args);
 
-/* What a pixel sees of a triangle: the solid angle, and that times the mean direction. */
+/* The part of a triangle that a pixel sees: its solid angle, and the solid angle times the mean direction. */
 typedef struct {
 	ts_v3 ways;
 	f32 angle;
@@ -142,8 +143,8 @@ TS_FN void ts_k_gloss_see(ts_gloss_seen *sum, ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c
 	sum->ways = ts_mad(sum->ways, ways, angle / 3.0f);
 }
 
-/* Of the part above the horizon of n, as a fan from its first corner: a triangle in the surface's own plane is not
- * above, however rounding falls. */
+/* Sums the part above the horizon of n, as a fan from its first corner. A triangle in the surface's own plane is not
+ * above the horizon, whatever rounding does. */
 TS_FN ts_gloss_seen ts_k_gloss_above(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_gloss_seen sum;
@@ -170,7 +171,7 @@ TS_FN ts_gloss_seen ts_k_gloss_above(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c
 	return sum;
 }
 
-/* Of one triangle of light: its own lobe, as a corner would fit it to this triangle alone. */
+/* The reflection of one triangle of light, by the lobe that a corner would fit to this triangle alone. */
 TS_FN ts_v3 ts_k_gloss_direct(const ts_glossy *at, TS_GLOBAL const ts_patch *patch, ts_v3 p, u32 vmf)
 {
 	ts_v3 a = ts_load3(patch->a);
@@ -191,7 +192,7 @@ TS_FN ts_v3 ts_k_gloss_direct_point(const ts_glossy *at, TS_GLOBAL const ts_ligh
 	return ts_mul(ts_k_gloss_reflected(at, &both), ts_load3(point->intensity));
 }
 
-/* map over pixels and their samples: from every triangle of light */
+/* map over pixels and their samples: reflects every triangle of light */
 TS_FN void ts_k_gloss_direct_item(const ts_gloss_direct_args *args, u64 i)
 {
 	TS_GLOBAL const ts_gpixel *pixel = &args->of.pixels[i];

@@ -1,10 +1,11 @@
 /* The light of each pixel from the hull (SSAGH sections 3 and 4; METHODS 11): the lobes of its box, interpolated
  * between the corners, and integrated with the cosine of the pixel's own normal.
  *
- * The box is drawn over [low, high + 1] of the grid as two triangles, parted from top left to bottom right. Its corners
- * gather in the middle of pixels: within the box, or where the rectangle ends (hull.corners); so they are interpolated
- * between these pixels and stay as they are beyond. Interpolation is perspective-correct: corners count by 1 / z, which
- * is 1 - zn but for a factor. E = mu A_h(lambda, n.phi) / pi, as mu is of exitance and radiance is a pi-th of that. */
+ * The box is drawn over [low, high + 1] of the grid as two triangles with a common edge from top left to bottom right.
+ * Its corners gather in the middle of pixels, in the box or where the rectangle ends (hull.corners); lobes are
+ * interpolated between these pixels and constant beyond. Interpolation is perspective-correct: corners are weighted by
+ * 1 / z, which is proportional to 1 - zn. E = mu A_h(lambda, n.phi) / pi, since mu is exitance, and radiance is
+ * exitance divided by pi. */
 #ifndef TS_KERNELS_HULL_H
 #define TS_KERNELS_HULL_H
 #include "../base/args.h"
@@ -19,7 +20,7 @@
 	ARG(IN, ts_lobes, lobes, corner_lobes) \
 	ARG(OUT, u32, box, hull_box) \
 	ARG(OUT, f32, irradiance, indirect_irradiance) \
-	ARG(TALLY, i64, n_unlit, 0) /* pixels but of the sky without a box */ \
+	ARG(TALLY, i64, n_unlit, 0) /* pixels without a box, except the sky */ \
 	ARG(VALUE, u32, width, none) \
 	ARG(VALUE, u32, height, none) \
 	ARG(VALUE, u32, cosine, none)     /* TS_COSINE_IS_* */ \
@@ -29,12 +30,12 @@
 	ARG(VALUE, u32, rectangle, none)  /* hull.corners=rectangle */
 TS_ARGS(ts_hull_args);
 
-/* Of the corners of a box: sum 1. */
+/* Shares of the corners of a box, of sum 1. */
 typedef struct {
 	f32 of[4];
 } ts_shares;
 
-/* Where between the pixels of two corners pixel i lies, 0 to 1. */
+/* The place of pixel i between the pixels of two corners, 0 to 1. */
 TS_FN f32 ts_k_box_place(u32 i, u32 pixels, u32 grid, u32 low, u32 high)
 {
 	f32 first = (f32)ts_k_resample(low, grid, pixels);
@@ -42,7 +43,7 @@ TS_FN f32 ts_k_box_place(u32 i, u32 pixels, u32 grid, u32 low, u32 high)
 	return ts_clamp(((f32)i - first) / ts_max(last - first, 1.0f), 0.0f, 1.0f);
 }
 
-/* On the screen, before perspective. */
+/* Shares on the screen, before perspective. */
 TS_FN ts_shares ts_k_box_weights(const ts_hull_args *args, u32 b, u32 x, u32 y)
 {
 	TS_GLOBAL const ts_segment *box = &args->choice.boxes[b];
@@ -71,7 +72,7 @@ TS_FN ts_shares ts_k_box_shares(const ts_hull_args *args, u32 b, u32 x, u32 y)
 	return r;
 }
 
-/* Its direction is not yet a unit vector. */
+/* The blend of a channel's lobes; its axis is not yet a unit vector. */
 TS_FN ts_sg ts_k_lobes_blend(TS_GLOBAL const ts_lobes *corner, const ts_shares *shares, u32 channel)
 {
 	ts_sg g = ts_sg_make(0.0f, 0.0f, ts_v3_make(0.0f, 0.0f, 0.0f));
@@ -101,7 +102,7 @@ TS_FN ts_sg ts_k_lobe_of_moments(TS_GLOBAL const ts_moment *corner, const ts_sha
 	return ts_k_fit(m, directions, vmf);
 }
 
-/* Printed forms divide by lambda squared, which may be as good as 0: what is no number is dark. */
+/* The irradiance of a lobe. Printed forms divide by lambda squared, which may be nearly 0; NaN gives 0. */
 TS_FN f32 ts_k_lobe_irradiance(const ts_hull_args *args, const ts_sg *g, ts_v3 n)
 {
 	f32 integral = ts_k_sg_cosine(g->lambda, ts_dot(n, g->phi), args->cosine, args->printed);
@@ -116,7 +117,7 @@ TS_FN ts_sg ts_k_hull_lobe(const ts_hull_args *args, u32 b, const ts_shares *sha
 	return ts_k_lobe_of_lobes(args->lobes + first, shares, channel);
 }
 
-/* The pixel's box, and no light yet. */
+/* Returns the pixel's box, and sets its light to 0. */
 TS_FN u32 ts_k_hull_box(const ts_hull_args *args, u64 i, u32 x, u32 y)
 {
 	ts_grid_place at;

@@ -1,7 +1,8 @@
-/* The box whose lobes light a pixel (SSAGH section 3; METHODS 11): of the boxes of the pixel's block that hold its
- * column, row and depth the thinnest in depth, then the least label; the paper names no order. Where there is none,
- * hull.surface=robust goes on: a box that covers the pixel and, widened by t (1 - zn), holds its depth; one that covers
- * it and whose depth is nearest; another of the block, then of the blocks around it, ring by ring. */
+/* The box whose lobes light a pixel (SSAGH section 3; METHODS 11): of the boxes of the pixel's block that contain its
+ * column, row and depth the thinnest in depth, then that of the least label; the paper names no order. If there is
+ * none, hull.surface=robust takes a box that covers the pixel and, widened by t (1 - zn), contains its depth; otherwise
+ * the box that covers the pixel and is nearest in depth; otherwise another box of the block, then of the blocks around
+ * it, ring by ring. */
 #ifndef TS_KERNELS_HULL_CHOICE_H
 #define TS_KERNELS_HULL_CHOICE_H
 #include "../base/args.h"
@@ -21,8 +22,8 @@ typedef struct {
 	f32 depth;
 } ts_grid_place;
 
-/* Ranks: 0 holds it, 1 widened, 2 covers it, 3 lies elsewhere. The least measure of the least rank wins, the first of
- * equals. */
+/* Ranks of a box: 0 it contains the place, 1 it contains it if widened, 2 it covers it, 3 it lies elsewhere. The least
+ * measure of the least rank wins; of equal measures the first box. */
 typedef struct {
 	u32 box, rank;
 	f32 measure;
@@ -49,7 +50,7 @@ TS_FN void ts_k_choice_block(const ts_choice_args *args, ts_grid_place at, u32 b
 	for (u32 b = args->offset[first]; b < end; b++) ts_k_choice_offer(args, at, b, best);
 }
 
-/* The blocks `ring` away, in rows. */
+/* Offers the boxes of the blocks at distance `ring`, row by row. */
 TS_FN void ts_k_choice_ring(const ts_choice_args *args, ts_grid_place at, i32 ring, ts_choice *best)
 {
 	i32 side = (i32)(args->grid / TS_BLOCK);
@@ -63,7 +64,7 @@ TS_FN void ts_k_choice_ring(const ts_choice_args *args, ts_grid_place at, i32 ri
 	}
 }
 
-/* TS_NONE: no box. */
+/* The index of the box, or TS_NONE. */
 TS_FN u32 ts_k_choose_box(const ts_choice_args *args, ts_grid_place at)
 {
 	i32 rings = args->robust != 0u ? (i32)(args->grid / TS_BLOCK) : 1;

@@ -1,7 +1,7 @@
-/* How near the choice of a pixel's box was to another, for ports that round otherwise (PORTING 7): a second pass,
- * which changes nothing that hull_choice.h decided of the boxes and depths that it was given. Whether a box holds a
- * depth is not rounded, and the first of boxes of the same measure is taken; the slack is rounded, and measures that
- * differ are. */
+/* Margins of hull_choice.h, for ports that round otherwise (PORTING 7): how near the choice of a pixel's box was to
+ * another. This second pass takes boxes and depths as given and changes no decision. Whether a box contains a depth
+ * involves no rounding, and of boxes of the same measure the first is taken; the slack and measures that differ are
+ * rounded. */
 #ifndef TS_KERNELS_HULL_MARGIN_H
 #define TS_KERNELS_HULL_MARGIN_H
 #include "../base/args.h"
@@ -18,7 +18,7 @@
 	ARG(VALUE, u32, height, none)
 TS_ARGS(ts_hull_margin_args);
 
-/* The rank of a box and its measure, as if it alone were offered; and how near its gap is to the slack. */
+/* Rank and measure of a box that alone is offered, and the margin of its gap against the slack. */
 typedef struct {
 	ts_choice as;
 	f32 slack_margin, thickness;
@@ -44,7 +44,7 @@ TS_FN f32 ts_k_measure_margin(f32 measure, f32 best)
 	return measure == best ? TS_MARGIN_FAR : ts_k_margin_between(measure, best);
 }
 
-/* How near a box is to being chosen instead: as it is, or widened if it nearly holds the depth so. */
+/* How near a box is to being chosen instead: as it is, or widened if the widened box nearly contains the depth. */
 TS_FN f32 ts_k_rival_margin(const ts_choice_args *args, ts_grid_place at, u32 b, const ts_choice *best)
 {
 	ts_offered rival = ts_k_offered(args, at, b);
@@ -67,7 +67,7 @@ TS_FN f32 ts_k_block_margin(const ts_choice_args *args, ts_grid_place at, u32 bl
 	return least;
 }
 
-/* Rivals are in the blocks as far away as that of the box; nearer ones have none. */
+/* Rivals are in blocks at the distance of the box's own block; nearer blocks have no boxes. */
 TS_FN f32 ts_k_choice_margin(const ts_choice_args *args, ts_grid_place at, u32 box)
 {
 	i32 side = (i32)(args->grid / TS_BLOCK);

@@ -1,9 +1,10 @@
-/* Lamps as polygons that shine (SSAGH sections 3 and 5; METHODS 11): eight triangles of light each, what soft shadows
- * have samples on. The disc across a light's direction becomes a regular octagon of its area, which shines where the
- * light does; a point light's ball a regular octahedron of its surface, so that it sends as much out as the ball, on
- * average over all directions, and as much each way as the ball within a fifth. A sun's disc stands `away` from the
- * middle of the scene. Exitance is I / r^2: far off, on the axis, the polygon sends what the light's intensity I is.
- * Lambert's law takes the place of a spot light's cone. A lamp without extent has no triangles: all 0. */
+/* Lamps as polygons of light (SSAGH sections 3 and 5; METHODS 11): eight triangles each, in place of the disc or ball
+ * on which soft shadows have samples. The disc of a light with a direction becomes a regular octagon of the same area,
+ * which shines in that direction. The ball of a point light becomes a regular octahedron with the same surface: on
+ * average over all directions it sends as much light as the ball, and in one direction as much within a fifth. A sun's
+ * disc stands `away` from the middle of the scene. Exitance is I / r^2, so that far off, on the axis, the polygon has
+ * the light's intensity I. Lambert's law takes the place of a spot light's cone. A lamp without extent has no
+ * triangles: all fields are 0. */
 #ifndef TS_KERNELS_POLYGON_H
 #define TS_KERNELS_POLYGON_H
 #include "../raster/rsm.h"
@@ -15,10 +16,10 @@
 	ARG(IN, ts_lamp, shapes, lamp_shape) \
 	ARG(OUT, ts_patch, patches, polygon_patch) \
 	ARG(VALUE, ts_v3, middle, none) /* of the scene */ \
-	ARG(VALUE, f32, away, none)     /* suns from there, world units */
+	ARG(VALUE, f32, away, none)     /* distance of suns from the middle, world units */
 TS_ARGS(ts_polygon_args);
 
-/* Triangle k of the octagon about p as large as a disc of radius r: circumradius r sqrt(pi / (2 sqrt 2)). */
+/* Triangle k of the octagon about p with the area of a disc of radius r: circumradius r sqrt(pi / (2 sqrt 2)). */
 TS_FN void ts_k_polygon_disc(TS_GLOBAL ts_patch *patch, ts_v3 p, ts_v3 n, f32 r, u32 k)
 {
 	f32 reach = r * 1.0539073944091796875f;

@@ -1,6 +1,6 @@
-/* Depth segments of each block of the grid (SSAGH section 3, algorithm 1; METHODS 11). Two neighbours are apart, seen
- * from depth d_c to d_n, if |d_c - d_n| > t (1 - d_c): as 1 - zn is proportional to 1 / z, a relative step of the eye's
- * depth. The sky, 1, is apart from everything else. */
+/* Depth segments of each block of the grid (SSAGH section 3, algorithm 1; METHODS 11). Two neighbours are apart, going
+ * from depth d_c to d_n, if |d_c - d_n| > t (1 - d_c): since 1 - zn is proportional to 1 / z, this is a relative step
+ * of axial depth. The sky, 1, is apart from everything else. */
 #ifndef TS_KERNELS_SEGMENT_H
 #define TS_KERNELS_SEGMENT_H
 #include "../base/args.h"
@@ -41,10 +41,10 @@ TS_FN void ts_k_segment_item(const ts_segment_args *args, u64 i)
 	}
 }
 
-/* map over texels: every block is one segment, with its sky */
+/* map over texels: every block is one segment, the sky included */
 TS_FN void ts_k_segment_none_item(const ts_segment_args *args, u64 i) { args->labels[i] = 0u; }
 
-/* The least place that a texel is joined to: labels are links to lesser places until they are their own. */
+/* The root of a texel's segment. Labels are links to lesser places; the label of a root is its own place. */
 TS_FN u32 ts_k_segment_root(const ts_segment_args *args, u32 block, u32 place)
 {
 	u32 label = args->labels[ts_k_block_texel(args->grid, block, place % TS_BLOCK, place / TS_BLOCK)];
@@ -55,7 +55,7 @@ TS_FN u32 ts_k_segment_root(const ts_segment_args *args, u32 block, u32 place)
 	return place;
 }
 
-/* Joins two neighbours that a sweep in either direction joins. */
+/* Joins two neighbours if a sweep in either direction joins them. */
 TS_FN void ts_k_segment_join(const ts_segment_args *args, u32 block, u32 p, u32 q)
 {
 	f32 a = args->depths[ts_k_block_texel(args->grid, block, p % TS_BLOCK, p / TS_BLOCK)];

@@ -1,6 +1,6 @@
-/* The boxes of the segments in columns, rows and depth (SSAGH section 3; METHODS 11): least and greatest by integer
- * minimum, as the bits of floats from +0 on are in their order, then those of labels that some texel has and that are
- * not the sky's. */
+/* The boxes of the segments in columns, rows and depth (SSAGH section 3; METHODS 11). Least and greatest values are
+ * integer minima, since floats from +0 on sort like their bits. Then the boxes of the labels that texels have, except
+ * the sky's, are listed. */
 #ifndef TS_KERNELS_SEGMENT_BOX_H
 #define TS_KERNELS_SEGMENT_BOX_H
 #include "../base/args.h"
@@ -16,7 +16,7 @@
 	ARG(VALUE, u32, grid, none)
 TS_ARGS(ts_segment_extent_args);
 
-/* scatter over texels of the grid: an update that a neighbour of the same segment makes needless is left out */
+/* scatter over texels of the grid: skips updates that a neighbour of the same segment makes needless */
 TS_FN void ts_k_segment_extent_item(const ts_segment_extent_args *args, u64 i)
 {
 	u32 x = (u32)(i % args->grid);
@@ -42,7 +42,7 @@ TS_FN void ts_k_segment_extent_item(const ts_segment_extent_args *args, u64 i)
 	ARG(IN, u32, least, segment_extent) \
 	ARG(OUT, u32, offset, segment_box_offset) /* counts, then their prefix sums */ \
 	ARG(OUT, ts_segment, boxes, segment_box) \
-	ARG(TALLY, i64, n_labels, 0) /* that some texel has */
+	ARG(TALLY, i64, n_labels, 0) /* labels that texels have */
 TS_ARGS(ts_segment_box_args);
 
 /* map over labels: 1 where there is a box */

@@ -1,14 +1,13 @@
-/* How near the segments of a block were to others, for ports that round otherwise (PORTING 7): a second pass, which
- * changes nothing that segment.h decided of the depths that it was given. Where one test of two neighbours turns, the
- * labels of all that hangs together with either may be others, by sweeps as by components; the rest of the block
- * stays. */
+/* Margins of segment.h, for ports that round otherwise (PORTING 7): how near the segments of a block were to others.
+ * This second pass takes depths as given and changes no decision. If one test of two neighbours turns, the labels of
+ * all texels connected with either may change, by sweeps as by components; the rest of the block stays. */
 #ifndef TS_KERNELS_SEGMENT_MARGIN_H
 #define TS_KERNELS_SEGMENT_MARGIN_H
 #include "../base/args.h"
 #include "segment.h"
 
-#define TS_MARGIN_FAR 1048576.0f /* in 8 ulps: what one of two numbers is when the other is 0 */
-#define TS_BLOCK_PAIRS 2048u     /* of neighbours, and of texels with what is beyond the block */
+#define TS_MARGIN_FAR 1048576.0f /* in 8 ulps: the distance of a number from 0 */
+#define TS_BLOCK_PAIRS 2048u     /* pairs of neighbours, and of texels with places beyond the block */
 
 #define TS_ROWS_ts_segment_margin_args(ARG) \
 	ARG(IN, f32, depths, depth_grid_depth) \
@@ -17,7 +16,8 @@
 	ARG(VALUE, f32, step, none) /* t */
 TS_ARGS(ts_segment_margin_args);
 
-/* How far two numbers from 0 on are apart, in 8 ulps of the greater; of zeros none has been rounded. */
+/* The distance of two numbers that are not negative, in 8 ulps of the greater. Two zeros are far apart, since neither
+ * was rounded. */
 TS_FN f32 ts_k_margin_between(f32 a, f32 b)
 {
 	f32 most = ts_max(a, b);
@@ -30,13 +30,13 @@ TS_FN f32 ts_k_apart_margin(f32 from, f32 to, f32 step)
 	return ts_k_margin_between(ts_abs(from - to), room);
 }
 
-/* Two neighbours of a block as texels of the grid; no others: they would be of two blocks. */
+/* Two neighbours of a block, as texels of the grid. is: false if they would be of two blocks. */
 typedef struct {
 	u64 p, q;
 	bool is;
 } ts_neighbours;
 
-/* Pair k: a texel, row by row, and the one to its right, or below it. */
+/* Pair k: a texel, row by row, and the texel to its right (k even) or below it (k odd). */
 TS_FN ts_neighbours ts_k_neighbours(u32 grid, u32 block, u32 k)
 {
 	u32 x = (k / 2u) % TS_BLOCK;
@@ -59,7 +59,7 @@ TS_FN void ts_k_segment_margin_pair(const ts_segment_margin_args *args, const ts
 	args->margin[pair->q] = ts_min(args->margin[pair->q], margin);
 }
 
-/* The lesser margin for both of a pair that hangs together; true if one had another. */
+/* Gives both texels of a connected pair the lesser of their margins; returns whether they differed. */
 TS_FN bool ts_k_segment_margin_spread(const ts_segment_margin_args *args, const ts_neighbours *pair)
 {
 	f32 a = args->depths[pair->p];
@@ -72,7 +72,7 @@ TS_FN bool ts_k_segment_margin_spread(const ts_segment_margin_args *args, const 
 	return true;
 }
 
-/* map over blocks: forth and back over its pairs until all that hangs together has the least margin of its tests */
+/* map over blocks: goes forth and back over the pairs until connected texels have the least margin of their tests */
 TS_FN void ts_k_segment_margin_item(const ts_segment_margin_args *args, u64 i)
 {
 	u32 block = (u32)i;

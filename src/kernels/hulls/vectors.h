@@ -1,4 +1,4 @@
-/* Primitives of light that is gathered: spherical Gaussians, triangles that shine, and lobes of surfaces (gaussian.h,
+/* Primitives of gathered light: spherical Gaussians, triangles of light, and lobes of surfaces (gaussian.h,
  * form_factor.h, gloss.h). */
 #ifndef TS_KERNELS_HULLS_VECTORS_H
 #define TS_KERNELS_HULLS_VECTORS_H

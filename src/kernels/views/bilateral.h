@@ -1,12 +1,13 @@
-/* The cross-bilateral filter of gathered light (MegaViews section 5.1), along rows, then along columns. A
- * neighbour's weight falls with its distance in pixels, with how far it is off the pixel's tangent plane, seen from
- * the pixel, and with the angle between their normals. The sky takes no part. */
+/* The cross-bilateral filter of gathered light (MegaViews section 5.1), along rows, then along columns. A neighbour's
+ * weight falls with its distance in pixels, with its angle off the pixel's tangent plane, and with the angle between
+ * their normals. The sky takes no part. */
 #ifndef TS_KERNELS_BILATERAL_H
 #define TS_KERNELS_BILATERAL_H
 #include "../base/args.h"
 #include "../raster/gbuffer.h"
 
-/* Of the squared sine of the angle off the plane, deviation 1/16; of 1 - cosine between normals. */
+/* Factors of the squared sine of the angle off the plane (a deviation of 1/16), and of 1 - the cosine between
+ * normals. */
 #define TS_BILATERAL_PLANE 128.0f
 #define TS_BILATERAL_NORMAL 32.0f
 
@@ -17,10 +18,10 @@
 	ARG(VALUE, u32, width, none) \
 	ARG(VALUE, u32, height, none) \
 	ARG(VALUE, u32, radius, none)  /* pixels; a deviation is half of it */ \
-	ARG(VALUE, u32, columns, none) /* along them, not along rows */
+	ARG(VALUE, u32, columns, none) /* not 0: along columns, not along rows */
 TS_ARGS(ts_bilateral_args);
 
-/* Logarithm of the weight, negated, but for the distance in pixels. */
+/* The negated logarithm of the weight, without the part of the distance in pixels. */
 TS_FN f32 ts_k_bilateral_apart(TS_GLOBAL const ts_gpixel *a, TS_GLOBAL const ts_gpixel *b)
 {
 	ts_v3 n = ts_load3(a->normal);
@@ -43,7 +44,7 @@ TS_FN f32 ts_k_bilateral_weight(const ts_bilateral_args *args, u64 a, u64 b, i32
 	return ts_flush(ts_exp(-(far + apart)));
 }
 
-/* map over pixels and their samples: the picture of each sample by itself */
+/* map over pixels and their samples: each sample's picture is filtered by itself */
 TS_FN void ts_k_bilateral_item(const ts_bilateral_args *args, u64 i)
 {
 	i32 place = (i32)(args->columns != 0u ? i / args->width % args->height : i % args->width);

@@ -1,13 +1,13 @@
-/* The texels of dual-paraboloid maps that a ball covers: those whose middle is a direction that meets it (MegaViews
- * section 3.2, "Multi-Pixel Filling"; METHODS 13). The mapping is stereographic, so that on a map's disc the cap of
- * these directions is the inside of a circle, c + 2 (y u + z v) - b (u^2 + v^2) >= 0, or half of the plane, or the
- * outside of a circle. */
+/* The texels of dual-paraboloid maps that a ball covers: those whose middle shows a direction that meets the ball
+ * (MegaViews section 3.2, "Multi-Pixel Filling"; METHODS 13). The mapping is stereographic, so the cap of these
+ * directions is the inside of a circle on the map's disc, c + 2 (y u + z v) - b (u^2 + v^2) >= 0, or a half plane, or
+ * the outside of a circle. */
 #ifndef TS_KERNELS_CAP_H
 #define TS_KERNELS_CAP_H
 #include "paraboloid.h"
 
-#define TS_CAP_ROUNDING 0.00000095367431640625f /* by the ball's distance: the error of `inside` */
-#define TS_CAP_LEAST 512.0f                     /* by that: the least b of a circle */
+#define TS_CAP_ROUNDING 0.00000095367431640625f /* times the ball's distance: the error of `inside` */
+#define TS_CAP_LEAST 512.0f                     /* times that error: the least b of a circle */
 
 /* A ball in one of the two maps. */
 typedef struct {
@@ -40,13 +40,14 @@ TS_FN f32 ts_k_cap_along(f32 y, f32 b, f32 u)
 	return ((y + y) - bent) * u;
 }
 
-/* The least of that between two middles; where b is negative a bound. */
+/* The least of 2 y u - b u^2 between two middles; a bound where b is negative. */
 TS_FN f32 ts_k_cap_least(f32 y, f32 b, f32 from, f32 to)
 {
 	return ts_min(ts_k_cap_along(y, b, from), ts_k_cap_along(y, b, to));
 }
 
-/* Not below 0: the middle of the texel meets the ball; above the finest level, all middles below that do. */
+/* At least 0 if the middle of the texel meets the ball; above the finest level, if the middles of all finest texels in
+ * the texel do. */
 TS_FN f32 ts_k_cap_inside(const ts_cap *cap, u32 n, u32 level, u32 column, u32 row)
 {
 	u32 last = (1u << level) - 1u;
@@ -59,7 +60,7 @@ TS_FN f32 ts_k_cap_inside(const ts_cap *cap, u32 n, u32 level, u32 column, u32 r
 	return (cap->c + (x + y)) - cap->rounding;
 }
 
-/* Texels of an axis, and of both. */
+/* Ranges of texels along one axis, and along both. */
 typedef struct {
 	i32 from, to;
 } ts_reach;
@@ -75,8 +76,8 @@ TS_FN ts_reach ts_k_circle_reach(f32 middle, f32 radius, u32 n)
 	return r;
 }
 
-/* Where the cap may be, in a map of n texels a side: about its circle; or all of the map, if any place of that may
- * be inside. */
+/* The box of texels in which the cap may be, in a map of n texels per side: that of its circle; or the whole map, if
+ * any place of it may be inside. */
 TS_FN ts_cap_box ts_k_cap_box(const ts_cap *cap, u32 n)
 {
 	ts_cap_box r;

@@ -1,8 +1,9 @@
-/* The first triangle that a ray meets, by the scene's octree: least distance, then least index, so that no order
- * changes it. Back faces of single-sided materials and cut-out parts of masked ones let it pass.
+/* The first triangle that a ray meets, found in the scene's octree: of least distance, then of least index, so that the
+ * order of the search changes nothing. Back faces of single-sided materials and cut-out parts of masked materials let
+ * the ray pass.
  *
- * Two triangles with an edge in common decide on it with the same numbers of opposite signs: no ray slips between them.
- * Boxes are taken a 128th of their half side larger, which is more than what snapping and rounding move. */
+ * Two triangles with a common edge test it with the same numbers of opposite signs, so no ray slips between them. Boxes
+ * are enlarged by a 128th of their half side, which is more than snapping and rounding move a triangle. */
 #ifndef TS_KERNELS_CAST_H
 #define TS_KERNELS_CAST_H
 #include "../base/args.h"
@@ -11,15 +12,15 @@
 #include "../base/records.h"
 #include "../base/surface.h"
 
-#define TS_CAST_STACK 96 /* 7 siblings a level and a node */
+#define TS_CAST_STACK 96 /* 7 siblings per level, and a node */
 
 #define TS_ROWS_ts_cast_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_node, nodes, octree_node) /* not empty */ \
+	ARG(IN, ts_node, nodes, octree_node) /* at least one */ \
 	ARG(IN, u32, offset, octree_offset) \
 	ARG(IN, u32, triangles, octree_triangle) \
-	ARG(VALUE, u32, first_leaf, none) /* a node */ \
-	ARG(VALUE, f32, leaf, none)       /* its side */
+	ARG(VALUE, u32, first_leaf, none) /* index of the node */ \
+	ARG(VALUE, f32, leaf, none)       /* side of a leaf */
 TS_ARGS(ts_cast_args);
 
 typedef struct {
@@ -29,7 +30,7 @@ typedef struct {
 	f32 t;
 	u32 triangle;
 	ts_v3 weights;
-} ts_cast_hit; /* triangle TS_NONE: none */
+} ts_cast_hit; /* triangle is TS_NONE if there is none */
 
 /* 1 / x, or 2^60 where that is more. */
 TS_FN f32 ts_k_cast_inverse(f32 x)
@@ -48,7 +49,7 @@ TS_FN ts_cast_ray ts_k_cast_ray(ts_v3 o, ts_v3 d)
 	return r;
 }
 
-/* The ray is in a node's box somewhere between 0 and `most`. */
+/* Whether the ray meets a node's box between 0 and `most`. */
 TS_FN bool ts_k_cast_meets(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node, f32 most)
 {
 	f32 half_side = node->radius * 0.581860840320587158203125f; /* 129 / 128 of 1 / sqrt 3 */
@@ -63,8 +64,8 @@ TS_FN bool ts_k_cast_meets(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node
 	return enters <= leaves;
 }
 
-/* The ray passes all edges on the same side; d.(b x a) and its like are as they are for the neighbour, but for the
- * sign. */
+/* Whether the ray passes all edges on the same side. d.(b x a) and the others have the same bits for the neighbour,
+ * except for the sign. */
 TS_FN bool ts_k_cast_inside(const ts_cast_ray *ray, const ts_corners *t)
 {
 	ts_v3 a = ts_sub(t->a, ray->o);
@@ -89,7 +90,7 @@ TS_FN void ts_k_cast_triangle(const ts_cast_args *args, const ts_cast_ray *ray, 
 	best->weights = hit.weights;
 }
 
-/* The children of a node, the nearest last: octants in the ray's order, from behind. */
+/* Pushes the children of a node, the nearest last: octants in the reverse of the ray's order. */
 TS_FN u32 ts_k_cast_push(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node, u32 *stack, u32 n)
 {
 	u32 turn = (ray->d.x < 0.0f ? 1u : 0u) | (ray->d.y < 0.0f ? 2u : 0u) | (ray->d.z < 0.0f ? 4u : 0u);
@@ -102,7 +103,7 @@ TS_FN u32 ts_k_cast_push(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node, 
 	return n;
 }
 
-/* d: unit. */
+/* The first hit of the ray from o in the unit direction d. */
 TS_FN ts_cast_hit ts_k_cast(const ts_cast_args *args, ts_v3 o, ts_v3 d)
 {
 	u32 stack[TS_CAST_STACK];

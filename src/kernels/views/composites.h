@@ -23,7 +23,7 @@ TS_VECTOR(paraboloid_direction) { ts_put_v3(out, ts_k_paraboloid_direction(in[0]
 
 TS_COMPOSITE_FLOAT(paraboloid_size, ts_k_paraboloid_size(ts_row_f32(in, 0u), ts_row_f32(in, 1u), in[2]))
 
-/* Of the first node of either octree. */
+/* The fate of the pair of the first nodes of both octrees. */
 TS_VECTOR(pair_fate)
 {
 	ts_traverse_args args;

@@ -1,5 +1,5 @@
-/* Views from the middles of the reflectors' cubes, to all sides (MegaViews section 6, "reflections via cube maps";
- * METHODS 14), and their maps as the mip chains that MVR looks up. */
+/* Views to all sides from the middles of the reflectors' cubes (MegaViews section 6, "reflections via cube maps";
+ * METHODS 14), and their maps as mip chains, which MVR looks up. */
 #ifndef TS_KERNELS_CUBE_VIEW_H
 #define TS_KERNELS_CUBE_VIEW_H
 #include "../base/args.h"
@@ -27,10 +27,10 @@ TS_FN void ts_k_cube_view_item(const ts_cube_view_args *args, u64 i)
 #define TS_ROWS_ts_cube_view_mip_args(ARG) \
 	ARG(INNER, ts_illuminate_args, to, none) /* without its depth_triangle */ \
 	ARG(IN, f32, colours, view_map_colour) \
-	ARG(VALUE, u32, n, none) /* texels a side of a view's map */
+	ARG(VALUE, u32, n, none) /* texels per side of a view's map */
 TS_ARGS(ts_cube_view_mip_args);
 
-/* map over texels of the batch: the texel of the view's map that holds the direction of the middle of each */
+/* map over texels of the batch: each copies the texel of the view's map that shows the direction of its middle */
 TS_FN void ts_k_cube_view_mip_item(const ts_cube_view_mip_args *args, u64 i)
 {
 	ts_texel_place place = ts_k_texel_place(&args->to, i);

@@ -1,12 +1,12 @@
-/* The masks of an octree's levels: a bit a voxel in Morton order, 1 where there is something, all levels in one
- * array from the root on. Level l has 8^l bits; levels 0 and 1 fill a word each. The set bits before a bit are the
- * id of its node. */
+/* The masks of an octree's levels: one bit per voxel in Morton order, 1 where the voxel is not empty, all levels in one
+ * array from the root on. Level l has 8^l bits; levels 0 and 1 take one word each. The number of set bits before a bit
+ * is the id of its node. */
 #ifndef TS_KERNELS_MASK_H
 #define TS_KERNELS_MASK_H
 #include "../base/args.h"
 #include "../base/morton.h"
 
-/* The first word of a level: l for l < 2, else 2 + the sum of 8^(k - 2) over the levels k before it. */
+/* The first word of level l: l for l < 2, otherwise 2 + the sum of 8^(k - 2) over the levels k from 2 to l - 1. */
 TS_FN u64 ts_k_mask_first(u32 level)
 {
 	return level < 2u ? (u64)level : 2u + (((u64)1u << (3u * level - 6u)) - 1u) / 7u;
@@ -15,7 +15,7 @@ TS_FN u64 ts_k_mask_first(u32 level)
 TS_FN u64 ts_k_mask_word(u32 level, u64 code) { return ts_k_mask_first(level) + (code >> 6); }
 TS_FN u64 ts_k_mask_bit(u64 code) { return (u64)1u << (code & 63u); }
 
-/* The id of the node of a voxel, if it has one. */
+/* The id of the node of a voxel that is not empty. */
 TS_FN u32 ts_k_mask_id(TS_GLOBAL const u64 *mask, TS_GLOBAL const u32 *before, u32 level, u64 code)
 {
 	u64 word = ts_k_mask_word(level, code);
@@ -25,10 +25,10 @@ TS_FN u32 ts_k_mask_id(TS_GLOBAL const u64 *mask, TS_GLOBAL const u32 *before, u
 #define TS_ROWS_ts_mask_args(ARG) \
 	ARG(OUT, u64, mask, voxel_mask) \
 	ARG(OUT, u32, before, voxel_before) /* counts, then their prefix sums */ \
-	ARG(VALUE, u32, level, none)        /* that is made of the one below it */
+	ARG(VALUE, u32, level, none)        /* that is made from the level below it */
 TS_ARGS(ts_mask_args);
 
-/* One bit for each of the bytes. */
+/* One bit for each of the eight bytes: 1 if the byte is not 0. */
 TS_FN u64 ts_k_mask_used(u64 bytes)
 {
 	u64 r = 0u;

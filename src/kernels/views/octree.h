@@ -1,5 +1,5 @@
-/* The nodes of an octree from the masks of its levels: ids are the places of the bits, so by level and Morton code
- * (METHODS 12). */
+/* The nodes of an octree from the masks of its levels. Ids number the set bits, so nodes are sorted by level and Morton
+ * code (METHODS 12). */
 #ifndef TS_KERNELS_OCTREE_H
 #define TS_KERNELS_OCTREE_H
 #include "../base/args.h"
@@ -15,13 +15,13 @@
 	ARG(VALUE, u32, levels, none)
 TS_ARGS(ts_octree_args);
 
-/* map over levels, and one more: all nodes */
+/* map over levels, and one more item for the number of all nodes */
 TS_FN void ts_k_octree_level_item(const ts_octree_args *args, u64 i)
 {
 	args->level[i] = args->before[ts_k_mask_first((u32)i)];
 }
 
-/* The box of a voxel: its centre and half its diagonal. */
+/* Sets the bounding sphere of a voxel: its centre and half its diagonal. */
 TS_FN void ts_k_octree_ball(TS_GLOBAL ts_node *node, TS_GLOBAL const ts_root *root, u32 level, u64 code)
 {
 	ts_store3(node->centre, ts_k_voxel_middle(root, level, ts_k_unmorton(code)));

@@ -1,5 +1,6 @@
-/* The reflector that each node of the scene's octree is a piece of, so that the view from its middle leaves it out, as
- * EPR's cubes do (METHODS 14): of a leaf that of all its triangles, of an inner node that of all its children. */
+/* The reflector to which each node of the scene's octree belongs, so that the view from the reflector's middle leaves
+ * the node out, as EPR's cubes do (METHODS 14): for a leaf that of all its triangles, for an inner node that of all its
+ * children. */
 #ifndef TS_KERNELS_OCTREE_REFLECTOR_H
 #define TS_KERNELS_OCTREE_REFLECTOR_H
 #include "../base/args.h"

@@ -1,6 +1,6 @@
-/* The root cube of both octrees, about all vertices of the frame, and its lattice: 256 steps to a leaf voxel
- * (METHODS 12). Least and greatest coordinates by integer minimum of ordered bits, so that no order of the vertices
- * changes them. */
+/* The root cube of both octrees, around all vertices of the frame, and its lattice with 256 steps per leaf voxel
+ * (METHODS 12). Least and greatest coordinates are integer minima of ordered bits, so that the order of the vertices
+ * changes nothing. */
 #ifndef TS_KERNELS_OCTREE_ROOT_H
 #define TS_KERNELS_OCTREE_ROOT_H
 #include "../base/args.h"
@@ -8,7 +8,7 @@
 #include "../base/records.h"
 #include "../base/vec.h"
 
-/* Bits in the order of the numbers: the sign bit flipped, or of negative numbers all bits. */
+/* Bits that sort like the numbers: the sign bit is flipped, or all bits if the number is negative. */
 TS_FN u32 ts_k_ordered(f32 x)
 {
 	u32 u = ts_f2u(x);
@@ -74,7 +74,7 @@ TS_FN ts_v3 ts_k_voxel_middle(TS_GLOBAL const ts_root *root, u32 level, ts_i3 vo
 #define TS_VOXEL 256
 #define TS_VOXEL_BITS 8
 
-/* A place to the nearest point of the lattice, in [0, 2^(levels + 8)], at most 2^19. */
+/* The lattice point nearest to p; coordinates are in [0, 2^(levels + 8)], at most 2^19. */
 TS_FN ts_i3 ts_k_root_place(TS_GLOBAL const ts_root *root, u32 levels, ts_v3 p)
 {
 	i32 most = (i32)((u32)TS_VOXEL << levels);
@@ -85,7 +85,7 @@ TS_FN ts_i3 ts_k_root_place(TS_GLOBAL const ts_root *root, u32 levels, ts_v3 p)
 	                  ts_min_i32(ts_max_i32(ts_fix(q.z, 0, 20), 0), most));
 }
 
-/* The leaf voxel that holds a place. */
+/* The leaf voxel that contains p. */
 TS_FN ts_i3 ts_k_voxel_of(TS_GLOBAL const ts_root *root, u32 levels, ts_v3 p)
 {
 	i32 last = (i32)(1u << levels) - 1;

@@ -1,6 +1,6 @@
-/* What is in each node of the scene's octree: in a leaf the mean of its triangles, each seen at its point nearest to
- * the middle, a leaf's side wide; in an inner node the mean of its children (MegaViews section 3.1). Sums go by the
- * order of triangles and of octants. */
+/* The surface in each node of the scene's octree: in a leaf the mean of its triangles, each at its point nearest to the
+ * leaf's middle, with a footprint of the leaf's side; in an inner node the mean of its children (MegaViews section
+ * 3.1). Sums are in the order of triangles and of octants. */
 #ifndef TS_KERNELS_OCTREE_SURFACE_H
 #define TS_KERNELS_OCTREE_SURFACE_H
 #include "../base/args.h"
@@ -17,7 +17,7 @@
 	ARG(VALUE, u32, first, none) /* node of item 0 */
 TS_ARGS(ts_octree_surface_args);
 
-/* Sums, and of how many. */
+/* Sums of surfaces, and their number. */
 typedef struct {
 	ts_v3 base, normal, emissive;
 	f32 metallic, roughness, occlusion;
@@ -37,7 +37,7 @@ TS_FN ts_surface_sum ts_k_surface_sum(void)
 	return r;
 }
 
-/* Unlit materials shine in their base colour, and reflect nothing. */
+/* Adds a surface. Unlit materials emit their base colour and reflect nothing. */
 TS_FN void ts_k_surface_sum_add(ts_surface_sum *sum, const ts_surface *s)
 {
 	bool unlit = (s->flags & TS_UNLIT) != 0u;
@@ -83,7 +83,7 @@ TS_FN ts_surface ts_k_surface_near(const ts_arrays *scene, u32 triangle, ts_v3 p
 	return ts_k_surface(scene, triangle, ts_k_nearest_weights(&t, p), footprint);
 }
 
-/* The triangles of a leaf, but those of a reflector; TS_NONE: all. */
+/* Sums the triangles of a leaf, except those of a reflector; with TS_NONE all. */
 TS_FN ts_surface_sum ts_k_leaf_sum(const ts_octree_surface_args *args, u64 leaf, u32 reflector)
 {
 	ts_surface_sum sum = ts_k_surface_sum();

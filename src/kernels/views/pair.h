@@ -1,6 +1,6 @@
-/* What becomes of a pair of a node of the scene and a node of views (MegaViews section 3.2, figures 4, 6 and 8, whose
- * text is lost; METHODS 13). Figure 4 without angles: with c = vs . n and s = |vs x n|, s cos psi - c sin psi is |vs|
- * sin(alpha - psi), and c cos psi + s sin psi is |vs| cos(alpha - psi). */
+/* The fate of a pair of a node of the scene and a node of views (MegaViews section 3.2, figures 4, 6 and 8, whose text
+ * is lost; METHODS 13). Figure 4 is evaluated without angles: with c = vs . n and s = |vs x n|, s cos psi - c sin psi
+ * is |vs| sin(alpha - psi), and c cos psi + s sin psi is |vs| cos(alpha - psi). */
 #ifndef TS_KERNELS_PAIR_H
 #define TS_KERNELS_PAIR_H
 #include "paraboloid.h"
@@ -11,24 +11,24 @@ typedef struct {
 	f32 r;
 	bool leaf;
 } ts_ball;
-/* The directions of the views of a node: no farther from the axis than theta. */
+/* The cone of the views of a node: their directions are at most theta from the axis. */
 typedef struct {
 	ts_v3 axis;
 	f32 cosine;
 } ts_cone_k;
-/* Half the field of view of all of them, phi. */
+/* Half the field of view of every view, phi. */
 typedef struct {
 	f32 cosine, sine;
 } ts_aperture;
 
-/* What becomes of a pair. */
+/* Fates of a pair. */
 #define TS_PAIR_SPLIT_SCENE 0u
 #define TS_PAIR_SPLIT_VIEW 1u
 #define TS_PAIR_RENDER 2u
 #define TS_PAIR_CULL 3u
 #define TS_PAIR_NEAR 4u
 
-/* Stored cosines and what follows are rounded: nothing is culled within so much of the bounds. */
+/* Cosines and what is computed from them are rounded: no pair is culled that is nearer to the bounds than this. */
 #define TS_CULL_COSINE 0.0000002384185791015625f
 #define TS_CULL_DISTANCE 0.00000095367431640625f
 
@@ -63,9 +63,9 @@ TS_FN ts_aperture ts_k_pair_psi(const ts_cone_k *cone, const ts_aperture *phi)
 	return r;
 }
 
-/* Figure 4: fs, how far outside the cone the middle of the ball lies; at most 0 within. psi passes pi where its sine is
- * no longer positive, alpha is at most psi where the sine of alpha - psi is not, and alpha - psi passes a right angle
- * where its cosine is not. */
+/* Figure 4: fs, the distance of the ball's middle from the cone outside; at most 0 inside. psi passes pi where its sine
+ * is not positive, alpha is at most psi where the sine of alpha - psi is not positive, and alpha - psi passes a right
+ * angle where its cosine is not positive. */
 TS_FN f32 ts_k_pair_outside_psi(ts_v3 vs, ts_v3 axis, ts_aperture psi)
 {
 	f32 d = ts_length(vs);
@@ -83,22 +83,22 @@ TS_FN f32 ts_k_pair_outside(const ts_ball *s, const ts_ball *v, const ts_cone_k 
 	return ts_k_pair_outside_psi(ts_sub(s->p, v->p), cone->axis, ts_k_pair_psi(cone, phi));
 }
 
-/* What fs must pass. */
+/* The bound that fs must pass for a pair to be culled. */
 TS_FN f32 ts_k_pair_reach(const ts_ball *s, const ts_ball *v)
 {
 	f32 slack = ts_length(ts_sub(s->p, v->p)) * TS_CULL_DISTANCE;
 	return (s->r + v->r) + slack;
 }
 
-/* The ball lies outside what any of the views can see. */
+/* Whether the ball lies outside of what any of the views can see. */
 TS_FN bool ts_k_pair_is_culled(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
 {
 	f32 fs = ts_k_pair_outside(s, v, cone, phi);
 	return fs > 0.0f && fs > ts_k_pair_reach(s, v);
 }
 
-/* Texels that the ball of s is wide, seen from the nearest place in the ball of v; -1: that may lie in the ball of
- * s. */
+/* Width of the ball of s in texels, seen from the nearest place in the ball of v; -1 if that place may lie in the ball
+ * of s. */
 TS_FN f32 ts_k_pair_size(const ts_ball *s, const ts_ball *v, u32 n)
 {
 	ts_v3 vs = ts_sub(s->p, v->p);
@@ -108,14 +108,14 @@ TS_FN f32 ts_k_pair_size(const ts_ball *s, const ts_ball *v, u32 n)
 	return ts_k_paraboloid_size(ts_abs(vs.x) / d, s->r / nearest, n);
 }
 
-/* Figure 6: all of the views show s in the same texel, or one of its neighbours. */
+/* Figure 6: whether all views show s in the same texel, or in one of its neighbours. */
 TS_FN bool ts_k_pair_is_equivalent(const ts_ball *s, const ts_ball *v, u32 n)
 {
 	f32 size = ts_k_pair_size(s, v, n);
 	return size >= 0.0f && size < 1.0f && v->r <= s->r;
 }
 
-/* Figure 8: keeps the views' ball no larger than the scene's. */
+/* Figure 8: whether the node of views is split, which keeps its ball no larger than the scene's. */
 TS_FN bool ts_k_pair_splits_view(const ts_ball *s, const ts_ball *v)
 {
 	f32 child = s->r * 0.5f;

@@ -1,7 +1,7 @@
-/* Dual-paraboloid maps, one parametrisation for all views (MegaViews section 3.1; METHODS 13). The front map looks
- * along +x, the back map along -x; a direction d is at (d.y, d.z) / (|d| + |d.x|) of the unit disc, which fills N x N
- * texels, columns along y and rows along z. Texels of a map: front before back, rows in order. The mapping is
- * stereographic: circles stay circles. */
+/* Dual-paraboloid maps, with the same parametrisation for all views (MegaViews section 3.1; METHODS 13). The front map
+ * looks along +x, the back map along -x. A direction d is at (d.y, d.z) / (|d| + |d.x|) of the unit disc, which fills N
+ * x N texels, columns along y and rows along z. Texels are stored front map first, then back map, each row by row. The
+ * mapping is stereographic: circles stay circles. */
 #ifndef TS_KERNELS_PARABOLOID_H
 #define TS_KERNELS_PARABOLOID_H
 #include "../base/vec.h"
@@ -14,7 +14,7 @@ TS_FN f32 ts_k_paraboloid_place(f32 u, u32 n)
 	return unit * (f32)n;
 }
 
-/* Where a direction of any length is in its map, in texels; no direction is in the middle. */
+/* The place of a direction d, of any length, in its map, in texels; d = 0 is in the middle. */
 TS_FN ts_v2 ts_k_paraboloid_at(ts_v3 d, u32 n)
 {
 	f32 sum = ts_length(d) + ts_abs(d.x);
@@ -22,7 +22,7 @@ TS_FN ts_v2 ts_k_paraboloid_at(ts_v3 d, u32 n)
 	return ts_v2_make(ts_k_paraboloid_place(d.y / divisor, n), ts_k_paraboloid_place(d.z / divisor, n));
 }
 
-/* Texel of a column and a row, or of the nearest there is, in the map that shows d: no direction is in the front. */
+/* The texel of a column and a row, clamped to the map, in the map that shows d; d = 0 is in the front map. */
 TS_FN u32 ts_k_paraboloid_index(ts_v3 d, i32 column, i32 row, u32 n)
 {
 	u32 i = (u32)ts_min_i32(ts_max_i32(column, 0), (i32)n - 1);
@@ -37,7 +37,7 @@ TS_FN u32 ts_k_paraboloid_texel(ts_v3 d, u32 n)
 	return ts_k_paraboloid_index(d, ts_floor_i32(at.x), ts_floor_i32(at.y), n);
 }
 
-/* Of the middle of texel i of n, in [-1, 1]. */
+/* The coordinate of the middle of texel i of n, in [-1, 1]. */
 TS_FN f32 ts_k_paraboloid_middle(u32 i, u32 n)
 {
 	f32 twice = (f32)(2u * i + 1u) / (f32)n;
@@ -54,7 +54,7 @@ TS_FN f32 ts_k_paraboloid_square(u32 texel, u32 n)
 	return uu + vv;
 }
 
-/* The others, in the corners, are of directions that the other map shows. */
+/* Whether the texel's middle is on the disc. Texels in the corners show directions of the other map. */
 TS_FN bool ts_k_paraboloid_is_used(u32 texel, u32 n) { return ts_k_paraboloid_square(texel, n) <= 1.0f; }
 
 /* Unit direction of a texel's middle. */
@@ -68,7 +68,7 @@ TS_FN ts_v3 ts_k_paraboloid_direction(u32 texel, u32 n)
 	return ts_v3_make(texel < n * n ? along : -along, y, z);
 }
 
-/* Texels that a ball is wide: N sin rho / (cos alpha + cos rho), alpha its angle to the nearer of +x and -x, rho its
+/* Width of a ball in texels: N sin rho / (cos alpha + cos rho), alpha its angle to the nearer of +x and -x, rho its
  * angular radius. */
 TS_FN f32 ts_k_paraboloid_size(f32 cos_alpha, f32 sin_rho, u32 n)
 {

@@ -1,7 +1,7 @@
 /* Glowing particles (MegaViews section 5.2; METHODS 12): lights without a direction, at random in the inner part of the
- * hall, each on an ellipse of its own about the hall's middle, one turn in as many frames as the eye takes; every other
- * one the other way. All of them together send what an irradiance of `particle.glow` on the hall's walls, floor and
- * ceiling needs. */
+ * hall. Each moves on its own ellipse about the hall's middle, one turn in the frames of a turn of the eye; every
+ * second particle moves the other way. Together they send the flux of an irradiance of `particle.glow` on the hall's
+ * walls, floor and ceiling. */
 #ifndef TS_KERNELS_PARTICLE_H
 #define TS_KERNELS_PARTICLE_H
 #include "../base/args.h"
@@ -15,14 +15,14 @@
 #define TS_ROWS_ts_particle_args(ARG) \
 	ARG(OUT, ts_vpl, lights, vpl_light) \
 	ARG(VALUE, ts_v3, middle, none) \
-	ARG(VALUE, ts_v3, extent, none) /* of the hall; half of it each way */ \
+	ARG(VALUE, ts_v3, extent, none) /* of the hall; half of it to each side */ \
 	ARG(VALUE, f32, turns, none)    /* since frame 0, in [0,1) */ \
 	ARG(VALUE, f32, glow, none) \
 	ARG(VALUE, u32, n, none) \
 	ARG(VALUE, u32, seed, none)
 TS_ARGS(ts_particle_args);
 
-/* Colours, each as strong as white and all of them together white. */
+/* Colours, each as strong as white; their mean is white. */
 TS_CONSTANT f32 ts_particle_glow[4][3] = {
 	{1.75f, 1.0f, 0.25f},
 	{0.25f, 1.0f, 1.75f},
@@ -36,7 +36,7 @@ TS_FN u32 ts_k_particle_random(const ts_particle_args *args, u32 particle, u32 w
 	return ts_random(particle ^ ts_pcg(which), TS_STREAM_PARTICLE, args->seed);
 }
 
-/* As dense everywhere in an upright elliptic cylinder. */
+/* The place of a particle at frame 0: uniform in an upright elliptic cylinder. */
 TS_FN ts_v3 ts_k_particle_place(const ts_particle_args *args, u32 particle)
 {
 	f32 phase = ts_uniform(ts_k_particle_random(args, particle, 0u));
@@ -48,7 +48,7 @@ TS_FN ts_v3 ts_k_particle_place(const ts_particle_args *args, u32 particle)
 	return ts_add(args->middle, ts_mul(args->extent, way));
 }
 
-/* What each sends to all sides: its share of glow by the area of the hall's box, in its colour. */
+/* The flux of a particle, in its colour: its share of the glow times the area of the hall's box. */
 TS_FN ts_v3 ts_k_particle_flux(const ts_particle_args *args, u32 particle)
 {
 	ts_v3 h = args->extent;

@@ -1,16 +1,16 @@
 /* The concurrent traversal of two octrees, of the scene and of views (MegaViews section 3.2; METHODS 13). A pair is
- * scene << 32 | views, two ids of nodes. In a step's queue pairs that go no further are struck out when they are
- * decided, and those that are split when their children stand in the next queue: what is left is rendered. A
- * decision knows nothing but its pair, so no pair is reached twice, and any piece of a queue may be carried to its
- * end before the rest. */
+ * scene << 32 | views, two ids of nodes. In the queue of a step a pair that is culled or too near is struck out when it
+ * is decided, and a pair that is split when its children are in the next queue; the pairs that are left are rendered. A
+ * decision depends only on its pair, so no pair is reached twice, and any piece of a queue may be processed to its end
+ * before the rest. */
 #ifndef TS_KERNELS_TRAVERSE_H
 #define TS_KERNELS_TRAVERSE_H
 #include "../base/args.h"
 #include "../base/morton.h"
 #include "pair.h"
 
-/* In the place of a pair. */
-#define TS_STRUCK 0xfffffffffffffffdUL /* the least of them */
+/* Values in place of a pair. */
+#define TS_STRUCK 0xfffffffffffffffdUL /* the least of these values */
 #define TS_STRUCK_CULLED 0xfffffffffffffffdUL
 #define TS_STRUCK_NEAR 0xfffffffffffffffeUL
 #define TS_STRUCK_SPLIT 0xffffffffffffffffUL
@@ -29,13 +29,13 @@
 	ARG(TALLY_OPT, i64, tallies, 0) /* pairs culled, near, rendered, wider, of several views; views */ \
 	ARG(VALUE, u64, n_pairs, none) \
 	ARG(VALUE, ts_aperture, phi, none) \
-	ARG(VALUE, u32, n, none)          /* texels a side of a map */ \
-	ARG(VALUE, u64, first, none)      /* of the pairs that it begins with */ \
-	ARG(VALUE, u32, first_node, none) /* of the nodes of the scene in these */ \
+	ARG(VALUE, u32, n, none)          /* texels per side of a map */ \
+	ARG(VALUE, u64, first, none)      /* of the pairs with which the traversal begins */ \
+	ARG(VALUE, u32, first_node, none) /* of the nodes of the scene in those pairs */ \
 	ARG(VALUE, u32, n_nodes, none)    /* 1, the root, or all leaves */ \
-	ARG(VALUE, f32, apart, none)      /* radii; leaves that are nearer are not rendered */ \
+	ARG(VALUE, f32, apart, none)      /* radii; nearer leaves are not rendered */ \
 	ARG(VALUE, u32, last, none)       /* nodes of this level count as leaves */ \
-	ARG(VALUE, u32, to_last, none)    /* only pairs of leaves are rendered */ \
+	ARG(VALUE, u32, to_last, none)    /* not 0: only pairs of leaves are rendered */ \
 	ARG(VALUE, f32, cutoff, none)     /* pairs farther apart are culled; 0: none */
 TS_ARGS(ts_traverse_args);
 
@@ -63,15 +63,15 @@ TS_FN u32 ts_k_pair_fate(const ts_traverse_args *args, u64 pair)
 	return ts_k_pair_splits_view(&s, &v) ? TS_PAIR_SPLIT_VIEW : TS_PAIR_SPLIT_SCENE;
 }
 
-/* map over the pairs that the traversal begins with: views without a parent, each with the scene's root, or all leaves
- * where there is no hierarchy of the scene */
+/* map over the pairs with which the traversal begins: nodes of views without a parent, each with the scene's root, or
+ * with all leaves where there is no hierarchy of the scene */
 TS_FN void ts_k_traverse_start_item(const ts_traverse_args *args, u64 i)
 {
 	u64 k = args->first + i;
 	args->queue[i] = ts_k_pair(args->first_node + (u32)(k % args->n_nodes), (u32)(k / args->n_nodes));
 }
 
-/* map over pairs: decides; again over some of them, it decides the same */
+/* map over pairs: decides each; a second run decides the same */
 TS_FN void ts_k_traverse_count_item(const ts_traverse_args *args, u64 i)
 {
 	u64 pair = args->queue[i];
@@ -84,7 +84,7 @@ TS_FN void ts_k_traverse_count_item(const ts_traverse_args *args, u64 i)
 	if (fate == TS_PAIR_SPLIT_VIEW) args->offset[i] = ts_k_count_bits(args->views[ts_k_pair_views(pair)].children);
 }
 
-/* emit over pairs: the children of those that are split */
+/* emit over pairs: the children of split pairs */
 TS_FN void ts_k_traverse_item(const ts_traverse_args *args, u64 i)
 {
 	u32 at = args->offset[i];
@@ -102,7 +102,7 @@ TS_FN void ts_k_traverse_item(const ts_traverse_args *args, u64 i)
 	args->queue[i] = TS_STRUCK_SPLIT;
 }
 
-/* A pair that could not be split further: no wider than a texel it would have been equivalent. */
+/* Whether a rendered pair is wider than a texel: two leaves, which cannot be split further, that are not equivalent. */
 TS_FN bool ts_k_pair_is_wide(const ts_traverse_args *args, u64 pair)
 {
 	ts_ball s = ts_k_pair_ball(args, &args->nodes[ts_k_pair_node(pair)]);
@@ -110,7 +110,7 @@ TS_FN bool ts_k_pair_is_wide(const ts_traverse_args *args, u64 pair)
 	return s.leaf && v.leaf && !ts_k_pair_is_equivalent(&s, &v, args->n);
 }
 
-/* map over lots of TS_TALLY_PAIRS pairs */
+/* map over groups of TS_TALLY_PAIRS pairs */
 TS_FN void ts_k_traverse_tally_item(const ts_traverse_args *args, u64 i)
 {
 	u64 end = (i + 1u) * TS_TALLY_PAIRS;
@@ -135,13 +135,13 @@ TS_FN void ts_k_traverse_tally_item(const ts_traverse_args *args, u64 i)
 	ts_add_i64(&args->tallies[5], served);
 }
 
-/* map over pairs: 1 where one is left */
+/* map over pairs: 1 where a pair is left */
 TS_FN void ts_k_render_count_item(const ts_traverse_args *args, u64 i)
 {
 	args->offset[i] = args->queue[i] < TS_STRUCK ? 1u : 0u;
 }
 
-/* emit over pairs: those that are left */
+/* emit over pairs: the pairs that are left */
 TS_FN void ts_k_render_item(const ts_traverse_args *args, u64 i)
 {
 	if (args->offset[i + 1u] != args->offset[i]) args->rendered[args->offset[i]] = args->queue[i];

@@ -1,19 +1,19 @@
-/* Rendered pairs in dual-paraboloid maps, one a node of views (MegaViews section 3.2; METHODS 13): the distance between
- * the middles of the two nodes, by 64-bit minimum, in the texel of the node's middle, and of leaves that are wider in
- * all that they cover. */
+/* Renders pairs into dual-paraboloid maps, one map per node of views (MegaViews section 3.2; METHODS 13): the distance
+ * between the middles of the two nodes, by 64-bit minimum, in the texel of the scene node's middle; a leaf wider than a
+ * texel is rendered into all texels that it covers. */
 #ifndef TS_KERNELS_VIEW_MAP_H
 #define TS_KERNELS_VIEW_MAP_H
 #include "../base/args.h"
 #include "cap.h"
 #include "traverse.h"
 
-/* A pyramid: level l is two maps of n >> l texels a side. */
+/* A pyramid: level l is two maps of n >> l texels per side. */
 typedef struct {
 	u32 n, levels;
-	f32 fill; /* radii of a leaf's ball that is filled; 0: only the texel of its middle */
+	f32 fill; /* radius of the ball that is filled, in radii of the leaf; 0: only the texel of its middle */
 } ts_pyramid;
 
-/* Texels before a level; those of all levels, before the last but one. */
+/* Number of texels before a level; with level = levels that of all levels. */
 TS_FN u32 ts_k_pyramid_first(const ts_pyramid *pyramid, u32 level)
 {
 	u32 sum = 0u;
@@ -23,7 +23,7 @@ TS_FN u32 ts_k_pyramid_first(const ts_pyramid *pyramid, u32 level)
 
 TS_FN u32 ts_k_pyramid_texels(const ts_pyramid *pyramid) { return ts_k_pyramid_first(pyramid, pyramid->levels); }
 
-/* Texel of the level above a texel of the finest. */
+/* The texel of a level that contains a texel of the finest level. */
 TS_FN u32 ts_k_pyramid_above(const ts_pyramid *pyramid, u32 texel, u32 level)
 {
 	u32 n = pyramid->n;
@@ -44,7 +44,7 @@ TS_FN u32 ts_k_ancestor(TS_GLOBAL const ts_node *nodes, u32 node, u32 level)
 	return node;
 }
 
-/* The node is a piece of a reflector whose own view is among those of the pair. */
+/* Whether the node belongs to a reflector whose own view is among those of the pair. */
 TS_FN bool ts_k_pair_is_own(const ts_own_args *own, TS_GLOBAL const ts_node *views, u64 pair)
 {
 	u32 reflector = own->reflectors != NULL ? own->reflectors[ts_k_pair_node(pair)] : TS_NONE;
@@ -55,13 +55,13 @@ TS_FN bool ts_k_pair_is_own(const ts_own_args *own, TS_GLOBAL const ts_node *vie
 #define TS_ROWS_ts_view_map_args(ARG) \
 	ARG(IN, ts_node, nodes, octree_node) \
 	ARG(IN, ts_node, views, view_octree_node) \
-	ARG(IN, u64, pairs, traverse_rendered) /* or what is left of a queue */ \
+	ARG(IN, u64, pairs, traverse_rendered) /* or the pairs that are left of a queue */ \
 	ARG(MIN, u64, texels, view_map_depth_node) \
 	ARG(INNER, ts_own_args, own, none) \
 	ARG(VALUE, ts_pyramid, pyramid, none)
 TS_ARGS(ts_view_map_args);
 
-/* The texel is inside, and no coarser one that holds it. */
+/* Whether the texel is inside, and no coarser texel that contains it. */
 TS_FN bool ts_k_cap_is_filled(const ts_cap *cap, const ts_pyramid *pyramid, u32 level, u32 column, u32 row)
 {
 	if (!(ts_k_cap_inside(cap, pyramid->n, level, column, row) >= 0.0f)) return false;
@@ -85,7 +85,7 @@ TS_FN void ts_k_cap_fill(TS_GLOBAL u64 *map, const ts_pyramid *pyramid, const ts
 	}
 }
 
-/* Texels that a ball is wide. One that is no wider than a texel is only in that of its middle. */
+/* Width of a ball in texels. A ball no wider than a texel is only in the texel of its middle. */
 TS_FN f32 ts_k_map_width(const ts_pyramid *pyramid, ts_v3 vs, f32 radius)
 {
 	f32 d = ts_length(vs);
@@ -115,7 +115,7 @@ TS_FN void ts_k_view_map_item(const ts_view_map_args *args, u64 i)
 	if (pair < TS_STRUCK && !ts_k_pair_is_own(&args->own, args->views, pair)) ts_k_map_pair(args, pair);
 }
 
-/* The nearest key in a texel of the map at `texels` and in the levels above it; TS_EMPTY: none. */
+/* The nearest key in a texel of the map at `texels` and in the coarser texels above it; TS_EMPTY: none. */
 TS_FN u64 ts_k_map_key(TS_GLOBAL const u64 *texels, const ts_pyramid *pyramid, u32 texel)
 {
 	u64 key = TS_EMPTY;

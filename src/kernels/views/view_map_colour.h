@@ -1,5 +1,5 @@
 /* Colour in the maps of views (MegaViews section 3.1, "each node stores scene attributes: color (or material),
- * position, and a surface normal"; METHODS 14): deferred shading of the node that each texel of a whole map shows, in
+ * position, and a surface normal"; METHODS 14): deferred shading of the node that each texel of a fused map shows, in
  * full light, seen from the middle of the view's leaf. */
 #ifndef TS_KERNELS_VIEW_MAP_COLOUR_H
 #define TS_KERNELS_VIEW_MAP_COLOUR_H
@@ -8,15 +8,15 @@
 #include "octree_surface.h"
 
 #define TS_ROWS_ts_view_map_colour_args(ARG) \
-	ARG(INNER, ts_octree_surface_args, of, none) /* its surfaces are read */ \
+	ARG(INNER, ts_octree_surface_args, of, none) /* whose surfaces are read */ \
 	ARG(IN, ts_node, views, view_octree_node) \
 	ARG(IN, u32, leaves, view_octree_leaf) \
 	ARG(IN, u32, shown, view_map_fused_node) \
 	ARG(OUT, f32, colours, view_map_colour) \
-	ARG(VALUE, u32, n, none) /* texels a side of a map */
+	ARG(VALUE, u32, n, none) /* texels per side of a map */
 TS_ARGS(ts_view_map_colour_args);
 
-/* A leaf has a triangle of the reflector. */
+/* Whether a leaf has a triangle of the reflector. */
 TS_FN bool ts_k_leaf_has(const ts_octree_surface_args *args, u64 leaf, u32 reflector)
 {
 	bool has = false;
@@ -26,7 +26,7 @@ TS_FN bool ts_k_leaf_has(const ts_octree_surface_args *args, u64 leaf, u32 refle
 	return has;
 }
 
-/* What is in a node, but for the view's own reflector where that shares a leaf with others. */
+/* The surface in a node, without the view's own reflector where that shares a leaf with other objects. */
 TS_FN ts_surface_sum ts_k_node_sum(const ts_octree_surface_args *args, u32 node, u32 reflector)
 {
 	ts_surface_sum sum = ts_k_surface_sum();
@@ -38,7 +38,7 @@ TS_FN ts_surface_sum ts_k_node_sum(const ts_octree_surface_args *args, u32 node,
 	return sum;
 }
 
-/* The surface in the middle of a node; a mean normal has no side, and turns to the viewer. */
+/* The surface in the middle of a node. A mean normal has no side, so it turns to the viewer. */
 TS_FN ts_surface ts_k_node_surface(ts_v3 middle, const ts_surface_sum *sum)
 {
 	ts_surface r;

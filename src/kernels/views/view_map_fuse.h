@@ -1,7 +1,7 @@
-/* Whole maps for every node of views (MegaViews section 3.2, "Image Queries"; METHODS 13): what a parent's map shows is
- * moved to the child's middle, within its texel, level by level from the root. view_map.fusion=min keeps the nearer of
- * that and the child's own, view_map.fusion=paper the child's own wherever there is one. The same for one texel,
- * without making maps, is a query. */
+/* Fused maps for every node of views (MegaViews section 3.2, "Image Queries"; METHODS 13): level by level from the
+ * root, the node that a texel of the parent's map shows is moved to the child's middle, within its texel.
+ * view_map.fusion=min keeps the nearer of the moved node and the child's own, view_map.fusion=paper the child's own
+ * wherever there is one. A query computes one texel of a fused map without making the maps. */
 #ifndef TS_KERNELS_VIEW_MAP_FUSE_H
 #define TS_KERNELS_VIEW_MAP_FUSE_H
 #include "../base/args.h"
@@ -17,14 +17,14 @@
 	ARG(VALUE, u32, nearest, none) /* view_map.fusion=min */
 TS_ARGS(ts_view_map_fuse_args);
 
-/* The distance from b to what lies at that distance from a in the middle of a texel. */
+/* The distance from b of the point that lies `distance` from a in the direction of a texel's middle. */
 TS_FN f32 ts_k_moved_depth(ts_v3 a, f32 distance, ts_v3 b, u32 texel, u32 n)
 {
 	ts_v3 q = ts_mad(a, ts_k_paraboloid_direction(texel, n), distance);
 	return ts_length(ts_sub(q, b));
 }
 
-/* What a node shows in a texel, distance << 32 | node of the scene, by what its parent does there; TS_EMPTY:
+/* The fused texel of a node, distance << 32 | node of the scene, from that of its parent, `above`; TS_EMPTY:
  * nothing. */
 TS_FN u64 ts_k_fused(const ts_view_map_fuse_args *args, u32 node, u64 above, u32 texel)
 {
@@ -54,7 +54,7 @@ TS_FN void ts_k_view_map_fuse_item(const ts_view_map_fuse_args *args, u64 i)
 
 #define TS_QUERY_NODES 12u /* from the root to leaves 11 levels below it */
 
-/* The same as view_map.fused_depth and view_map.fused_node of a node, by a walk from the root. */
+/* view_map.fused_depth and view_map.fused_node of one texel of a node, by a walk from the root. */
 TS_FN u64 ts_k_fuse_query(const ts_view_map_fuse_args *args, u32 node, u32 texel)
 {
 	u32 path[TS_QUERY_NODES];

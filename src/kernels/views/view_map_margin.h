@@ -1,19 +1,19 @@
-/* How near the texels of maps were to another answer, for ports that round otherwise (PORTING 7): a second pass over
- * the pairs of view_map.h, which changes none of the decisions about the octrees that it was given. Where the
- * fate of a pair turns, it and all pairs below it may come or go, in texels that its ball may cover in the maps of its
- * views. Where a texel of a rendered pair turns, the pair may leave it, or come to it. A pair behind the shown one
- * changes nothing. */
+/* Margins of view_map.h, for ports that round otherwise (PORTING 7): how near the texels of maps were to another
+ * answer. This second pass over the pairs takes the octrees as given and changes no decision. If the fate of a pair
+ * turns, it and all pairs below it may appear or disappear, in texels that its ball may cover in the maps of its views.
+ * If a texel of a rendered pair turns, the pair may leave the texel, or come to it. A pair behind the shown one changes
+ * nothing. */
 #ifndef TS_KERNELS_VIEW_MAP_MARGIN_H
 #define TS_KERNELS_VIEW_MAP_MARGIN_H
 #include "../base/args.h"
 #include "view_map.h"
 #include "../raster/shadow_test_margin.h"
 
-#define TS_MARGIN_SINE 0.0000002384185791015625f /* by its sine: what rounding changes in the sine of a cone */
+#define TS_MARGIN_SINE 0.0000002384185791015625f /* divided by its sine: the rounding error of the sine of a cone */
 #define TS_MARGIN_LEAST_SINE 0.00048828125f
 
 #define TS_ROWS_ts_view_map_margin_args(ARG) \
-	ARG(INNER, ts_traverse_args, of, none) /* how pairs are decided */ \
+	ARG(INNER, ts_traverse_args, of, none) /* by which pairs are decided */ \
 	ARG(WORK_IN, u64, pairs, queue)        /* not yet decided; NULL: each of n_nodes from `first` on with each view */ \
 	ARG(IN, u64, texels, view_map_depth_node) \
 	ARG(MIN, u32, margin, view_map_margin) /* f32 bits */ \
@@ -23,7 +23,7 @@
 	ARG(VALUE, u32, n_nodes, none)
 TS_ARGS(ts_view_map_margin_args);
 
-/* Of fs and what it must pass, in 8 ulps of the distance and what rounding changes in the sine of the cone. */
+/* The margin of fs against its bound, in 8 ulps of the distance plus the rounding error of the sine of the cone. */
 TS_FN f32 ts_k_cull_side_margin(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
 {
 	f32 c = ts_max(cone->cosine - TS_CULL_COSINE, -1.0f);
@@ -35,7 +35,8 @@ TS_FN f32 ts_k_cull_side_margin(const ts_ball *s, const ts_ball *v, const ts_con
 	return step > 0.0f ? apart / step : TS_MARGIN_NOWHERE;
 }
 
-/* Of the size and a texel, in 16 ulps of it. Radii are compared exactly, and a ball about the view is never small. */
+/* The margin of the size against a texel, in 16 ulps of a texel. Radii are compared exactly, and a ball around the view
+ * is never small. */
 TS_FN f32 ts_k_equivalent_margin(const ts_ball *s, const ts_ball *v, u32 n)
 {
 	f32 size = ts_k_pair_size(s, v, n);
@@ -43,7 +44,7 @@ TS_FN f32 ts_k_equivalent_margin(const ts_ball *s, const ts_ball *v, u32 n)
 	return ts_abs(size - 1.0f) / (2.0f * TS_MARGIN_ROUNDING);
 }
 
-/* Of the distance of two leaves and that up to which they are not rendered, in 8 ulps. */
+/* The margin of the distance of two leaves against that up to which they are not rendered, in 8 ulps. */
 TS_FN f32 ts_k_near_margin(const ts_ball *s, const ts_ball *v, f32 apart)
 {
 	f32 d = ts_length(ts_sub(s->p, v->p));
@@ -52,7 +53,7 @@ TS_FN f32 ts_k_near_margin(const ts_ball *s, const ts_ball *v, f32 apart)
 	return ts_abs(d - reach) / (reach * TS_MARGIN_ROUNDING);
 }
 
-/* The least of the tests that a pair came by. Which of the two is split depends on no rounding. */
+/* The least margin of the tests that decided a pair. Which of the two nodes is split depends on no rounding. */
 TS_FN f32 ts_k_fate_margin(const ts_traverse_args *args, u64 pair, u32 fate)
 {
 	ts_ball s = ts_k_pair_ball(args, &args->nodes[ts_k_pair_node(pair)]);
@@ -64,7 +65,7 @@ TS_FN f32 ts_k_fate_margin(const ts_traverse_args *args, u64 pair, u32 fate)
 	return ts_min(least, ts_k_near_margin(&s, &v, args->apart));
 }
 
-/* Texels of one of two maps that a ball may be in, but those that show a nearer node. */
+/* Lowers the margin of the texels of one of two maps in which a ball may be, except those that show a nearer node. */
 TS_FN void ts_k_ball_margin_map(const ts_view_map_margin_args *args, u64 first, ts_v3 vs, f32 r, u32 level, bool back,
                                 f32 margin)
 {
@@ -94,7 +95,7 @@ TS_FN void ts_k_ball_margin(const ts_view_map_margin_args *args, u32 node, u32 v
 	}
 }
 
-/* A node and the nodes below it, level by level: those of a level stand beside each other. */
+/* Spreads a margin to a node and the nodes below it, level by level; the nodes of a level follow each other. */
 TS_FN void ts_k_fate_margin_spread(const ts_view_map_margin_args *args, u64 pair, f32 margin)
 {
 	TS_GLOBAL const ts_node *views = args->of.views;
@@ -108,15 +109,15 @@ TS_FN void ts_k_fate_margin_spread(const ts_view_map_margin_args *args, u64 pair
 	}
 }
 
-/* Of a place along an axis and the nearest edge of a texel, in 2^-20 of the map; no rounding makes the middle
- * another. */
+/* The margin of a place along an axis against the nearest edge of a texel, in 2^-20 of the map. Rounding does not move
+ * the middle of the map. */
 TS_FN f32 ts_k_place_margin(f32 component, const ts_beside *beside, u32 n)
 {
 	f32 texels = beside->distance * 0.00390625f;
 	return component == 0.0f ? TS_MARGIN_NOWHERE : texels / ((f32)n * TS_MARGIN_ROUNDING);
 }
 
-/* A pair of the distance d, and how near it is to be rendered, or not to be. */
+/* A pair at the distance d, and the margin of being rendered or not. */
 typedef struct {
 	u32 node;
 	f32 d, fate;
@@ -124,8 +125,8 @@ typedef struct {
 	f32 width; /* of the ball that is filled, in texels */
 } ts_placed;
 
-/* A pair that is in a texel, or is not, which turns with that much. It is shown there until it leaves; and it may come
- * where it is not behind the shown pair, or so near behind that this turns, too. */
+/* The margin of a texel by a pair that is in the texel or not, and turns within `margin`. The shown pair may leave.
+ * Another pair may come if it is not behind the shown pair, or so near behind that this order turns too. */
 TS_FN void ts_k_place_turns(const ts_view_map_margin_args *args, const ts_placed *pair, u64 texel, bool is_there,
                             f32 turns)
 {
@@ -138,7 +139,7 @@ TS_FN void ts_k_place_turns(const ts_view_map_margin_args *args, const ts_placed
 	if (margin <= TS_MARGIN_REACH) ts_k_least_bits(&args->margin[texel], margin);
 }
 
-/* In the texel of its middle, and in those that rounding may give that. */
+/* Margins in the texel of the pair's middle, and in those into which rounding may move the middle. */
 TS_FN void ts_k_middle_margin(const ts_view_map_margin_args *args, const ts_placed *pair, u64 first, ts_v3 vs)
 {
 	u32 n = args->pyramid.n;
@@ -159,7 +160,8 @@ TS_FN void ts_k_middle_margin(const ts_view_map_margin_args *args, const ts_plac
 	ts_k_place_turns(args, pair, first + own, true, leaves);
 }
 
-/* Of `inside`, and 0, in steps of its error: 8 ulps of the distance, by the cosine of the ball's angular radius. */
+/* The margin of `inside` against 0, in steps of its error: 8 ulps of the distance, divided by the cosine of the ball's
+ * angular radius. */
 TS_FN f32 ts_k_cap_margin(const ts_cap *cap, f32 d, f32 inside)
 {
 	f32 edge = ts_max(0.5f * (cap->b - cap->c), d * TS_MARGIN_LEAST_SINE);
@@ -167,10 +169,10 @@ TS_FN f32 ts_k_cap_margin(const ts_cap *cap, f32 d, f32 inside)
 	return unit > 0.0f ? ts_abs(inside) / unit : TS_MARGIN_NOWHERE;
 }
 
-/* How near a ball is to be filled, or not to be: of its width and a texel, in 16 ulps. */
+/* The margin of a ball's being filled: of its width against a texel, in 16 ulps. */
 TS_FN f32 ts_k_width_margin(const ts_placed *pair) { return ts_abs(pair->width - 1.0f) / (2.0f * TS_MARGIN_ROUNDING); }
 
-/* In a texel that a wide ball fills, unless a coarser one that holds it is filled. */
+/* Margins in a texel that a wide ball fills, unless a coarser texel that contains it is filled. */
 TS_FN void ts_k_texel_margin(const ts_view_map_margin_args *args, const ts_placed *pair, const ts_cap *cap, u64 texel,
                              u32 level, u32 column, u32 row)
 {
@@ -206,7 +208,7 @@ TS_FN void ts_k_fill_margin(const ts_view_map_margin_args *args, const ts_placed
 	}
 }
 
-/* A pair in the texels that it is in, and in those that rounding may give it. */
+/* Margins of a pair in the texels that it is in, and in those to which rounding may move it. */
 TS_FN void ts_k_placed_margin(const ts_view_map_margin_args *args, u64 pair, f32 fate_margin, bool rendered)
 {
 	TS_GLOBAL const ts_node *node = &args->of.nodes[ts_k_pair_node(pair)];

@@ -1,4 +1,5 @@
-/* The octree of the views, here virtual point lights: every view in the leaf voxel that holds it (METHODS 12). */
+/* The octree of the views, which are virtual point lights: every view is in the leaf voxel that contains it (METHODS
+ * 12). */
 #ifndef TS_KERNELS_VIEW_OCTREE_H
 #define TS_KERNELS_VIEW_OCTREE_H
 #include "../base/args.h"

@@ -1,6 +1,6 @@
 /* Views without a hierarchy, as ManyLoDs renders them (MegaViews section 4.1; METHODS 13): every virtual point light is
- * a root and a leaf of its own, of radius 0. And every pair of a leaf of the scene and such a view, for maps by brute
- * force. */
+ * a root and a leaf by itself, of radius 0. For maps by brute force, every pair of a leaf of the scene and such a
+ * view. */
 #ifndef TS_KERNELS_VIEW_OCTREE_ALONE_H
 #define TS_KERNELS_VIEW_OCTREE_ALONE_H
 #include "../base/args.h"
@@ -43,7 +43,7 @@ TS_FN void ts_k_view_octree_alone_item(const ts_view_octree_alone_args *args, u6
 	ARG(VALUE, u32, n_leaves, none) /* of the scene */
 TS_ARGS(ts_view_map_all_args);
 
-/* scatter over all leaves of the scene for each view: those that it may see */
+/* scatter over all leaves of the scene for each view: renders those that the view may see */
 TS_FN void ts_k_view_map_all_item(const ts_view_map_all_args *args, u64 i)
 {
 	u64 pair = ts_k_pair(args->first + (u32)(i % args->n_leaves), (u32)(i / args->n_leaves));

@@ -1,6 +1,7 @@
-/* The cones of the view octree (MegaViews section 3.1, figure 3; METHODS 12): of each node the axis is the sum of the
- * directions of the views below it, the angle the greatest to one of them. Sums are of integers in 2^-30, of fewer than
- * 2^32 views: below 2^62. The least cosine is a minimum of ordered bits (root.h). */
+/* The cones of the view octree (MegaViews section 3.1, figure 3; METHODS 12): the axis of a node is along the sum of
+ * the directions of the views below it, the angle is the greatest between the axis and one of the directions. Sums are
+ * integers in units of 2^-30, of fewer than 2^32 views, so below 2^62. The least cosine is a minimum of ordered bits
+ * (octree_root.h). */
 #ifndef TS_KERNELS_VIEW_OCTREE_CONE_H
 #define TS_KERNELS_VIEW_OCTREE_CONE_H
 #include "../base/args.h"
@@ -62,7 +63,7 @@ TS_FN void ts_k_cone_inner_item(const ts_cone_args *args, u64 i)
 	ts_k_cone_store(args, args->first + i, sum, args->cones[node->child].first, n);
 }
 
-/* scatter over views: into the nodes above */
+/* scatter over views: into the nodes above each */
 TS_FN void ts_k_cone_least_item(const ts_cone_args *args, u64 i)
 {
 	ts_v3 direction = ts_load3(args->views[i].normal);

@@ -1,15 +1,15 @@
-/* Which leaf voxels a triangle touches: exactly those whose closed box meets the triangle snapped to the lattice
- * (root.h). The posed triangle is at most half a step away from that, and what rounding adds, below a hundredth of a
- * voxel.
+/* The leaf voxels that a triangle touches: exactly those whose closed box meets the triangle snapped to the lattice
+ * (octree_root.h). The posed triangle is at most half a step and the rounding error away from the snapped one, less
+ * than a hundredth of a voxel.
  *
- * Box and triangle meet unless one of 13 axes parts them: the box's three, the normal and the products of edges and box
- * axes, which are the edges' normals seen along each axis (Schwarz and Seidel 2010). Each asks that a linear form of
- * the voxel's indices is in a range, so that voxels are found by narrowing ranges: rows, then columns along the
- * normal's longest component, then the few voxels of a column. Triangles that are a line or a point in the lattice are
- * no exception.
+ * Box and triangle meet unless one of 13 axes separates them: the three of the box, the normal, and the products of
+ * edges and box axes, which are the normals of the edges seen along each axis (Schwarz and Seidel 2010). Each test asks
+ * whether a linear form of the voxel's indices is in a range, so voxels are found by narrowing ranges: rows, then
+ * columns along the normal's longest component, then the few voxels of a column. Triangles that are a line or a point
+ * in the lattice are treated alike.
  *
- * Coordinates are at most 2^19 in the lattice. Of an edge's form the factors are at most 2^27, its values 2^40; of the
- * normal's 2^47 and 3 2^58, so that differences of two stay below 2^62. */
+ * Coordinates are at most 2^19 in the lattice. The factors of an edge's form are at most 2^27, its values 2^40; those
+ * of the normal's form 2^47 and 3 2^58, so that differences of two values stay below 2^62. */
 #ifndef TS_KERNELS_VOXEL_H
 #define TS_KERNELS_VOXEL_H
 #include "../base/args.h"
@@ -27,7 +27,7 @@ typedef struct {
 	i64 first, last;
 } ts_range;
 
-/* In coordinates that are turned until the normal's longest component is the third. */
+/* A triangle in coordinates that are turned until the normal's longest component is the third. */
 typedef struct {
 	ts_range box[3];
 	ts_form edge[9]; /* seen along the third axis, the first, the second */
@@ -38,7 +38,7 @@ typedef struct {
 TS_FN i64 ts_k_least_i64(i64 a, i64 b) { return b < a ? b : a; }
 TS_FN i64 ts_k_most_i64(i64 a, i64 b) { return a < b ? b : a; }
 
-/* What of a range fulfils low <= step k <= high. */
+/* The part of a range with low <= step k <= high. */
 TS_FN ts_range ts_k_narrow(ts_range r, i64 step, i64 low, i64 high)
 {
 	i64 from = step < 0 ? -high : low;
@@ -56,7 +56,7 @@ TS_FN ts_range ts_k_narrow(ts_range r, i64 step, i64 low, i64 high)
 	return r;
 }
 
-/* n.(256 (i, j, k) + box) meets [low, high]: of voxels' lower corners. */
+/* The form of voxels (i, j, k) for which n.(256 (i, j, k) + box) meets [low, high]. */
 TS_FN ts_form ts_k_form(i64 a, i64 b, i64 c, i64 low, i64 high)
 {
 	ts_form r;
@@ -68,8 +68,8 @@ TS_FN ts_form ts_k_form(i64 a, i64 b, i64 c, i64 low, i64 high)
 	return r;
 }
 
-/* The normal (a, b) of the edge from p to q seen along an axis, with the triangle between the edge and o: its
- * interval. */
+/* The normal (a, b) of the edge from p to q seen along an axis, and the interval of the triangle, which lies between
+ * the edge and o. */
 typedef struct {
 	i64 a, b, low, high;
 } ts_side;
@@ -97,7 +97,7 @@ TS_FN void ts_k_touch_edge(ts_touch *t, u32 k, const ts_i3 *p, const ts_i3 *q, c
 	t->edge[k + 6u] = ts_k_form(s.b, 0, s.a, s.low, s.high);
 }
 
-/* Voxels whose closed interval meets that of the coordinates. */
+/* The range of voxels whose closed interval meets that of the coordinates. */
 TS_FN ts_range ts_k_touch_range(i32 a, i32 b, i32 c, i32 last)
 {
 	i32 low = ts_min_i32(a, ts_min_i32(b, c));
@@ -137,7 +137,7 @@ TS_FN ts_i3 ts_k_turned_back(ts_i3 p, u32 turn)
 	return turn == 0u ? ts_i3_make(p.z, p.x, p.y) : turn == 1u ? ts_i3_make(p.y, p.z, p.x) : p;
 }
 
-/* The axis of the normal's longest component, the lowest on ties. */
+/* The axis of the normal's longest component; of equal components the lowest axis. */
 TS_FN u32 ts_k_touch_turn(ts_l3 n)
 {
 	i64 x = n.x < 0 ? -n.x : n.x;
@@ -146,7 +146,7 @@ TS_FN u32 ts_k_touch_turn(ts_l3 n)
 	return x >= y && x >= z ? 0u : y >= z ? 1u : 2u;
 }
 
-/* Corners in the lattice; voxels have indices up to last. */
+/* Sets up the tests of a triangle with corners a, b, c in the lattice; voxels have indices up to `last`. */
 TS_FN ts_touch ts_k_touch(ts_i3 a, ts_i3 b, ts_i3 c, i32 last)
 {
 	ts_touch r;
@@ -166,7 +166,7 @@ TS_FN ts_touch ts_k_touch(ts_i3 a, ts_i3 b, ts_i3 c, i32 last)
 	return r;
 }
 
-/* Voxels i of row j, seen along the third axis. */
+/* The range of voxels i of row j, seen along the third axis. */
 TS_FN ts_range ts_k_touch_row(const ts_touch *t, i64 j)
 {
 	ts_range r = t->box[0];
@@ -177,14 +177,14 @@ TS_FN ts_range ts_k_touch_row(const ts_touch *t, i64 j)
 	return r;
 }
 
-/* Voxels k of column (i, j) that the plane meets. */
+/* The range of voxels k of column (i, j) that the plane meets. */
 TS_FN ts_range ts_k_touch_column(const ts_touch *t, i64 i, i64 j)
 {
 	i64 at = t->plane.a * i + t->plane.b * j;
 	return ts_k_narrow(t->box[2], t->plane.c, t->plane.low - at, t->plane.high - at);
 }
 
-/* The axes that are left. */
+/* The tests of the remaining axes. */
 TS_FN bool ts_k_touch_voxel(const ts_touch *t, i64 i, i64 j, i64 k)
 {
 	for (u32 e = 3u; e < 9u; e++) {
@@ -206,13 +206,14 @@ TS_FN bool ts_k_touch_voxel(const ts_touch *t, i64 i, i64 j, i64 k)
 	ARG(VALUE, u32, first_leaf, none) /* a node */
 TS_ARGS(ts_voxel_args);
 
-/* Of the triangle's point that is nearest to a place. */
+/* The weights of the triangle's point nearest to p. */
 TS_FN ts_v3 ts_k_nearest_weights(const ts_corners *t, ts_v3 p)
 {
 	return ts_k_hit_barycentrics(ts_k_closest_on_triangle(p, t->a, t->b, t->c), t);
 }
 
-/* A masked triangle is not in the voxels whose middle it shows a hole, a voxel wide. */
+/* Whether a masked triangle shows a hole to the voxel's middle, with the footprint of a voxel; then it is not in the
+ * voxel. */
 TS_FN bool ts_k_voxel_is_cut(const ts_voxel_args *args, u32 triangle, const ts_corners *t, ts_i3 voxel)
 {
 	if (!ts_k_is_masked(&args->scene, triangle)) return false;

@@ -1,8 +1,8 @@
-/* Virtual point lights (instant radiosity, MegaViews section 4.1; METHODS 12): paths from the texels of the reflective
- * shadow maps that send light on, from all of them or from so many at random, with repetition; or from places at random
- * on all surfaces, by area. A path leaves a light there and at each of its later reflections, whose directions are
- * cosine-distributed, so that the albedo is all that is lost. Lights stand half a leaf's side above the surface, for in
- * the voxel of its own surface a light is in its shadow (METHODS 13). */
+/* Virtual point lights (instant radiosity, MegaViews section 4.1; METHODS 12). Paths begin at the texels of the
+ * reflective shadow maps that reflect light, at all of them or at n random ones, with repetition; or at random places
+ * on all surfaces, by area. A path leaves a light at its beginning and at each later reflection. Directions are
+ * cosine-distributed, so that a reflection multiplies the flux by the albedo alone. Lights stand half a leaf's side
+ * above the surface, since in the voxel of its own surface a light would be in its shadow (METHODS 13). */
 #ifndef TS_KERNELS_VPL_H
 #define TS_KERNELS_VPL_H
 #include "../base/args.h"
@@ -20,7 +20,7 @@
 	ARG(IN_OPT, ts_light, lamps, lamp_light) \
 	ARG(VALUE, u32, n_lamps, none) \
 	ARG(VALUE, u64, n_patches, none) \
-	ARG(VALUE, u32, n_lit, none) /* patches that send light on */ \
+	ARG(VALUE, u32, n_lit, none) /* patches that reflect light */ \
 	ARG(VALUE, u32, n, none)     /* paths; n_lit unless random */ \
 	ARG(VALUE, u32, random, none) \
 	ARG(VALUE, u32, seed, none) \
@@ -34,16 +34,16 @@ typedef struct {
 } ts_light_k;
 
 #define TS_STREAM_VPL 4u
-#define TS_VPL_PLACE 9u /* random numbers from here on: place and side; before them those of 4 bounces */
+#define TS_VPL_PLACE 9u /* first random number of place and side; those of 4 bounces come before */
 
-/* map over texels: 1 where it sends light on */
+/* map over texels: 1 where a texel reflects light */
 TS_FN void ts_k_vpl_count_item(const ts_vpl_args *args, u64 i)
 {
 	TS_GLOBAL const f32 *exitance = args->patches[i].exitance;
 	args->offset[i] = exitance[0] > 0.0f || exitance[1] > 0.0f || exitance[2] > 0.0f ? 1u : 0u;
 }
 
-/* The texel that sends light on before which there are `rank` others. */
+/* Of the texels that reflect light the one with `rank` others before it. */
 TS_FN u64 ts_k_vpl_texel(const ts_vpl_args *args, u32 rank)
 {
 	u64 low = 0u;
@@ -63,14 +63,14 @@ TS_FN u32 ts_k_vpl_random(const ts_vpl_args *args, u32 path, u32 which)
 	return ts_random(path ^ ts_pcg(which), TS_STREAM_VPL, args->seed);
 }
 
-/* The texel that a path begins at. */
+/* The texel at which a path begins. */
 TS_FN u64 ts_k_vpl_start(const ts_vpl_args *args, u32 path)
 {
 	u32 chance = ts_k_vpl_random(args, path, 0u);
 	return ts_k_vpl_texel(args, args->random != 0u ? (u32)(((u64)chance * args->n_lit) >> 32) : path);
 }
 
-/* The triangle of light of a path's texel. */
+/* The first light of a path that begins at a texel. */
 TS_FN ts_light_k ts_k_vpl_of_texel(const ts_vpl_args *args, u32 path)
 {
 	TS_GLOBAL const ts_patch *patch = &args->patches[ts_k_vpl_start(args, path)];
@@ -88,8 +88,8 @@ TS_FN ts_light_k ts_k_vpl_of_texel(const ts_vpl_args *args, u32 path)
 	return r;
 }
 
-/* Nothing is between a lamp and a place on a triangle. From the lamp on, as its map sees: single-sided triangles have
- * no backs. */
+/* Whether nothing is between a lamp and a place on a triangle. The ray begins at the lamp, like the lamp's map: the
+ * backs of single-sided triangles let light pass. */
 TS_FN bool ts_k_vpl_is_lit(const ts_cast_args *cast, TS_GLOBAL const ts_light *lamp, u32 triangle, ts_v3 p)
 {
 	ts_v3 away = ts_scale(ts_load3(lamp->direction), -4.0f * cast->nodes[0].radius);
@@ -99,7 +99,7 @@ TS_FN bool ts_k_vpl_is_lit(const ts_cast_args *cast, TS_GLOBAL const ts_light *l
 	return hit.triangle == triangle || hit.t >= ts_length(way) * 0.999755859375f;
 }
 
-/* What a place on a triangle receives of all lamps. */
+/* The irradiance of a place on a triangle from all lamps. */
 TS_FN ts_v3 ts_k_vpl_received(const ts_vpl_args *args, u32 triangle, ts_v3 p, ts_v3 n)
 {
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
@@ -114,7 +114,7 @@ TS_FN ts_v3 ts_k_vpl_received(const ts_vpl_args *args, u32 triangle, ts_v3 p, ts
 	return sum;
 }
 
-/* Weights of a place at random in a triangle, as dense everywhere. */
+/* Weights of a random place in a triangle, uniform by area. */
 TS_FN ts_v3 ts_k_vpl_weights(const ts_vpl_args *args, u32 path)
 {
 	f32 across = ts_sqrt(ts_uniform(ts_k_vpl_random(args, path, TS_VPL_PLACE)));
@@ -131,8 +131,9 @@ TS_FN u32 ts_k_vpl_surface(const ts_vpl_args *args, u32 path)
 	return ts_k_vpl_triangle(args->areas, n, (u32)((chance * args->areas[n]) >> 32));
 }
 
-/* A light there, on either side of what has two; none where a mask cuts the surface away. It sends on what it receives,
- * with the area of its triangle divided by the chance to begin there. */
+/* The first light of a path that begins at random, on either side of a two-sided surface; none where a mask cuts the
+ * surface away. Its flux is the reflected irradiance times the triangle's area over the expected number of paths that
+ * begin there. */
 TS_FN ts_light_k ts_k_vpl_anywhere(const ts_vpl_args *args, u32 path)
 {
 	const ts_arrays *scene = &args->cast.scene;
@@ -158,7 +159,7 @@ TS_FN ts_light_k ts_k_vpl_first(const ts_vpl_args *args, u32 path)
 	return args->areas != NULL ? ts_k_vpl_anywhere(args, path) : ts_k_vpl_of_texel(args, path);
 }
 
-/* Cosine-distributed about n: a point of the unit disc across n, raised to the sphere. */
+/* A direction that is cosine-distributed about n: a point of the unit disc across n, projected up to the sphere. */
 TS_FN ts_v3 ts_k_vpl_direction(const ts_vpl_args *args, u32 path, u32 bounce, ts_v3 n)
 {
 	f32 square = ts_uniform(ts_k_vpl_random(args, path, 2u * bounce - 1u));
@@ -171,7 +172,7 @@ TS_FN ts_v3 ts_k_vpl_direction(const ts_vpl_args *args, u32 path, u32 bounce, ts
 	return ts_normalize(ts_mad(across, n, up));
 }
 
-/* The next light of a path; false if it leaves the scene or meets what is black. */
+/* The next light of a path; false if the path leaves the scene or meets a black surface. */
 TS_FN bool ts_k_vpl_next(const ts_vpl_args *args, u32 path, ts_light_k *light)
 {
 	ts_v3 d = ts_k_vpl_direction(args, path, light->bounce, light->n);
@@ -185,7 +186,7 @@ TS_FN bool ts_k_vpl_next(const ts_vpl_args *args, u32 path, ts_light_k *light)
 	return light->flux.x > 0.0f || light->flux.y > 0.0f || light->flux.z > 0.0f;
 }
 
-/* map over paths: how many lights each leaves */
+/* map over paths: number of lights that each leaves */
 TS_FN void ts_k_vpl_path_item(const ts_vpl_args *args, u64 i)
 {
 	ts_light_k light = ts_k_vpl_first(args, (u32)i);

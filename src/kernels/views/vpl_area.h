@@ -1,5 +1,6 @@
-/* Areas of the scene's triangles, by which views stand at random on its surfaces (MegaViews section 4.1, figure 11;
- * METHODS 12): in 2^-24 of the root cube's square, one more of what has area, both sides of what has two. */
+/* Areas of the scene's triangles, by which paths begin at random on its surfaces (MegaViews section 4.1, figure 11;
+ * METHODS 12), in units of 2^-24 of a face of the root cube, plus one unit if the triangle has area. Of two-sided
+ * triangles both sides count. */
 #ifndef TS_KERNELS_VPL_AREA_H
 #define TS_KERNELS_VPL_AREA_H
 #include "../base/args.h"
@@ -12,7 +13,7 @@
 	ARG(OUT, u32, areas, vpl_area) /* then their prefix sums */
 TS_ARGS(ts_vpl_area_args);
 
-/* Both sides of a triangle that has two. */
+/* The area of a triangle; of both sides if it is two-sided. */
 TS_FN f32 ts_k_vpl_sides(const ts_arrays *scene, u32 triangle, const ts_corners *t)
 {
 	f32 twice = ts_length(t->n);
@@ -29,7 +30,7 @@ TS_FN void ts_k_vpl_area_item(const ts_vpl_area_args *args, u64 i)
 	args->areas[i] = none ? 0u : 1u + (u32)ts_f2i(ts_min(squares * 16777216.0f, 1073741824.0f));
 }
 
-/* The triangle that holds a place of the sums. */
+/* The triangle to which a number below the total of the prefix sums belongs. */
 TS_FN u32 ts_k_vpl_triangle(TS_GLOBAL const u32 *areas, u32 n, u32 place)
 {
 	u32 low = 0u;

@@ -1,8 +1,8 @@
-/* Light that pixels gather from virtual point lights (MegaViews section 5.1; METHODS 14): of the views in the list of
- * the pixel's node so many at random, with repetition, or each. A light is a small Lambertian patch, E = flux / pi cos
- * cos / d^2, whose d is bounded from below, which keeps a near light from being a bright spot; or without a direction
- * sends the same to all sides, E = flux / (4 pi) cos / d^2. Its own leaf's map, moved to where it is itself, tells what
- * is in its shadow: the whole one, or where maps are not fused what those from the root down show. */
+/* Light that pixels gather from virtual point lights (MegaViews section 5.1; METHODS 14). A pixel takes `draws` random
+ * views of the list of its node, with repetition, or all of them. A light with a direction is a small Lambertian patch,
+ * E = flux / pi cos cos / d^2; a light without a direction sends the same to all sides, E = flux / (4 pi) cos / d^2. d
+ * is bounded from below, so that a near light is no bright spot. Shadows are those of the fused map of the light's
+ * leaf, moved to the light; where maps are not fused, the maps from the root down are looked up. */
 #ifndef TS_KERNELS_VPL_GATHER_H
 #define TS_KERNELS_VPL_GATHER_H
 #include "../base/args.h"
@@ -27,23 +27,23 @@
 	ARG(IN, ts_vpl, lights, vpl_light) \
 	ARG(IN, u32, depths, view_map_fused_depth) /* NULL: maps are not fused */ \
 	ARG(IN, u32, shown, view_map_fused_node) \
-	ARG(INNER, ts_view_map_fuse_args, unfused, none) /* instead of these */ \
+	ARG(INNER, ts_view_map_fuse_args, unfused, none) /* in place of the fused maps */ \
 	ARG(IN, ts_node, scene, octree_node) \
 	ARG(OUT, f32, irradiance, vpl_gather_irradiance) \
-	ARG(TALLY, i64, n_astray, 0) /* pixels that no node of the level holds */ \
+	ARG(TALLY, i64, n_astray, 0) /* pixels in no node of the level */ \
 	ARG(VALUE, u32, levels, none) \
 	ARG(VALUE, u32, level, none) /* of the lists */ \
 	ARG(VALUE, u32, first, none) /* node of list 0 */ \
 	ARG(VALUE, u32, n_lights, none) \
 	ARG(VALUE, u32, draws, none) /* 0: every light of the list */ \
 	ARG(VALUE, u32, seed, none) \
-	ARG(VALUE, u32, n, none) /* texels a side of a map */ \
+	ARG(VALUE, u32, n, none) /* texels per side of a map */ \
 	ARG(VALUE, u32, shadows, none) \
 	ARG(VALUE, f32, near, none) /* sides of a leaf */ \
 	ARG(VALUE, f32, bias, none) /* diagonals of a leaf */ \
 	ARG(VALUE, f32, bias_px, none) \
 	ARG(VALUE, f32, bias_slope, none) /* texels of a map */ \
-	ARG(VALUE, u32, by_plane, none)   /* what stops light lies above the tangent plane */ \
+	ARG(VALUE, u32, by_plane, none)   /* not 0: only nodes above the tangent plane block */ \
 	ARG(VALUE, f32, bias_plane, none) /* radii of a node */
 TS_ARGS(ts_vpl_gather_args);
 
@@ -53,12 +53,12 @@ TS_FN f32 ts_k_leaf_diagonal(const ts_vpl_gather_args *args)
 	return ts_k_leaf_side(args) * 1.73205077648162841796875f;
 }
 
-/* Entries from `from` on, up to `to`; TS_NONE, TS_NONE: all views. */
+/* The entries from `from` up to `to`, not included; both TS_NONE: all views. */
 typedef struct {
 	u32 from, to, views;
 } ts_view_list;
 
-/* The node of the lists' level that holds a place; TS_NONE: there is none. */
+/* The node of the lists' level that contains p; TS_NONE: there is none. */
 TS_FN u32 ts_k_list_node(const ts_vpl_gather_args *args, ts_v3 p)
 {
 	u64 code = ts_k_morton(ts_k_voxel_of(args->root, args->levels, p)) >> (3u * (args->levels - args->level));
@@ -81,7 +81,7 @@ TS_FN ts_view_list ts_k_pixel_list(const ts_vpl_gather_args *args, ts_v3 p)
 	return r;
 }
 
-/* The view before which there are `rank` others. */
+/* The view of a list with `rank` others before it. */
 TS_FN u32 ts_k_list_view(const ts_vpl_gather_args *args, const ts_view_list *list, u32 rank)
 {
 	if (list->from == TS_NONE) return rank;
@@ -97,8 +97,8 @@ TS_FN u32 ts_k_list_view(const ts_vpl_gather_args *args, const ts_view_list *lis
 	return args->views[args->cones[args->list[low]].first + (rank - first)];
 }
 
-/* How far behind what a map shows a place is lit: so many diagonals of a leaf, and as far as the surface there
- * reaches back within so many texels, each (d + |x|) 2 / N wide. */
+/* Depth bias: `bias` diagonals of a leaf, plus bias_px + bias_slope times the slope of the receiver texels of the map,
+ * each (d + |x|) 2 / N wide. */
 TS_FN f32 ts_k_vpl_slack(const ts_vpl_gather_args *args, ts_v3 way, ts_v3 n)
 {
 	f32 d = ts_length(way);
@@ -113,8 +113,7 @@ TS_FN f32 ts_k_vpl_slack(const ts_vpl_gather_args *args, ts_v3 way, ts_v3 n)
 	return wide + leaf;
 }
 
-/* What a texel of the map of a light's leaf shows, distance << 32 | node of the scene; node TS_NONE:
- * nothing. */
+/* The entry of a texel of the map of a light's leaf, distance << 32 | node of the scene; node TS_NONE: nothing. */
 TS_FN u64 ts_k_vpl_shown(const ts_vpl_gather_args *args, u32 view, u32 texel)
 {
 	u32 leaf = args->leaves[view];
@@ -123,8 +122,8 @@ TS_FN u64 ts_k_vpl_shown(const ts_vpl_gather_args *args, u32 view, u32 texel)
 	return ((u64)args->depths[at] << 32) | args->shown[at];
 }
 
-/* How far a light reaches in the direction of a place by what a texel of its leaf's map shows: as far as that, and
- * slack. */
+/* The distance up to which a light reaches in the direction of p: that of the node that a texel of its leaf's map
+ * shows, plus the bias. */
 TS_FN f32 ts_k_vpl_reach(const ts_vpl_gather_args *args, u32 view, u64 shown, u32 texel, ts_v3 p, ts_v3 n)
 {
 	ts_v3 centre = ts_load3(args->nodes[args->leaves[view]].centre);
@@ -133,19 +132,19 @@ TS_FN f32 ts_k_vpl_reach(const ts_vpl_gather_args *args, u32 view, u64 shown, u3
 	return ts_k_moved_depth(centre, depth, light, texel, args->n) + ts_k_vpl_slack(args, ts_sub(p, light), n);
 }
 
-/* How far the middle of a node lies above the tangent plane of a place. */
+/* Height of the middle of a node above the tangent plane of p. */
 TS_FN f32 ts_k_node_height(TS_GLOBAL const ts_node *node, ts_v3 p, ts_v3 n)
 {
 	return ts_dot(ts_sub(ts_load3(node->centre), p), n);
 }
 
-/* Up to so far above a tangent plane a node may be of the very surface, however much of that one texel shows. */
+/* Height above a tangent plane up to which a node may be of the receiver's own surface. */
 TS_FN f32 ts_k_vpl_clear(const ts_vpl_gather_args *args, TS_GLOBAL const ts_node *node)
 {
 	return args->bias_plane * node->radius;
 }
 
-/* Nothing that a texel of its leaf's map shows stops light on its way to a place. */
+/* Whether the node that a texel of the leaf's map shows leaves the way from the light to p free. */
 TS_FN bool ts_k_vpl_reaches(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
 {
 	u64 shown = ts_k_vpl_shown(args, view, texel);
@@ -156,14 +155,14 @@ TS_FN bool ts_k_vpl_reaches(const ts_vpl_gather_args *args, u32 view, u32 texel,
 	return args->by_plane != 0u && ts_k_node_height(node, p, n) <= ts_k_vpl_clear(args, node);
 }
 
-/* How much of its flux a light sends where it sends it, by pi: the cosine, or without a direction a quarter. */
+/* The emitted flux per solid angle, times pi over the flux: the cosine; a quarter for a light without a direction. */
 TS_FN f32 ts_k_vpl_leaves(ts_v3 direction, ts_v3 from)
 {
 	bool all = from.x == 0.0f && from.y == 0.0f && from.z == 0.0f;
 	return all ? 0.25f : ts_dot(direction, from);
 }
 
-/* The form factor: what leaves the light, times the cosine at the place, times 1 / (pi max(d, near)^2). */
+/* Form factor: emitted cosine times received cosine over pi max(d, near)^2. */
 TS_FN f32 ts_k_vpl_form(ts_v3 way, ts_v3 from, ts_v3 n, f32 near)
 {
 	ts_v3 direction = ts_normalize(way);
@@ -187,7 +186,7 @@ TS_FN ts_v3 ts_k_vpl_light(const ts_vpl_gather_args *args, u32 view, ts_v3 p, ts
 	return ts_scale(ts_load3(light->flux), lit ? form : 0.0f);
 }
 
-/* Lights that a pixel takes of a list. */
+/* Number of lights that a pixel takes from a list. */
 TS_FN u32 ts_k_list_draws(const ts_vpl_gather_args *args, const ts_view_list *list)
 {
 	return args->draws != 0u ? args->draws : list->views;

@@ -1,7 +1,7 @@
-/* How near the light that pixels gather was to another, for ports that round otherwise (PORTING 7): a second pass,
- * which changes nothing that vpl_gather.h decided of the lists and maps that it was given. A pixel may be of another
- * node, and so of another list; and each of its lights may fall into another texel, or be seen or not be. Where light
- * comes or goes at cosine 0, it is none. */
+/* Margins of vpl_gather.h, for ports that round otherwise (PORTING 7): how near the light of pixels was to another.
+ * This second pass takes lists and maps as given and changes no decision. A pixel may fall into another node, and so
+ * take another list; each of its lights may fall into another texel, or be seen or not. Light that appears or
+ * disappears at cosine 0 is none. */
 #ifndef TS_KERNELS_VPL_GATHER_MARGIN_H
 #define TS_KERNELS_VPL_GATHER_MARGIN_H
 #include "../base/args.h"
@@ -9,14 +9,15 @@
 #include "vpl_gather.h"
 
 #define TS_MARGIN_SLOPE \
-	0.00000762939453125f /* part of the slack that rounding may change: up to 16 steps of a cosine */
+	0.00000762939453125f /* share of the bias that rounding may change: up to 16 steps of a cosine */
 
 #define TS_ROWS_ts_vpl_gather_margin_args(ARG) \
 	ARG(INNER, ts_vpl_gather_args, of, none) \
 	ARG(OUT, f32, margin, vpl_gather_margin)
 TS_ARGS(ts_vpl_gather_margin_args);
 
-/* Of a coordinate and the nearest side of a node of the lists' level, in 2^-20 of the root cube; none is outside it. */
+/* The margin of a coordinate against the nearest side of a node of the lists' level, in 2^-20 of the root cube; there
+ * are no nodes outside the root. */
 TS_FN f32 ts_k_side_margin(const ts_vpl_gather_args *args, f32 coordinate, f32 lower)
 {
 	f32 nodes = (f32)(1u << args->level);
@@ -36,13 +37,13 @@ TS_FN f32 ts_k_list_margin(const ts_vpl_gather_args *args, ts_v3 p)
 	return ts_min(x, ts_min(y, z));
 }
 
-/* What is answered, and how near that was to the other answer, in what rounding changes. */
+/* An answer, and its distance from the other answer, in steps of rounding. */
 typedef struct {
 	bool reaches;
 	f32 margin;
 } ts_answer;
 
-/* What a texel of a light's map shows is too far to be in the way. */
+/* Whether the node that a texel of a light's map shows is too far to block. */
 TS_FN ts_answer ts_k_vpl_depth_answer(const ts_vpl_gather_args *args, u32 view, u64 shown, u32 texel, ts_v3 p, ts_v3 n)
 {
 	ts_v3 way = ts_sub(p, ts_load3(args->lights[view].position));
@@ -57,7 +58,7 @@ TS_FN ts_answer ts_k_vpl_depth_answer(const ts_vpl_gather_args *args, u32 view, 
 	return r;
 }
 
-/* It is too near the tangent plane to be. */
+/* Whether the shown node is too near the tangent plane to block. */
 TS_FN ts_answer ts_k_vpl_plane_answer(const ts_vpl_gather_args *args, u32 shown, ts_v3 p, ts_v3 n)
 {
 	TS_GLOBAL const ts_node *node = &args->scene[shown];
@@ -70,7 +71,7 @@ TS_FN ts_answer ts_k_vpl_plane_answer(const ts_vpl_gather_args *args, u32 shown,
 	return r;
 }
 
-/* Either lights the place. */
+/* Whether the place is lit: by either of the two answers. */
 TS_FN ts_answer ts_k_vpl_answer(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
 {
 	u64 shown = ts_k_vpl_shown(args, view, texel);
@@ -86,7 +87,7 @@ TS_FN ts_answer ts_k_vpl_answer(const ts_vpl_gather_args *args, u32 view, u32 te
 	return r;
 }
 
-/* The texel that a light's way falls into, and those behind its nearest edges. */
+/* The margin over the texel into which a light's way falls and the texels beyond its nearest edges. */
 TS_FN f32 ts_k_vpl_reach_margin(const ts_vpl_gather_args *args, u32 view, ts_v3 p, ts_v3 n)
 {
 	ts_v3 way = ts_sub(p, ts_load3(args->lights[view].position));

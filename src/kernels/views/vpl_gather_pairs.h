@@ -1,13 +1,13 @@
-/* Which views may light what: for every node of the scene of one level a list of the nodes of views of that level that
- * culling leaves, by the same traversal (MegaViews section 5.1; METHODS 14). With the sums of their views one random
- * number names a view. */
+/* The views that may light each part of the scene: for every node of the scene at one level a list of the nodes of
+ * views at that level that are not culled, by the traversal of traverse.h (MegaViews section 5.1; METHODS 14). By the
+ * prefix sums of their views one random number picks a view. */
 #ifndef TS_KERNELS_VPL_GATHER_PAIRS_H
 #define TS_KERNELS_VPL_GATHER_PAIRS_H
 #include "../base/args.h"
 #include "traverse.h"
 
 #define TS_ROWS_ts_vpl_gather_pairs_args(ARG) \
-	ARG(WORK_IN, u64, pairs, queue) /* what is left of a queue */ \
+	ARG(WORK_IN, u64, pairs, queue) /* the pairs that are left of a queue */ \
 	ARG(IN, ts_cone, cones, view_octree_cone) \
 	ARG(SUM, u32, offset, vpl_gather_pair_offset) /* one later */ \
 	ARG(OUT, u32, nodes, vpl_gather_pair_node) \
