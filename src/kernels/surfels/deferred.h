@@ -1,7 +1,7 @@
-/* Deferred shaders over a G-buffer (NV40: Phong Shading, NV40: NPR Shading; METHODS 16): once per
- * pixel, however many surfels overlap there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32. NPR
- * paints in three tones without a highlight, and draws a black outline where the surface ends in front of a farther one
- * or the sky. */
+/* Deferred shaders over a G-buffer (NV40: Phong Shading, NV40: NPR Shading; METHODS 16): a pixel is shaded once,
+ * however many surfels overlap there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32. NPR paints in
+ * three tones without a highlight, and draws a black outline where the surface ends in front of a farther surface or
+ * the sky. */
 #ifndef TS_KERNELS_DEFERRED_H
 #define TS_KERNELS_DEFERRED_H
 #include "../base/args.h"
@@ -43,7 +43,7 @@ TS_FN f32 ts_k_highlight(ts_v3 n, ts_v3 v, ts_v3 l)
 	return TS_HIGHLIGHT * x;
 }
 
-/* What a share of one light adds to the radiance, by Lambert's law and the highlight. */
+/* The radiance that a share of one light adds, by Lambert's law and the highlight. */
 TS_FN ts_v3 ts_k_shade_by(TS_GLOBAL const ts_light *light, f32 share, u32 shader, ts_v3 p, ts_v3 n, ts_v3 v,
                           ts_v3 albedo)
 {
@@ -58,23 +58,23 @@ TS_FN ts_v3 ts_k_shade_by(TS_GLOBAL const ts_light *light, f32 share, u32 shader
 	return ts_mul(all, ts_scale(ts_load3(light->intensity), arrives * TS_PER_PI));
 }
 
-/* Light k at a pixel. */
+/* The radiance that light k adds at a pixel. */
 TS_FN ts_v3 ts_k_deferred_light(const ts_deferred_args *args, u64 i, u32 k, ts_v3 p, ts_v3 n, ts_v3 v, ts_v3 albedo)
 {
 	TS_GLOBAL const u32 *lit = args->lit != NULL ? args->lit + i * args->n_lights : NULL;
 	return ts_k_shade_by(&args->lights[k], ts_k_share(lit, args->lamps, k), args->shader, p, n, v, albedo);
 }
 
-/* A pixel and a neighbour: how much farther that is (1 - zn is proportional to 1 / z), and how far below the plane
- * of the surface, in which a floor goes on however steep the view; and what both must pass for the surface to end
- * there. */
+/* A pixel and a neighbour: how much farther the neighbour is (1 - zn is proportional to 1 / z); how far it lies below
+ * the plane of the surface, which is 0 on a floor however steep the view; and the bounds that both must pass for the
+ * surface to end there. */
 typedef struct {
 	f32 farther, step, below, drop;
 	i32 x, y;
 	bool is, sky;
 } ts_border;
 
-/* Neighbour k: to the left, to the right, above, below. */
+/* The border to neighbour k: 0 left, 1 right, 2 above, 3 below. */
 TS_FN ts_border ts_k_border(const ts_deferred_args *args, u64 i, u32 k)
 {
 	ts_border r;
@@ -93,7 +93,7 @@ TS_FN ts_border ts_k_border(const ts_deferred_args *args, u64 i, u32 k)
 	return r;
 }
 
-/* Whether the surface ends before that neighbour. */
+/* Whether the surface ends before the neighbour. */
 TS_FN bool ts_k_ends(const ts_border *next)
 {
 	return next->is && next->farther > next->step && (next->sky || next->below > next->drop);
@@ -131,7 +131,7 @@ TS_FN void ts_k_deferred_item(const ts_deferred_args *args, u64 i)
 
 #define TS_ROWS_ts_deferred_lit_args(ARG) \
 	ARG(INNER, ts_shadow_test_args, of, \
-	    none) /* but what the eye sees of triangles; cubes are those of point lights */ \
+	    none) /* without the eye's triangles; cubes are those of point lights */ \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
 	ARG(IN, ts_light, lights, lamp_light) /* each with a view in order, or the six of a cube */
 TS_ARGS(ts_deferred_lit_args);
@@ -145,7 +145,7 @@ TS_FN ts_receiver ts_k_deferred_receiver(TS_GLOBAL const ts_gpixel *pixel)
 	return r;
 }
 
-/* map over pixels: the lights that reach what is there */
+/* map over pixels: the lights that reach the surface there */
 TS_FN void ts_k_deferred_lit_item(const ts_deferred_lit_args *args, u64 i)
 {
 	u32 v = 0u;

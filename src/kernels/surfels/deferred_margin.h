@@ -1,6 +1,5 @@
-/* How near deferred shading was to another answer, for ports that round otherwise (PORTING 7): a second pass over
- * the G-buffer that deferred.h was given, which changes nothing of what that decided. A step is 8 ulps of what is
- * compared. */
+/* Margins of deferred.h, for ports that round otherwise (PORTING 7): how near deferred shading was to another answer.
+ * This second pass takes the G-buffer as given and changes no decision. A step is 8 ulps of the compared numbers. */
 #ifndef TS_KERNELS_DEFERRED_MARGIN_H
 #define TS_KERNELS_DEFERRED_MARGIN_H
 #include "../base/args.h"
@@ -12,7 +11,7 @@
 	ARG(OUT, f32, margin, deferred_margin)
 TS_ARGS(ts_deferred_margin_args);
 
-/* The least of the tests by which the surface ends before a neighbour, or the greatest of those by which it does
+/* The least margin of the tests by which the surface ends before a neighbour, or the greatest of those by which it does
  * not. */
 TS_FN f32 ts_k_border_margin(const ts_border *next)
 {
@@ -26,7 +25,8 @@ TS_FN f32 ts_k_border_margin(const ts_border *next)
 	return ts_max(farther ? 0.0f : of_step, below ? 0.0f : of_drop);
 }
 
-/* An outline goes if the surface goes on before each neighbour, and comes if it ends before one. */
+/* The margin of an outline: it disappears if the surface continues to every neighbour, and appears if the surface ends
+ * before one. */
 TS_FN f32 ts_k_outline_margin(const ts_deferred_args *args, u64 i, bool outline)
 {
 	f32 r = outline ? 0.0f : TS_MARGIN_NOWHERE;
@@ -40,8 +40,8 @@ TS_FN f32 ts_k_outline_margin(const ts_deferred_args *args, u64 i, bool outline)
 	return r;
 }
 
-/* Of the cosine and 0, where highlights and the first tone begin, and of NPR where the others do; in steps of the
- * cosine. */
+/* The margin of the cosine against 0, where highlights and the first tone begin; for NPR also against the other tones;
+ * in steps of the cosine. */
 TS_FN f32 ts_k_cosine_margin(TS_GLOBAL const ts_light *light, f32 share, u32 shader, ts_v3 p, ts_v3 n, f32 step)
 {
 	ts_v3 l;
@@ -54,7 +54,7 @@ TS_FN f32 ts_k_cosine_margin(TS_GLOBAL const ts_light *light, f32 share, u32 sha
 	return apart / step;
 }
 
-/* Of light k at a pixel. */
+/* The margin of light k at a pixel. */
 TS_FN f32 ts_k_deferred_light_margin(const ts_deferred_args *args, u64 i, u32 k)
 {
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];
@@ -79,7 +79,7 @@ TS_FN void ts_k_deferred_margin_item(const ts_deferred_margin_args *args, u64 i)
 #define TS_ROWS_ts_deferred_lit_margin_args(ARG) \
 	ARG(INNER, ts_deferred_lit_args, of, none) \
 	ARG(IN, ts_view, view, eye_view) \
-	ARG(MIN, u64, margin, shadow_test_margin) /* [2] a pixel and light */
+	ARG(MIN, u64, margin, shadow_test_margin) /* [2] per pixel and light */
 TS_ARGS(ts_deferred_lit_margin_args);
 
 /* map over pixels, as ts_k_deferred_lit_item */

@@ -11,10 +11,10 @@ typedef struct {
 	f32 exponent; /* the weight is peak e^-exponent */
 	f32 peak;
 	bool inside; /* r3D <= 1 */
-	bool covers; /* it is a fragment */
+	bool covers; /* the surfel has a fragment here */
 } ts_surfel_fragment;
 
-/* Where the ray at an offset meets the surfel's plane, if it does before the eye; r2 is r3D squared. */
+/* The place where the ray at an offset meets the surfel's plane, if it does in front of the eye; r2 is r3D squared. */
 typedef struct {
 	f32 a, b, r2, z;
 	bool meets, inside;
@@ -42,7 +42,7 @@ TS_FN ts_v2 ts_k_disc_offset(const ts_disc *disc, i32 x, i32 y)
 	return ts_v2_make((f32)(x - disc->pixel[0]) - disc->fraction[0], (f32)(y - disc->pixel[1]) - disc->fraction[1]);
 }
 
-/* Exact EWA. */
+/* The fragment of exact EWA. */
 TS_FN void ts_k_fragment_gaussian(ts_surfel_fragment *r, const ts_disc *disc, ts_v2 d)
 {
 	f32 xx = disc->conic[0] * (d.x * d.x);
@@ -60,7 +60,7 @@ TS_FN bool ts_k_has_screen(const ts_disc *disc, const ts_filter *filter)
 	return filter->per_sigma2 > 0.0f && filter->filter != TS_FILTER_IS_OBJECT && !crosses;
 }
 
-/* Their approximation, and its parts. */
+/* The fragment of approximate EWA, or of one of its two filters. */
 TS_FN void ts_k_fragment_radius(ts_surfel_fragment *r, const ts_disc *disc, const ts_filter *filter,
                                 const ts_disc_hit *hit, ts_v2 d)
 {
@@ -94,7 +94,7 @@ TS_FN f32 ts_k_fragment_weight(const ts_surfel_fragment *fragment)
 	return fragment->peak * ts_exp(-fragment->exponent);
 }
 
-/* The way through a pixel's middle where it is a unit deep: X and Y; of orthographic views 0. */
+/* X and Y of the ray through a pixel's middle at depth 1; 0 in orthographic views. */
 TS_FN ts_v2 ts_k_pixel_way(const ts_camera_k *view, i32 x, i32 y)
 {
 	f32 i = ((f32)x + 0.5f) - (f32)view->width * 0.5f;
@@ -103,7 +103,7 @@ TS_FN ts_v2 ts_k_pixel_way(const ts_camera_k *view, i32 x, i32 y)
 	return ts_v2_make(parallel ? 0.0f : i / view->focal, parallel ? 0.0f : j / view->focal);
 }
 
-/* The axial depth that epsilon along that way is. */
+/* The axial depth of a length epsilon along the ray through a pixel's middle. */
 TS_FN f32 ts_k_pixel_shift(const ts_camera_k *view, f32 epsilon, i32 x, i32 y)
 {
 	ts_v2 q = ts_k_pixel_way(view, x, y);

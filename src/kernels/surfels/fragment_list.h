@@ -1,4 +1,4 @@
-/* Lists of the surfels of every pixel's fragments (METHODS 16): what sums that depend on an order are taken over. */
+/* Lists of the surfels of every pixel's fragments (METHODS 16), for sums that depend on an order. */
 #ifndef TS_KERNELS_FRAGMENT_LIST_H
 #define TS_KERNELS_FRAGMENT_LIST_H
 #include "../base/args.h"

@@ -1,10 +1,11 @@
 /* A linear field of normals for each surfel (NV40: Phong Shading for PBR; METHODS 16): n + a n_a + b n_b at the centre
- * + a u + b v, whose slopes n_a and n_b fit the normals of the nearest surfels by least squares,
+ * + a u + b v. The slopes n_a and n_b fit the normals of the nearest surfels by least squares:
  *
- *     minimize  sum w (n_j - n - a_j n_a - b_j n_b)^2 + r sum w (a_j a_j + b_j b_j) (n_a^2 + n_b^2),
+ *     minimize  sum w (n_j - n - a_j n_a - b_j n_b)^2 + r sum w (a_j a_j + b_j b_j) (n_a^2 + n_b^2).
  *
- * (a_j, b_j) the place of neighbour j in the surfel's plane, w = max(n . n_j, 0), for the back of a thin sheet says
- * nothing of its front, and r small, so that neighbours along a line give the shortest slopes: nothing is decided. */
+ * (a_j, b_j) is the place of neighbour j in the surfel's plane. w = max(n . n_j, 0), since the back of a thin sheet
+ * does not affect its front. r is small, so that neighbours along a line give the shortest slopes. Nothing is
+ * decided. */
 #ifndef TS_KERNELS_NORMAL_FIELD_H
 #define TS_KERNELS_NORMAL_FIELD_H
 #include "../base/args.h"
@@ -28,7 +29,7 @@ typedef struct {
 
 TS_FN ts_v3 ts_k_san3(ts_v3 a) { return ts_v3_make(ts_san(a.x), ts_san(a.y), ts_san(a.z)); }
 
-/* One more neighbour. */
+/* Adds a neighbour to the sums. */
 TS_FN void ts_k_field_add(ts_field_sums *sums, TS_GLOBAL const ts_surfel *surfel, TS_GLOBAL const ts_surfel *other)
 {
 	ts_v3 u = ts_load3(surfel->u);
@@ -59,7 +60,7 @@ TS_FN ts_field_sums ts_k_field_sums(const ts_normal_field_args *args, u64 i)
 	return r;
 }
 
-/* x of the equations p x + q y = s, q x + r y = t. */
+/* x of the equations p x + q y = s, q x + r y = t; per_det is 1 / (p r - q q). */
 TS_FN ts_v3 ts_k_field_slope(ts_v3 s, ts_v3 t, f32 q, f32 r, f32 per_det)
 {
 	return ts_v3_make(ts_diff_of_products(s.x, r, t.x, q) * per_det, ts_diff_of_products(s.y, r, t.y, q) * per_det,

@@ -1,11 +1,11 @@
 /* Attributes of surfels (NV40: 3-Pass Deferred Shading; METHODS 16): every fragment that is no deeper than the
  * visibility pass allows adds its colour, its normal and 1, each times its weight.
  *
- * Sums are integers in 2^-30 (CONTRACT rule 30), so that no order is seen. A surfel has at most one fragment at a
- * pixel and there are at most 2^32 - 1 of them; weights are at most 1, colours are clamped to [0,1], a component of a
- * normal is at most 1 + 2^-22, so that no term passes 2^31 - 1 and no sum 2^63. A term is within 2^-31 of the exact
- * one, the mean of n fragments within n 2^-30 of their sum of weights, which at a covered pixel is at least e^(-1/2
- * ewa.sigma_k^-2). */
+ * Sums are integers in units of 2^-30 (CONTRACT rule 30), so that the order of the surfels does not matter. A surfel
+ * has at most one fragment at a pixel, and there are at most 2^32 - 1 surfels. Weights are at most 1, colours are
+ * clamped to [0,1], a component of a normal is at most 1 + 2^-22; so no term passes 2^31 - 1 and no sum 2^63. A term
+ * has an error of at most 2^-31, the mean of n fragments one of at most n 2^-30 over the sum of weights, which at a
+ * covered pixel is at least e^(-1/2 ewa.sigma_k^-2). */
 #ifndef TS_KERNELS_SURFEL_BLEND_H
 #define TS_KERNELS_SURFEL_BLEND_H
 #include "../base/args.h"
@@ -27,7 +27,7 @@
 	ARG(VALUE, ts_filter, filter, none)
 TS_ARGS(ts_surfel_blend_args);
 
-/* What a surfel adds for a weight of 1. */
+/* The attributes that a surfel adds for a weight of 1. */
 typedef struct {
 	f32 value[6];
 } ts_attributes;
@@ -42,10 +42,11 @@ TS_FN ts_attributes ts_k_attributes(TS_GLOBAL const ts_surfel *surfel, const ts_
 	return r;
 }
 
-/* No deeper than what the visibility pass found; where that found nothing, however deep. */
+/* Whether a fragment is no deeper than the visibility pass allows; where that pass found no surfel every depth is
+ * allowed. */
 TS_FN bool ts_k_is_visible(u64 key, f32 z) { return key == TS_EMPTY || z <= ts_u2f((u32)(key >> 32)); }
 
-/* The least is of the heaviest. */
+/* The key of a fragment's weight; the least key is that of the heaviest fragment. */
 TS_FN u64 ts_k_heavy(f32 weight, u32 surfel) { return ((u64)~ts_f2u(ts_put(weight)) << 32) | surfel; }
 
 TS_FN void ts_k_blend_add(const ts_surfel_blend_args *args, u64 pixel, u32 surfel, const ts_attributes *attributes,

@@ -1,13 +1,14 @@
-/* Normalization (NV40: 3-Pass Deferred Shading; METHODS 16): what was blended, divided by the sum of weights, as the
- * same G-buffer that meshes have, so that any deferred shader works on it, once a pixel. Where normals cancel, the
- * heaviest fragment's counts; where none is inside its ellipse, that one's depth. */
+/* Normalization (NV40: 3-Pass Deferred Shading; METHODS 16): the blended sums divided by the sum of weights, as the
+ * G-buffer that meshes have too, so that any deferred shader can shade it, once per pixel. Where normals cancel, the
+ * normal is that of the heaviest fragment; where no surfel's ellipse is met, the depth is that of the heaviest
+ * fragment. */
 #ifndef TS_KERNELS_SURFEL_BLEND_MEAN_H
 #define TS_KERNELS_SURFEL_BLEND_MEAN_H
 #include "../base/args.h"
 #include "surfel_blend.h"
 #include "../raster/gbuffer.h"
 
-#define TS_LEAST_NORMAL TS_LEAST_SLANT /* of the mean of unit normals */
+#define TS_LEAST_NORMAL TS_LEAST_SLANT /* length of the mean of unit normals */
 
 #define TS_ROWS_ts_surfel_blend_mean_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \
@@ -19,7 +20,7 @@
 	ARG(OUT, ts_gpixel, pixels, gbuffer_pixel)
 TS_ARGS(ts_surfel_blend_mean_args);
 
-/* Axial depth of the nearest surfel. */
+/* Axial depth of the nearest surfel at a pixel. */
 TS_FN f32 ts_k_pixel_depth(const ts_surfel_blend_mean_args *args, const ts_camera_k *view, u64 i, i32 x, i32 y)
 {
 	u64 key = args->keys[i];

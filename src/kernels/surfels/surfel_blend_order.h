@@ -5,7 +5,7 @@
  *     half     every term and every sum is rounded to binary16; none passes 2048, where a term of 1 changes nothing
  *     8bit     terms are rounded to 255ths and sums end at 1; normals are stored as n / 2 + 1 / 2
  *
- * What comes of it is written in 2^-30, as integer sums are: sums of at least 2^-6 exactly, smaller ones to the
+ * Results are written in units of 2^-30, like integer sums: sums of at least 2^-6 exactly, smaller sums rounded to the
  * nearest. */
 #ifndef TS_KERNELS_SURFEL_BLEND_ORDER_H
 #define TS_KERNELS_SURFEL_BLEND_ORDER_H
@@ -17,7 +17,7 @@
 #define TS_ACCUMULATION_IS_HALF 2u
 #define TS_ACCUMULATION_IS_8BIT 3u
 
-#define TS_BLEND_NORMAL 3u /* place of the normal in a pixel's sums */
+#define TS_BLEND_NORMAL 3u /* index of the normal in a pixel's sums */
 
 #define TS_ROWS_ts_surfel_blend_order_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \
@@ -31,7 +31,7 @@
 	ARG(VALUE, u32, accumulation, none) /* TS_ACCUMULATION_IS_* */
 TS_ARGS(ts_surfel_blend_order_args);
 
-/* A partial sum and one more term. */
+/* A partial sum plus one term, in the format. */
 TS_FN f32 ts_k_blended(u32 accumulation, f32 sum, f32 term)
 {
 	bool short_float = accumulation == TS_ACCUMULATION_IS_HALF;
@@ -43,7 +43,7 @@ TS_FN f32 ts_k_blended(u32 accumulation, f32 sum, f32 term)
 	return short_float ? ts_half(more) : more;
 }
 
-/* In 2^-30. */
+/* x in units of 2^-30. */
 TS_FN i64 ts_k_blend_units(f32 x)
 {
 	f32 size = ts_abs(x);
@@ -53,7 +53,7 @@ TS_FN i64 ts_k_blend_units(f32 x)
 	return x < 0.0f ? -units : units;
 }
 
-/* A sum of the target as a number: of 8 bits, and n of n / 2 + 1 / 2. */
+/* Sum k of the target as a number; for 8bit a normal n is recovered from n / 2 + 1 / 2. */
 TS_FN f32 ts_k_blend_number(u32 accumulation, u32 k, f32 sum, f32 weight)
 {
 	bool normal = k >= TS_BLEND_NORMAL && k < TS_BLEND_WEIGHT;
@@ -62,7 +62,7 @@ TS_FN f32 ts_k_blend_number(u32 accumulation, u32 k, f32 sum, f32 weight)
 	return level / 255.0f;
 }
 
-/* One pixel of the target that fragments are blended into. */
+/* One pixel of the target into which fragments are blended. */
 typedef struct {
 	f32 sum[TS_BLEND_WEIGHT + 1u];
 } ts_blend_target;

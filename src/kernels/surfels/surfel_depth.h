@@ -1,7 +1,7 @@
 /* Visibility of surfels (NV40: 3-Pass Deferred Shading; METHODS 16): every surfel that faces the view, inside its
- * ellipse, as deep as the ray meets its plane and epsilon along the ray farther, by integer minimum: so the least
- * depth is that of the nearest surfel, and what blends with it is before it. Depth maps of lights are made the same
- * way. */
+ * ellipse, at the depth at which the ray meets its plane plus epsilon along the ray, by integer minimum. So the least
+ * depth belongs to the nearest surfel, and the surfels that blend with it lie before this depth. Depth maps of lights
+ * are made the same way. */
 #ifndef TS_KERNELS_SURFEL_DEPTH_H
 #define TS_KERNELS_SURFEL_DEPTH_H
 #include "../base/args.h"
@@ -40,7 +40,7 @@ TS_FN void ts_k_surfel_depth_item(const ts_surfel_depth_args *args, u64 i)
 
 #define TS_ROWS_ts_surfel_depth_shadow_args(ARG) \
 	ARG(IN, ts_surfel, surfels, scene_surfel) \
-	ARG(IN, ts_offscreen, views, offscreen_view) /* one a light */ \
+	ARG(IN, ts_offscreen, views, offscreen_view) /* one per light */ \
 	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
 	ARG(MIN, u32, depths, depth_map_depth) \
 	ARG(VALUE, ts_filter, filter, none) \

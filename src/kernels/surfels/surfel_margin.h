@@ -1,8 +1,8 @@
-/* How near surfels were to be seen, blended or hidden otherwise, for ports that round otherwise (PORTING 7): a second
- * pass over what surfel_depth.h and blend.h decided, which changes nothing of it. A step is what 8 ulps change: of the
- * surfel's distance from the eye and from the origin in where its image and depth are, of its radius in how it is seen,
- * and of each result. Boxes are what they are: beyond them nothing is covered, but where they cut off exact EWA, or
- * surfel_setup.bounds=botsch ellipses. */
+/* Margins of surfel_depth.h and surfel_blend.h, for ports that round otherwise (PORTING 7): how near surfels were to be
+ * seen, blended or hidden otherwise. This second pass changes no decision. A step is the change by 8 ulps: of the
+ * surfel's distance from the eye and from the origin, which move its image and its depth; of its radius, which changes
+ * its shape; and of each result. Boxes are taken as given: outside a box nothing is covered, except where boxes cut off
+ * exact EWA, or those of surfel_setup.bounds=botsch cut off ellipses. */
 #ifndef TS_KERNELS_SURFEL_MARGIN_H
 #define TS_KERNELS_SURFEL_MARGIN_H
 #include "../base/args.h"
@@ -15,29 +15,28 @@
 	ARG(IN, ts_disc, discs, surfel_setup_disc) \
 	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
 	ARG(IN, u64, keys, surfel_depth_surfel) \
-	ARG(IN_OPT, u64, heaviest, surfel_blend_heaviest) /* NULL: of surfel_depth */ \
-	ARG(MIN, u64, margin, none)                       /* [2] a pixel, f32 bits */ \
+	ARG(IN_OPT, u64, heaviest, surfel_blend_heaviest) /* NULL: margins of surfel_depth */ \
+	ARG(MIN, u64, margin, none)                       /* [2] per pixel, f32 bits */ \
 	ARG(VALUE, ts_filter, filter, none)
 TS_ARGS(ts_surfel_margin_args);
 
-/* A surfel as it is drawn, or would be if it were; in steps how near it is to be drawn or not; and what a step is in
- * the depth of its centre, and in pixels of its image; and its radius in pixels. */
+/* A surfel as it is drawn, or would be; its margin of being drawn or not, in steps; the size of a step in the depth of
+ * its centre and in pixels of its image; and its radius in pixels. */
 typedef struct {
 	ts_disc disc;
 	bool drawn;
 	f32 fate, deep, off, wide;
 } ts_nearly;
 
-/* A surfel at a pixel, and a step in the place in its plane, in r3D^2, in the depth there, and in the number that the
- * screen filter or exact EWA compares, which is at most 1; in its weight, of that; and how many steps its peak is from
- * 0. */
+/* A surfel at a pixel, and the size of a step in its plane, in r3D^2, in the depth there, in the number that the screen
+ * filter or exact EWA compares with 1, and in the weight; and the distance of its peak from 0 in steps. */
 typedef struct {
 	ts_surfel_fragment is;
 	ts_disc_hit hit;
 	f32 a_step, b_step, r2_step, z_step, flat, flat_step, weight_step, peak_margin;
 } ts_nearly_there;
 
-/* The least of the margins of all tests that drew it, or the greatest of those that did not. */
+/* The least margin of all tests if they drew the surfel, or the greatest of those that did not. */
 TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *frame, f32 slant,
                          f32 deep, f32 distance)
 {
@@ -55,7 +54,8 @@ TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const
 	return ts_max(faces ? 0.0f : turned, ts_max(behind ? 0.0f : before, affine ? 0.0f : closing));
 }
 
-/* How near a surfel is to being drawn, or not. A surfel that is neither drawn nor nearly drawn gets an empty box. */
+/* The margin of a surfel's being drawn. A surfel that is neither drawn nor within the margin of being drawn gets an
+ * empty box. */
 TS_FN ts_nearly ts_k_nearly(const ts_surfel_margin_args *args, const ts_camera_k *view, u32 i)
 {
 	TS_GLOBAL const ts_surfel *surfel = &args->surfels[i];
@@ -82,7 +82,7 @@ TS_FN ts_nearly ts_k_nearly(const ts_surfel_margin_args *args, const ts_camera_k
 
 TS_FN f32 ts_k_sizes(const f32 *row) { return ts_abs(row[0]) + ts_abs(row[1]); }
 
-/* Steps of the ray cast: those of the centre's image, of the divisor, and of the results. */
+/* Sets the steps of the ray cast: those of the centre's image, of the divisor, and of the results. */
 TS_FN void ts_k_nearly_hit(ts_nearly_there *r, const ts_nearly *surfel, ts_v2 d)
 {
 	const ts_disc *disc = &surfel->disc;
@@ -92,7 +92,7 @@ TS_FN void ts_k_nearly_hit(ts_nearly_there *r, const ts_nearly *surfel, ts_v2 d)
 	f32 nearer = ts_max(r->hit.z / disc->depth, 0.0f); /* 1 / divisor */
 	f32 divided = parallel ? TS_MARGIN_ROUNDING : leaning * nearer;
 	f32 by = parallel ? surfel->off : surfel->off * nearer;
-	f32 from = (disc->flags & TS_DISC_CROSSES) != 0u ? 1.0f : 0.0f; /* of the farthest point, at most */
+	f32 from = (disc->flags & TS_DISC_CROSSES) != 0u ? 1.0f : 0.0f; /* greatest |a| or |b| of the farthest point */
 	r->a_step = ts_k_sizes(disc->a) * by + (ts_abs(r->hit.a) + from) * divided;
 	r->b_step = ts_k_sizes(disc->b) * by + (ts_abs(r->hit.b) + from) * divided;
 	f32 rounding = TS_MARGIN_ROUNDING * (r->hit.r2 + from);
@@ -100,7 +100,7 @@ TS_FN void ts_k_nearly_hit(ts_nearly_there *r, const ts_nearly *surfel, ts_v2 d)
 	r->z_step = surfel->deep + (parallel ? disc->depth * leaning : ts_abs(r->hit.z) * divided);
 }
 
-/* Steps of exact EWA: d V^-1 d as the centre moves, and as V does. */
+/* Sets the steps of exact EWA: of d V^-1 d as the centre moves, and as V changes. */
 TS_FN void ts_k_nearly_gaussian(ts_nearly_there *r, const ts_filter *filter, const ts_nearly *surfel, ts_v2 d)
 {
 	const ts_disc *disc = &surfel->disc;
@@ -119,7 +119,7 @@ TS_FN void ts_k_nearly_gaussian(ts_nearly_there *r, const ts_filter *filter, con
 	r->peak_margin = peak_step > 0.0f ? disc->peak / (peak_step * TS_MARGIN_ROUNDING) : TS_MARGIN_NOWHERE;
 }
 
-/* Steps of the approximation: of r2D^2, and of whichever radius is less. */
+/* Sets the steps of the approximation: of r2D^2, and of the lesser radius. */
 TS_FN void ts_k_nearly_radius(ts_nearly_there *r, const ts_filter *filter, const ts_nearly *surfel, ts_v2 d)
 {
 	f32 square = d.x * d.x + d.y * d.y;
@@ -149,7 +149,8 @@ TS_FN ts_nearly_there ts_k_nearly_there(const ts_surfel_margin_args *args, const
 	return r;
 }
 
-/* Of r3D and 1, and of the depth and the near plane: the lesser if it is inside, the greater of what keeps it out. */
+/* The margins of r3D against 1, and of the depth against the near plane: the lesser if the fragment is inside,
+ * otherwise the greater of those that keep it out. */
 TS_FN f32 ts_k_inside_margin(const ts_nearly_there *there, f32 near)
 {
 	const ts_disc_hit *hit = &there->hit;
@@ -172,7 +173,7 @@ TS_FN void ts_k_least_step(TS_GLOBAL u64 *least, f32 margin)
 	if (margin <= TS_MARGIN_REACH) ts_min_u64(least, (u64)ts_f2u(ts_put(margin)));
 }
 
-/* The nearest may go, another may come or be as near. */
+/* Margins of a pixel: the nearest surfel may drop out, another may come in or be as near. */
 TS_FN void ts_k_surfel_depth_margin_pixel(const ts_surfel_margin_args *args, const ts_camera_k *view, u32 i,
                                           const ts_nearly *surfel, i32 x, i32 y)
 {
@@ -207,14 +208,14 @@ TS_FN void ts_k_surfel_depth_margin_item(const ts_surfel_margin_args *args, u64 
 	}
 }
 
-/* Its tests at a pixel, each as it was decided and by how many steps; of the depth, that of its centre and the
- * ray's. */
+/* The tests of a surfel at a pixel: each with its decision and its margin in steps; for the depth, that of the centre
+ * and that of the ray. */
 typedef struct {
 	bool inside, covers, before[2];
 	f32 inside_margin, covers_margin, before_margin[2];
 } ts_blend_tests;
 
-/* Of a depth, of which a step is that much, and the depth that the visibility pass allows. */
+/* The margin of a depth, whose step is `step`, against the depth that the visibility pass allows. */
 TS_FN f32 ts_k_before_margin(const ts_surfel_margin_args *args, const ts_camera_k *view, f32 z, f32 step, i32 x, i32 y)
 {
 	u64 key = args->keys[(u64)y * (u64)view->width + (u64)x];
@@ -245,8 +246,8 @@ TS_FN ts_blend_tests ts_k_blend_tests(const ts_surfel_margin_args *args, const t
 	return r;
 }
 
-/* Whether it is blended if the tests of `turned` are decided otherwise: 1 that of r3D, 2 that of r2D or EWA, 4 that
- * of the depth; and the greatest of their margins. */
+/* Whether the surfel is blended if the tests in `turned` are decided otherwise: 1 that of r3D, 2 that of r2D or EWA, 4
+ * that of the depth. *margin: the greatest margin of the turned tests. */
 TS_FN bool ts_k_is_blended(const ts_filter *filter, const ts_blend_tests *tests, u32 turned, f32 *margin)
 {
 	bool inside = tests->inside != ((turned & 1u) != 0u);
@@ -260,7 +261,7 @@ TS_FN bool ts_k_is_blended(const ts_filter *filter, const ts_blend_tests *tests,
 	return before && ((inside && of_object) || (flat && filter->filter != TS_FILTER_IS_OBJECT));
 }
 
-/* The least of the margins by which it is blended or not. */
+/* The least margin by which the surfel is blended or not. */
 TS_FN f32 ts_k_blended_margin(const ts_filter *filter, const ts_nearly *surfel, const ts_blend_tests *tests)
 {
 	f32 margin;
@@ -273,7 +274,7 @@ TS_FN f32 ts_k_blended_margin(const ts_filter *filter, const ts_nearly *surfel, 
 	return least;
 }
 
-/* How far its weight is below that of the heaviest. */
+/* Distance of the surfel's weight below that of the heaviest, in steps. */
 TS_FN f32 ts_k_weight_margin(const ts_surfel_margin_args *args, const ts_camera_k *view, const ts_nearly_there *there,
                              u64 heaviest, i32 x, i32 y)
 {

@@ -1,20 +1,20 @@
-/* A surfel in a view (NV40: Perspectively Correct Rendering; METHODS 16): what finds the
- * plane coordinates (a, b) and the depth of the ray through a pixel, the box of pixels that it may cover, and the
- * Gaussian of exact EWA.
+/* A surfel in a view (NV40: Perspectively Correct Rendering; METHODS 16): the map from a pixel to the plane coordinates
+ * (a, b) and the depth at which its ray meets the surfel, the box of pixels that the surfel may cover, and the Gaussian
+ * of exact EWA.
  *
  * The map from pixels to (a, b) is projective. About the projected centre, with d the pixel's offset from there,
  *     (a, b) = (A.d, B.d) / (1 + G.d),    depth = depth of the centre / (1 + G.d),
- * where rows A and B are the inverse of the Jacobian J of the projection at the centre, and G = -(u_z A + v_z B) / c_z;
- * in an orthographic view nothing is divided, and depth = depth of the centre (1 - G.d). No term cancels however small
- * the surfel is in the image; for that the centre is kept as a pixel and a fraction of one, from products without
+ * where rows A and B are the inverse of the Jacobian J of the projection at the centre, and G = -(u_z A + v_z B) / c_z.
+ * In an orthographic view (a, b) is not divided, and depth = depth of the centre (1 - G.d). However small the surfel is
+ * in the image, no term cancels: the centre is kept as a pixel and a fraction of a pixel, from products without
  * rounding. View space is X, Y and the axial depth z; y grows downward in the image.
  *
- * Bounds: offsets along an axis are J_a a + J_b b over 1 + (u_z a + v_z b) / c_z with a a + b b <= 1, whose extremes
- * are the roots of A x^2 - 2 B x + C = 0, A = 1 - U.U, B = -J.U, C = -J.J, with U = (u_z, v_z) / c_z. A <= 0: it
- * reaches the eye's plane, and may cover everything.
+ * Bounds: offsets along an axis are J_a a + J_b b over 1 + (u_z a + v_z b) / c_z with a a + b b <= 1. Their extremes
+ * are the roots of A x^2 - 2 B x + C = 0, A = 1 - U.U, B = -J.U, C = -J.J, with U = (u_z, v_z) / c_z. If A <= 0 the
+ * surfel reaches the eye's plane, and may cover the whole image.
  *
- * Of a surfel that only crosses the near plane, its centre before that, all this is about its farthest point, whose (a,
- * b) are added. It has no image of a centre, so no screen filter either. */
+ * For a surfel that crosses the near plane with its centre before the plane, the farthest point takes the place of the
+ * centre, and the (a, b) of that point are added. The centre then has no image, so the screen filter does not apply. */
 #ifndef TS_KERNELS_SURFEL_SETUP_H
 #define TS_KERNELS_SURFEL_SETUP_H
 #include "../base/args.h"
@@ -35,23 +35,23 @@
 
 typedef struct {
 	u32 filter;     /* TS_FILTER_IS_* */
-	u32 botsch;     /* bounds are a square of r f / z */
+	u32 botsch;     /* not 0: bounds are a square of half side r f / z */
 	f32 per_sigma2; /* 1 / sigma^2, sigma the radius of the screen filter in pixels; 0: there is none */
-	f32 reach;      /* sigma, or a splat's least size by two if that is more, pixels */
+	f32 reach;      /* the greater of sigma and half the least side of a box, pixels */
 	f32 fall;       /* 1 / (2 ewa.sigma_k^2) */
 	f32 object2;    /* ewa.sigma_k^2 */
 	f32 screen2;    /* ewa.sigma_h^2 of exact EWA */
 } ts_filter;
 
-/* Why a surfel is not drawn. */
+/* Whether a surfel is drawn, or why not. */
 #define TS_DISC_DRAWN 0u
-#define TS_DISC_TURNED 1u /* it turns its back */
+#define TS_DISC_TURNED 1u /* the surfel turns its back */
 #define TS_DISC_BEFORE \
-	2u /* it is before the near plane; of exact EWA also what comes to the eye's plane, and of this and
-                              the screen filter alone what has its centre before the near plane */
-#define TS_DISC_BESIDE 3u /* it is beside the image */
+	2u /* the surfel is before the near plane; for exact EWA and the screen filter alone its centre is,
+                              and for exact EWA also if the surfel comes to the eye's plane */
+#define TS_DISC_BESIDE 3u /* the surfel is beside the image */
 
-/* A float as the sum of two of 12 bits (Veltkamp). */
+/* A float as the sum of two floats of 12 bits (Veltkamp). */
 TS_FN ts_v2 ts_k_halves(f32 a)
 {
 	f32 scaled = 4097.0f * a;
@@ -76,7 +76,7 @@ TS_FN ts_v2 ts_k_product(f32 a, f32 b)
 	return ts_v2_make(x, y + low);
 }
 
-/* f c / z - k, of a k near f c / z. */
+/* f c / z - k, where k is near f c / z. */
 TS_FN f32 ts_k_beyond(f32 f, f32 c, f32 z, f32 k)
 {
 	ts_v2 p = ts_k_product(f, c);
@@ -100,10 +100,10 @@ TS_FN ts_v2 ts_k_extent(f32 j_a, f32 j_b, f32 u, f32 v)
 /* The surfel's axes and their images. */
 typedef struct {
 	ts_corner c;        /* the centre in view space, or the farthest point */
-	f32 a, b;           /* which of its points c is */
+	f32 a, b;           /* plane coordinates of c */
 	bool crosses;       /* c is the farthest point */
-	ts_v3 u, v;         /* its axes there */
-	f32 z;              /* what divides; orthographic: 1 */
+	ts_v3 u, v;         /* axes in view space */
+	f32 z;              /* the divisor; orthographic: 1 */
 	f32 xa, xb, ya, yb; /* J */
 } ts_disc_frame;
 
@@ -112,14 +112,14 @@ TS_FN ts_v3 ts_k_view_axis(const ts_camera_k *view, ts_v3 d)
 	return ts_v3_make(ts_dot(view->right, d), ts_dot(view->up, d), -ts_dot(view->back, d));
 }
 
-/* d(f X / z) of the axis: f (X' z - X z') / z^2 */
+/* The derivative of f X / z along the axis: f (X' z - X z') / z^2. */
 TS_FN f32 ts_k_slope(f32 f, f32 axis, f32 z, f32 centre, f32 axis_z)
 {
 	f32 across = ts_diff_of_products(axis, z, centre, axis_z);
 	return ((f * across) / z) / z;
 }
 
-/* The images of the axes at c. */
+/* Sets the images of the axes at c. */
 TS_FN void ts_k_disc_slopes(ts_disc_frame *r, const ts_camera_k *view)
 {
 	bool parallel = view->orthographic != 0u;
@@ -132,7 +132,7 @@ TS_FN void ts_k_disc_slopes(ts_disc_frame *r, const ts_camera_k *view)
 	r->yb = -ts_k_slope(view->focal, r->v.y, r->z, r->c.y, vz);
 }
 
-/* From the centre to the farthest point, if that is of use. */
+/* Moves c from a centre before the near plane to the farthest point, for filters that can use that point. */
 TS_FN void ts_k_disc_cross(ts_disc_frame *r, const ts_filter *filter)
 {
 	f32 deeper = ts_sqrt(ts_flush(r->u.z * r->u.z + r->v.z * r->v.z));
@@ -158,14 +158,14 @@ TS_FN ts_disc_frame ts_k_disc_frame(const ts_camera_k *view, const ts_filter *fi
 	return r;
 }
 
-/* Cosine between the normal and the way to the eye; below 0 it turns its back. */
+/* Cosine between the normal and the way to the eye; if it is not above 0, the surfel turns its back. */
 TS_FN f32 ts_k_disc_slant(const ts_camera_k *view, ts_v3 centre, ts_v3 n)
 {
 	ts_v3 way = view->orthographic != 0u ? view->back : ts_normalize(ts_sub(view->eye, centre));
 	return ts_flush(ts_dot(n, way));
 }
 
-/* The pixel of the projected centre, and how far beyond that pixel's middle it is. */
+/* Sets the pixel of the projected centre, and the offset of the centre from that pixel's middle. */
 TS_FN void ts_k_disc_place(ts_disc *disc, const ts_camera_k *view, const ts_disc_frame *frame)
 {
 	f32 half_width = (f32)view->width * 0.5f;
@@ -179,7 +179,7 @@ TS_FN void ts_k_disc_place(ts_disc *disc, const ts_camera_k *view, const ts_disc
 	disc->depth = ts_put(frame->c.z);
 }
 
-/* A, B and G. */
+/* Sets A, B and G. */
 TS_FN void ts_k_disc_map(ts_disc *disc, const ts_disc_frame *f)
 {
 	f32 det = ts_flush(ts_diff_of_products(f->xa, f->yb, f->xb, f->ya));
@@ -195,7 +195,7 @@ TS_FN void ts_k_disc_map(ts_disc *disc, const ts_disc_frame *f)
 	disc->g[1] = ts_put(-(uz * disc->a[1] + vz * disc->b[1]));
 }
 
-/* The inverse of V = ewa.sigma_k^2 J J^T + ewa.sigma_h^2 I, and |det(ewa.sigma_k J)| / sqrt(det V). */
+/* Sets the inverse of V = ewa.sigma_k^2 J J^T + ewa.sigma_h^2 I, and the peak |det(ewa.sigma_k J)| / sqrt(det V). */
 TS_FN void ts_k_disc_gaussian(ts_disc *disc, const ts_filter *filter, const ts_disc_frame *f)
 {
 	f32 xx = filter->object2 * (f->xa * f->xa + f->xb * f->xb) + filter->screen2;
@@ -211,7 +211,8 @@ TS_FN void ts_k_disc_gaussian(ts_disc *disc, const ts_filter *filter, const ts_d
 	disc->peak = none ? 0.0f : ts_put(ts_min(area / ts_sqrt(d), 1.0f));
 }
 
-/* Pixels whose middles are from `least` to `most` of the centre along an axis, and a little more for rounding. */
+/* Sets the pixels along an axis whose middles are from `least` to `most` of the centre, and a little more for
+ * rounding. */
 TS_FN void ts_k_disc_side(ts_disc *disc, u32 axis, f32 least, f32 most, f32 room, i32 n)
 {
 	f32 before = ts_min(least, -room) * TS_A_LITTLE_MORE - TS_A_LITTLE;
@@ -222,7 +223,7 @@ TS_FN void ts_k_disc_side(ts_disc *disc, u32 axis, f32 least, f32 most, f32 room
 	disc->high[axis] = ts_min_i32(disc->pixel[axis] + ts_floor_i32(to), n - 1);
 }
 
-/* Along an axis, what exact EWA covers with the ellipse: twice ewa.sigma_k of it, and twice ewa.sigma_h more. */
+/* The extent of exact EWA along an axis: twice ewa.sigma_k of the ellipse, plus twice ewa.sigma_h. */
 TS_FN ts_v2 ts_k_blurred(const ts_filter *filter, ts_v2 ellipse, f32 j_a, f32 j_b, f32 u, f32 v)
 {
 	f32 s = 2.0f * ts_sqrt(filter->object2);
@@ -231,8 +232,8 @@ TS_FN ts_v2 ts_k_blurred(const ts_filter *filter, ts_v2 ellipse, f32 j_a, f32 j_
 	return ts_v2_make(ts_min(ellipse.x, wide.x - room), ts_max(ellipse.y, wide.y + room));
 }
 
-/* How near the ellipse, or twice ewa.sigma_k of it, comes to the eye's plane, squared: at 1 it does, and nothing is
- * affine. */
+/* The square of how near the ellipse, or twice ewa.sigma_k of it, comes to the eye's plane: from 1 on it reaches the
+ * plane, and no affine approximation exists. */
 TS_FN f32 ts_k_disc_closeness(const ts_disc_frame *f, const ts_filter *filter)
 {
 	f32 uz = f->u.z / f->c.z;
@@ -240,7 +241,8 @@ TS_FN f32 ts_k_disc_closeness(const ts_disc_frame *f, const ts_filter *filter)
 	return (uz * uz + vz * vz) * ts_max(4.0f * filter->object2, 1.0f);
 }
 
-/* Of what is in view along an axis, from c's image: coordinates from `low` to `high` at depths from near to c's. */
+/* The extent along an axis, from c's image, of a surfel that crosses the near plane: of its coordinates in view, at
+ * depths from near to that of c. */
 TS_FN ts_v2 ts_k_crossing(const ts_camera_k *view, const ts_disc_frame *f, f32 c, f32 u, f32 v)
 {
 	f32 reach = ts_sqrt(ts_flush(u * u + v * v)) * TS_A_LITTLE_MORE;
@@ -303,7 +305,8 @@ TS_FN ts_v3 ts_k_disc_normal(TS_GLOBAL const ts_surfel *surfel)
 	return ts_normalize(ts_cross(ts_load3(surfel->u), ts_load3(surfel->v)));
 }
 
-/* A surfel that is before the eye, and faces it, into a disc that is clear: TS_DISC_DRAWN or TS_DISC_BESIDE. */
+/* Fills a disc, which is clear, with a surfel that is in front of the eye and faces it. Returns TS_DISC_DRAWN or
+ * TS_DISC_BESIDE. */
 TS_FN u32 ts_k_disc_make(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *frame,
                          ts_v3 n, f32 slant)
 {
@@ -326,7 +329,7 @@ TS_FN u32 ts_k_disc_make(ts_disc *disc, const ts_camera_k *view, const ts_filter
 	return drawn ? TS_DISC_DRAWN : TS_DISC_BESIDE;
 }
 
-/* One of TS_DISC_*; what is not drawn has an empty box, and zeros else. */
+/* Returns one of TS_DISC_*. A surfel that is not drawn has an empty box, and its other fields are 0. */
 TS_FN u32 ts_k_disc(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, TS_GLOBAL const ts_surfel *surfel)
 {
 	ts_v3 n = ts_k_disc_normal(surfel);

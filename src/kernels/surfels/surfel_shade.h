@@ -1,12 +1,12 @@
 /* Shading before blending (NV40: 3-Pass Shading, Per-Pixel Phong Shading; METHODS 16): the second pass blends shaded
- * colours in the place of attributes.
+ * colours in place of attributes.
  *
  *     flat     a surfel is shaded once, at its centre; where an ellipse covers a pixel only the nearest surfel counts
  *     gouraud  a surfel is shaded once, at its centre
  *     phong    a surfel is shaded once a fragment, where the ray meets its plane, by its linear field of normals
  *
- * A colour is that of a frame buffer: exposed, and clamped to [0,1]. There is neither shadow nor outline, which
- * deferred.h finds in the blended G-buffer. */
+ * Colours are those of a frame buffer: exposed, and clamped to [0,1]. There are no shadows and no outlines; deferred.h
+ * finds these in the blended G-buffer. */
 #ifndef TS_KERNELS_SURFEL_SHADE_H
 #define TS_KERNELS_SURFEL_SHADE_H
 #include "../base/args.h"
@@ -30,12 +30,12 @@
 	ARG(VALUE, f32, exposure, none)
 TS_ARGS(ts_surfel_shade_args);
 
-/* Where a surfel is shaded. */
+/* The place at which a surfel is shaded. */
 typedef struct {
 	ts_v3 p, n;
 } ts_shading_place;
 
-/* Its centre. */
+/* The place of a surfel's centre. */
 TS_FN ts_shading_place ts_k_centre_place(TS_GLOBAL const ts_surfel *surfel, const ts_disc *disc)
 {
 	ts_shading_place r;
@@ -44,7 +44,8 @@ TS_FN ts_shading_place ts_k_centre_place(TS_GLOBAL const ts_surfel *surfel, cons
 	return r;
 }
 
-/* Where the ray of a pixel meets its plane; the centre where that is beside the ellipse, or the normals cancel. */
+/* The place where the ray of a pixel meets the surfel's plane; the centre if that place is beside the ellipse, or the
+ * normals cancel. */
 TS_FN ts_shading_place ts_k_fragment_place(TS_GLOBAL const ts_surfel *surfel, const ts_disc *disc,
                                            TS_GLOBAL const f32 *slopes, f32 near, i32 x, i32 y)
 {
@@ -58,7 +59,7 @@ TS_FN ts_shading_place ts_k_fragment_place(TS_GLOBAL const ts_surfel *surfel, co
 	return r;
 }
 
-/* Its attributes there, which are added times its weight. */
+/* The shaded attributes of a surfel at a place, which are added times its weight. */
 TS_FN ts_attributes ts_k_shaded_colour(const ts_surfel_shade_args *args, const ts_camera_k *view, u64 i,
                                        const ts_shading_place *at)
 {
@@ -80,7 +81,7 @@ TS_FN ts_attributes ts_k_shaded_colour(const ts_surfel_shade_args *args, const t
 	return r;
 }
 
-/* Whether a fragment that is visible counts. */
+/* Whether a visible fragment counts: for flat only that of the nearest surfel. */
 TS_FN bool ts_k_shows(u32 shading, u64 key, u32 surfel)
 {
 	return shading != TS_SHADING_IS_FLAT || key == TS_EMPTY || (u32)key == surfel;

@@ -1,6 +1,6 @@
-/* How near the shading of surfels was to another answer, for ports that round otherwise (PORTING 7): a second pass over
- * the surfels that surfel_shade.h shaded, which changes no colour. A step is 8 ulps of the cosine; of phong also the
- * change that a step of the ray cast makes in the normal. */
+/* Margins of surfel_shade.h, for ports that round otherwise (PORTING 7): how near the shading of surfels was to another
+ * answer. This second pass changes no colour. A step is 8 ulps of the cosine; for phong plus the change of the normal
+ * per step of the ray cast. */
 #ifndef TS_KERNELS_SURFEL_SHADE_MARGIN_H
 #define TS_KERNELS_SURFEL_SHADE_MARGIN_H
 #include "../base/args.h"
@@ -23,7 +23,7 @@ TS_FN f32 ts_k_shading_margin(const ts_surfel_shade_args *args, const ts_shading
 	return least;
 }
 
-/* Of a surfel that is shaded once a fragment. */
+/* The margin of a surfel that is shaded once per fragment. */
 TS_FN f32 ts_k_fragment_shading_margin(const ts_surfel_shade_margin_args *args, const ts_camera_k *view,
                                        const ts_nearly *surfel, u64 i, i32 x, i32 y)
 {

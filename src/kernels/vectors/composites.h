@@ -5,7 +5,7 @@
 #include "composites_lattice.h"
 #include "composites_shade.h"
 
-/* Each after those that it calls. Those of families follow: kernels/<family>/composites.h. */
+/* A composite stands after those that it calls. The composites of families follow: kernels/<family>/composites.h. */
 #define TS_LIST_composites(VECTOR) \
 	VECTOR(longest_edge) \
 	VECTOR(closest_on_triangle) \

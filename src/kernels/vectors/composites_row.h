@@ -1,10 +1,11 @@
-/* Records and parts of records that stand in a row, for the functions that take them. */
+/* Reads records and parts of records from a row, for the functions that take them. */
 #ifndef TS_KERNELS_COMPOSITES_ROW_H
 #define TS_KERNELS_COMPOSITES_ROW_H
 #include "../base/records.h"
 #include "vectors_args.h"
 
-/* ts_row_at_TYPE(row, k): the words from k on as such a record; k and the row are even where it has 64-bit values. */
+/* ts_row_at_TYPE(row, k): the words from k on as a record of that type; if it has 64-bit fields, k and the row's first
+ * word are even. */
 #define TS_ROW_AT(type) \
 	TS_FN TS_GLOBAL const type *ts_row_at_##type(TS_GLOBAL const u32 *row, u32 k) \
 	{ \
@@ -22,7 +23,7 @@ TS_ROW_AT(ts_view)
 TS_ROW_AT(ts_piece)
 TS_ROW_AT(ts_align)
 
-/* What comes out passes ts_put, as all that kernels store. */
+/* Outputs pass ts_put, like all floats that kernels store. */
 TS_FN void ts_put_f32(TS_GLOBAL u32 *row, u32 k, f32 x) { ts_set_f32(row, k, ts_put(x)); }
 TS_FN void ts_put_v2(TS_GLOBAL u32 *row, ts_v2 a) { ts_set_v2(row, ts_v2_make(ts_put(a.x), ts_put(a.y))); }
 TS_FN void ts_put_v3(TS_GLOBAL u32 *row, ts_v3 a) { ts_set_v3(row, ts_v3_make(ts_put(a.x), ts_put(a.y), ts_put(a.z))); }

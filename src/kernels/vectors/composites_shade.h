@@ -1,5 +1,5 @@
-/* Composites of what is seen: lights and the BRDF (shade.h), surfaces with their textures (surface.h, texture.h), the
- * bias of depth maps (shadow_test.h). */
+/* Composites of shading: lights and the BRDF (shade.h), surfaces with their textures (surface.h, texture.h), the bias
+ * of depth maps (shadow_test.h). */
 #ifndef TS_KERNELS_COMPOSITES_SHADE_H
 #define TS_KERNELS_COMPOSITES_SHADE_H
 #include "../base/shade.h"
@@ -59,7 +59,7 @@ TS_VECTOR(brdf)
 	ts_put_v3(out, ts_k_brdf(&s, n, ts_row_v3(in, 3u), ts_row_v3(in, 6u), ts_row_f32(in, 9u)));
 }
 
-/* Of a scene with one light. */
+/* Shades in a scene with one light. */
 TS_VECTOR(shade)
 {
 	ts_surface s = ts_row_surface(in);
@@ -70,7 +70,7 @@ TS_VECTOR(shade)
 	ts_put_v3(out, ts_k_shade(&scene, &s, ts_row_v3(in, 19u)));
 }
 
-/* Of a scene with one triangle, and one texture of two by two texels. */
+/* The surface in a scene with one triangle and one texture of 2 x 2 texels. */
 TS_VECTOR(surface)
 {
 	ts_arrays scene;

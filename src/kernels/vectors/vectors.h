@@ -6,7 +6,7 @@
 #include "vectors_raster.h"
 #include "vectors_texture.h"
 
-/* In the order in which a porter meets them. Those of families follow: kernels/<family>/vectors.h. */
+/* In the order in which a porter needs them. The primitives of families follow: kernels/<family>/vectors.h. */
 #define TS_LIST_vectors(VECTOR) \
 	VECTOR(add) \
 	VECTOR(sub) \

@@ -9,12 +9,12 @@
 #define TS_ROWS_ts_vectors_args(ARG) \
 	ARG(WORK_IN, u32, in, tallies)   /* rows of in_words */ \
 	ARG(WORK, u32, out, other)       /* rows of out_words, from a multiple of 8 bytes on */ \
-	ARG(VALUE, u32, primitive, none) /* place in the list of the kernel */ \
+	ARG(VALUE, u32, primitive, none) /* index in the list of the kernel */ \
 	ARG(VALUE, u32, in_words, none) \
 	ARG(VALUE, u32, out_words, none)
 TS_ARGS(ts_vectors_args);
 
-/* The kernel of a list, TS_LIST_<kernel>(VECTOR) with a VECTOR(name) for each ts_k_vector_<name>. */
+/* Defines the kernel of a list, TS_LIST_<kernel>(VECTOR), which has a VECTOR(name) for each ts_k_vector_<name>. */
 #define TS_VECTOR_PLACE(name) TS_PLACE_##name,
 #define TS_VECTOR_CASE(name) \
 	case TS_PLACE_##name: \

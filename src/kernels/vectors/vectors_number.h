@@ -1,4 +1,4 @@
-/* Primitives of numbers: what IEEE 754 defines, one operation each and the two that compilers like to fuse (CONTRACT
+/* Primitives of numbers: the operations of IEEE 754, one each, the two pairs that compilers like to fuse (CONTRACT
  * rules 4 to 6), and the functions of num.h, half.h and vec.h. */
 #ifndef TS_KERNELS_VECTORS_NUMBER_H
 #define TS_KERNELS_VECTORS_NUMBER_H
@@ -11,7 +11,7 @@ TS_VECTOR_FLOAT(mul, TS_A *TS_B)
 TS_VECTOR_FLOAT(div, TS_A / TS_B)
 TS_VECTOR_FLOAT(sqrt, ts_sqrt(TS_A))
 
-/* Each one expression: those are what compilers fuse first. */
+/* Each is one expression, which compilers fuse first. */
 TS_VECTOR_FLOAT(muladd, TS_A *TS_B + TS_C)
 TS_VECTOR_FLOAT(mulsub, TS_C - TS_A * TS_B)
 

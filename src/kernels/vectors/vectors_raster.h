@@ -1,4 +1,4 @@
-/* Primitives of raster.h: projection, snapping, edges, coverage, hull.interpolation (CONTRACT rules 15 to 22). */
+/* Primitives of raster.h: projection, snapping, edges, coverage, interpolation (CONTRACT rules 15 to 22). */
 #ifndef TS_KERNELS_VECTORS_RASTER_H
 #define TS_KERNELS_VECTORS_RASTER_H
 #include "../raster/raster.h"
@@ -12,7 +12,7 @@ TS_FN ts_snapped ts_row_snapped(TS_GLOBAL const u32 *in, u32 k)
 	return r;
 }
 
-/* Size and focal length; what else a view has is 0, and its image is not moved. */
+/* A view of a size and a focal length; its other members are 0, and its image is not moved. */
 TS_FN ts_camera_k ts_row_view(TS_GLOBAL const u32 *in)
 {
 	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);

@@ -35,8 +35,9 @@ TS_FN void ts_set_v3(TS_GLOBAL u32 *row, ts_v3 a)
 	ts_set_f32(row, 2u, a.z);
 }
 
-/* The item of a primitive; or one that is an expression of its row `in`: a float, a word, a value of 64 bits. Each
- * pastes the name itself: passed on to another macro, it would become what a compiler defines as, say, `sqrt`. */
+/* Defines the item of a primitive by a body, or by an expression of its row `in`: a float, a word, a value of 64 bits.
+ * Each macro pastes the name itself: passed on to another macro, the name would be replaced by a compiler's own macro,
+ * say `sqrt`. */
 #define TS_VECTOR(name) TS_FN void ts_k_vector_##name(TS_GLOBAL u32 *out, TS_GLOBAL const u32 *in)
 #define TS_VECTOR_FLOAT(name, expression) \
 	TS_FN void ts_k_vector_##name(TS_GLOBAL u32 *out, TS_GLOBAL const u32 *in) { ts_set_f32(out, 0u, expression); }

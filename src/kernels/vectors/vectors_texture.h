@@ -1,5 +1,5 @@
-/* Primitives of cube maps and of what is written to them (cube.h, CONTRACT rule 24), and of textures and display
- * values (texture.h, srgb.h). */
+/* Primitives of cube maps and of the keys in them (cube.h, CONTRACT rule 24), and of textures and display values
+ * (texture.h, srgb.h). */
 #ifndef TS_KERNELS_VECTORS_TEXTURE_H
 #define TS_KERNELS_VECTORS_TEXTURE_H
 #include "../raster/cube.h"
@@ -20,7 +20,7 @@ TS_VECTOR_WORD(cube_texel, ts_k_cube_texel(TS_A, in[1]))
 TS_FN u64 ts_k_vector_packed(f32 depth, u32 payload) { return (u64)ts_f2u(depth) << 32 | payload; }
 TS_VECTOR_WIDE(key, ts_k_vector_packed(ts_put(TS_A), in[1]))
 
-/* In the result's memory, because that is where devices have the operation. */
+/* The minimum is taken in the result's memory, since devices have the operation only in memory. */
 TS_VECTOR(key_min)
 {
 	TS_GLOBAL u64 *key = (TS_GLOBAL u64 *)out;
