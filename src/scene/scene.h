@@ -47,7 +47,7 @@ struct ts_scene {
 	u32 n_path;           /* 0: the eye stands still or circles */
 	ts_motion *motion;    /* by frame, then by object; of what follows it the vertices are in object space */
 	u32 n_motion;         /* frames, behind which the motion begins again; 0: the file moves nothing */
-	bool is_checkerboard; /* they are those of builtin_checkerboard.c */
+	bool is_checkerboard; /* they are those of builtin/checkerboard.c */
 	ts_info info;
 	ts_camera *cameras;
 	u32 n_cameras;

@@ -1,4 +1,4 @@
-/* Primitives of kernels/raster/raster.h: projection, snapping, edges, coverage, hull.interpolation (CONTRACT rules 15
+/* Primitives of kernels/raster/raster.h: projection, snapping, edges, coverage, interpolation (CONTRACT rules 15
  * to 22). */
 #include "row.h"
 

@@ -11,7 +11,7 @@
  * Deviations:
  * - what the paper leaves open is in METHODS 11: triangles are equilateral and as large as what their texel sees, the
  *   threshold of segments is a fiftieth of the depth, the box of a pixel is the thinnest that holds it;
- * - the far plane is at infinity, so that thresholds and hull.interpolation know the depth's reciprocal exactly
+ * - the far plane is at infinity, so that thresholds and interpolation know the depth's reciprocal exactly
  *   (gbuffer.h);
  * - a pixel that no segment holds takes the nearest; hull.surface=paper leaves it dark;
  * - a corner faces a triangle of light the more, the higher it is above its plane, and not at all on it, however
@@ -32,7 +32,7 @@ static const ts_step hull_run[] = {
 	{.stage = "segment.box"},
 	{.stage = "corner"}, /* light at the corners of the boxes */
 	{.stage = "corner.lobes"},
-	{.stage = "hull"}, /* hull.interpolation and integration */
+	{.stage = "hull"}, /* interpolation and integration */
 	{.stage = "gloss", .only_if = ts_gloss_is_asked, .unnumbered = true},
 	{.stage = "gloss.hull", .only_if = ts_gloss_is_asked, .unnumbered = true},
 	{.stage = "image.indirect"},

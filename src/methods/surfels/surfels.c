@@ -10,7 +10,7 @@
  * second pass, surfels or their fragments, and blend shaded colours.
  *
  * Deviations:
- * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h);
+ * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (surfel_blend.h);
  *   surfel_blend.accumulation=half is the paper;
  * - "20 x 20" pixels of least size are read as 2 x 2, the screen filter's own width, for the reasons of FIGURES 12;
  * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it;

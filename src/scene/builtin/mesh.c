@@ -1,4 +1,4 @@
-/* The grid that all shapes of the built-in scenes are made of: see builtin_mesh.h. */
+/* The grid that all shapes of the built-in scenes are made of: see mesh.h. */
 #include <stdlib.h>
 #include "../../model/core.h"
 #include "mesh.h"

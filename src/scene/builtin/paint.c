@@ -1,4 +1,4 @@
-/* From painters to images and materials: see builtin_paint.h. */
+/* From painters to images and materials: see paint.h. */
 #include <stdlib.h>
 #include "../../model/core.h"
 #include "paint.h"

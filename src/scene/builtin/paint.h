@@ -14,7 +14,7 @@ typedef struct {
 /* (u, v) in [0,1), v down; the picture must repeat. `kind` chooses among a painter's variants. */
 typedef void ts_painter(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed);
 
-/* builtin_stone.c, builtin_fabric.c, builtin_picture.c. */
+/* stone.c, fabric.c, picture.c. */
 ts_painter ts_paint_ashlar, ts_paint_tiles, ts_paint_plaster, ts_paint_marble, ts_paint_terracotta, ts_paint_parquet,
 	ts_paint_wood, ts_paint_soil, ts_paint_metal;
 ts_painter ts_paint_weave, ts_paint_carpet, ts_paint_wallpaper, ts_paint_leather, ts_paint_leaf, ts_paint_shade,

@@ -1,4 +1,4 @@
-/* Plants, cloth, ropes, chains, pictures, rugs: see builtin_parts.h. */
+/* Plants, cloth, ropes, chains, pictures, rugs: see parts.h. */
 #include "parts.h"
 
 typedef struct {

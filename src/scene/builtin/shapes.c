@@ -1,4 +1,4 @@
-/* Walls, blocks, turned, bent and framed shapes over the grid of builtin_mesh.c. */
+/* Walls, blocks, turned, bent and framed shapes over the grid of mesh.c. */
 #include "mesh.h"
 
 typedef struct {

@@ -34,7 +34,7 @@ struct error {
 /* A name from the file, for a message: in quotes, NULs replaced, cut to 48 bytes. What prints it cleans the rest. */
 std::string quoted(const std::string &name);
 
-/* gltf_file.cc: files. Refuses what is not a regular file, and what is longer than `limit` bytes or this process's
+/* file.cc: files. Refuses what is not a regular file, and what is longer than `limit` bytes or this process's
  * memory. */
 struct extent {
 	uint64_t limit;
@@ -58,7 +58,7 @@ struct data_uri {
 bool is_data_uri(const std::string &uri);
 data_uri data_uri_decode(const std::string &uri, const std::string &where);
 
-/* gltf_container.cc: the parts of a .glb, as ranges of the file; a .gltf is JSON as a whole. */
+/* container.cc: the parts of a .glb, as ranges of the file; a .gltf is JSON as a whole. */
 struct container {
 	size_t json_begin = 0, json_bytes = 0;
 	size_t bin_begin = 0, bin_bytes = 0;
@@ -69,7 +69,7 @@ container container_split(const bytes &file, bool expect_glb);
 /* Whether a file that begins so may be a .glb or a .gltf. */
 bool container_is_worth(const bytes &head);
 
-/* gltf_guard.cc: the JSON after strict checks, with nothing but what the loader knows in it: every index is in range,
+/* guard.cc: the JSON after strict checks, with nothing but what the loader knows in it: every index is in range,
  * every type and length is right, every buffer view lies inside its buffer. URIs of buffers are replaced by keys of
  * `buffers`; images and animations are in `images` and `animations` alone. */
 struct source {
@@ -110,7 +110,7 @@ struct document {
 document guard(const char *text, size_t n, const container &parts);
 [[noreturn]] void fail_compressed(const std::string &where, const std::string &extension);
 
-/* gltf_accessor.cc: typed, bounds-checked reading. */
+/* accessor.cc: typed, bounds-checked reading. */
 struct view {
 	const unsigned char *data; /* null: zeros */
 	size_t count, stride, item_bytes;
@@ -123,7 +123,7 @@ struct view {
 	f32 number(size_t i, int component) const;
 	uint32_t index(size_t i) const;
 };
-/* gltf_animation.cc: the animation that moves nodes. */
+/* animation.cc: the animation that moves nodes. */
 enum : unsigned { TRANSLATION, ROTATION, SCALE, N_PATHS };
 struct track {
 	const view *times, *values; /* null: the node's own value stays */
@@ -160,7 +160,7 @@ enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4, AS_SNORM = 8, AS_SMA
 /* type: TINYGLTF_TYPE_*, or two of them as alternatives; forms: which component types are allowed. */
 view view_open(const loader &in, int accessor, int type, int other_type, unsigned forms, const std::string &what);
 
-/* gltf_attributes.cc: which attributes of a primitive are read, and where they go. */
+/* attributes.cc: which attributes of a primitive are read, and where they go. */
 struct form {
 	std::string name;
 	int type, other_type;
@@ -179,10 +179,10 @@ struct attributes {
 	void read(size_t i, f32 *field) const;
 };
 
-/* gltf_points.cc: a primitive of points as surfels in the mesh's own space. */
+/* points.cc: a primitive of points as surfels in the mesh's own space. */
 std::vector<ts_surfel> points_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
 
-/* gltf_mesh.cc: one primitive as triangles or surfels in the mesh's own space, and its copies in the world. */
+/* mesh.cc: one primitive as triangles or surfels in the mesh's own space, and its copies in the world. */
 struct piece {
 	std::vector<ts_surfel> surfels;
 	std::vector<ts_vertex> vertices;
@@ -199,7 +199,7 @@ struct spot {
 };
 void piece_place(ts_build *build, const piece &piece, const spot &at);
 
-/* gltf_material.cc: the index in the scene of material `index` (-1: none). */
+/* material.cc: the index in the scene of material `index` (-1: none). */
 u32 material_build(loader &in, int index);
 /* How many texels a file of so many bytes may decode to, in all. */
 uint64_t texel_budget(uint64_t file_bytes);
@@ -211,7 +211,7 @@ struct uv_sets {
 };
 uv_sets material_uv_sets(const loader &in, int index);
 
-/* gltf_animation.cc: checks the animation that is asked for, or the first one, and holds it. */
+/* animation.cc: checks the animation that is asked for, or the first one, and holds it. */
 void animation_open(loader &in);
 bool animation_moves(const loader &in, int node);
 struct trs {
@@ -220,10 +220,10 @@ struct trs {
 /* Sets what is animated of a node that moves. */
 void animation_set(const loader &in, int node, u32 frame, trs &local);
 
-/* gltf_node.cc: walks the scene and builds what it draws. */
+/* node.cc: walks the scene and builds what it draws. */
 void nodes_walk(loader &in);
 
-/* gltf_light.cc: lights and cameras at nodes. */
+/* light.cc: lights and cameras at nodes. */
 void light_build(loader &in, int light, const ts_place &place);
 /* places: by frame, of a camera that moves; otherwise the one. */
 void camera_build(loader &in, const tinygltf::Node &node, const std::vector<ts_place> &places);

@@ -1,5 +1,5 @@
 /* The guard before tinygltf, which checks neither types nor references: the JSON is parsed strictly, held against the
- * table of gltf_rules.h, and written anew, so that tinygltf reads only what was checked. */
+ * table of rules.h, and written anew, so that tinygltf reads only what was checked. */
 #include "../../model/core.h"
 #include "../../model/json.h"
 #include "gltf.h"

@@ -1,4 +1,4 @@
-/* From triangles of light to pixels: their shape, which box lights a pixel, and hull.interpolation on planes, where it
+/* From triangles of light to pixels: their shape, which box lights a pixel, and interpolation on planes, where it
  * is exact; truths in double precision that share no formula with the kernels. */
 #include <stdlib.h>
 #include "../../../src/kernels/hulls/direct.h"

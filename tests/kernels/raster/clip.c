@@ -1,4 +1,4 @@
-/* Clipping and hull.interpolation: what is left of a triangle before the near plane, equal bits along shared edges, and
+/* Clipping and interpolation: what is left of a triangle before the near plane, equal bits along shared edges, and
  * fragments that see what a ray in double precision sees. */
 #include "../seeded.h"
 #include "../../../src/kernels/raster/raster.h"
