@@ -11,24 +11,24 @@ typedef struct ts_told ts_told;
 struct ts_verdicts {
 	ts_comparison *comparison;
 	ts_verdict_info info[TS_N_BUFFERS];
-	ts_told *told[TS_N_BUFFERS];                   /* of each; NULL: it does not differ */
-	char *file[TS_N_BUFFERS], *text[TS_N_BUFFERS]; /* of replays; NULL: none */
+	ts_told *told[TS_N_BUFFERS];                   /* of each buffer; NULL: it does not differ */
+	char *file[TS_N_BUFFERS], *text[TS_N_BUFFERS]; /* of each replay; NULL: none */
 	u32 n;
 	const ts_divergence *first; /* NULL: nothing differs */
 	json_t *tree;
 };
 
-/* What a caller's options let pass. */
+/* The relaxations of a caller's options. */
 ts_status ts_api_relax(ts_relaxations *relaxations, const ts_compare_options *options);
 
-/* Verdicts of nothing, with room for so many differences of a buffer; NULL with the message set on failure. Release by
- * ts_verdicts_free. */
+/* An empty list of verdicts, with room for `most` differences per buffer; NULL with the message set on failure. Release
+ * by ts_verdicts_free. */
 ts_verdicts *ts_verdicts_make(u32 most);
-/* Lists how a buffer was judged; its strings are what the comparison has, which must not change any more. */
+/* Adds the verdict on a buffer. Its strings belong to the comparison, which must not change any more. */
 ts_status ts_verdicts_add(ts_verdicts *verdicts, const ts_trace *reference, ts_buffer_id id);
-/* Adds to the last one what only a replay tells. */
+/* Adds to the last verdict the facts that only a replay gives. */
 ts_status ts_verdicts_tell(ts_verdicts *verdicts, const ts_judged *judged);
-/* Ends: what the tree says. */
+/* Ends the list with the facts of the verdicts' tree. */
 ts_status ts_verdicts_end(ts_verdicts *verdicts, const ts_trace *reference, const ts_trace *candidate);
 
 #endif

@@ -1,5 +1,5 @@
-/* What kernels take, and what launches of stages bind it to: two declarations, from which come the filling of
- * arguments, what a stage reads and writes, and what a device is told. */
+/* Arguments of kernels and bindings of launches: two declarations from which the filling of arguments, the reads and
+ * writes of stages, and the arguments on devices are derived. */
 #ifndef TS_BACKENDS_ARGS_H
 #define TS_BACKENDS_ARGS_H
 #include "../model/frame.h"
@@ -11,7 +11,7 @@ typedef enum {
 } ts_kernel;
 #undef KERNEL
 
-/* Of kernels/base/args.h. */
+/* Roles; see kernels/base/args.h. */
 typedef enum {
 	TS_ROLE_IN,
 	TS_ROLE_OUT,
@@ -25,17 +25,17 @@ typedef enum {
 
 typedef struct ts_arg_list ts_arg_list;
 
-/* One row. */
+/* One row of arguments. */
 typedef struct {
 	ts_role role;
 	bool constant, parted, optional;
 	const char *type, *name;
 	size_t offset;
-	u32 from;                          /* a buffer; of WORK a TS_WORK_*, of TALLY a place */
-	const ts_arg_list *(*inner)(void); /* of INNER */
+	u32 from;                          /* a buffer; for WORK a TS_WORK_*, for TALLY an index */
+	const ts_arg_list *(*inner)(void); /* for INNER */
 } ts_arg;
 
-/* One struct. */
+/* The rows of one struct. */
 struct ts_arg_list {
 	const char *type;
 	size_t bytes;
@@ -59,10 +59,10 @@ typedef struct {
 	ts_pointer pointer[TS_POINTERS];
 } ts_pointers;
 const ts_pointers *ts_kernel_pointers(ts_kernel kernel);
-/* A kernel takes the buffer in parts. */
+/* Whether kernels take the buffer in parts. */
 bool ts_may_be_parted(ts_buffer_id id);
 
-/* What a launch binds otherwise than the rows say. A name of a struct of arguments stands for all in it. */
+/* Bindings of a launch that differ from the rows. The name of a struct of arguments stands for all its members. */
 typedef enum { TS_BINDS_END, TS_BINDS_NOT, TS_BINDS_TOO, TS_BINDS_TO } ts_bind_how;
 typedef struct {
 	ts_bind_how how;
@@ -99,7 +99,7 @@ typedef struct {
 	u32 to; /* as `from` of ts_arg */
 } ts_bound;
 ts_bound ts_launch_bound(const ts_launch *launch, const ts_pointer *pointer);
-/* A bind names a pointer, or a struct with some. */
+/* Whether a binding may use the name: it is that of a pointer, or of a struct with pointers. */
 bool ts_launch_knows(const ts_launch *launch, const char *name);
 
 #endif

@@ -4,11 +4,11 @@
 #include "../model/frame.h"
 #include "args.h"
 
-/* One place that runs kernels. Its functions take effect in the order of their calls. A failure may show at a later
- * call; `finish` shows all failures. Contents are the frame's: the pointers in `args` are those of ts_frame_handle. */
+/* An open backend. Its functions take effect in the order of their calls. A failure may be reported by a later call;
+ * `finish` reports all failures. The frame owns contents: the pointers in `args` are those of ts_frame_handle. */
 typedef struct ts_backend ts_backend;
 
-/* What running the arithmetic vectors told of a backend. */
+/* The result of the arithmetic vectors on a backend. */
 typedef struct {
 	bool rounds_to_nearest, contracts, keeps_denormals;
 	u32 n_wrong; /* primitives; 0: it keeps the numeric contract */
@@ -18,26 +18,26 @@ struct ts_backend {
 	const char *name;             /* as in --backend */
 	const char *device;           /* one line that names the hardware */
 	const char *compiler, *flags; /* of the kernels */
-	bool ends_loops;              /* after some turns, as llvmpipe does: an item must be short of them */
+	bool ends_loops;              /* ends loops after a number of iterations, like llvmpipe; items must stay below it */
 	ts_measured arithmetic;
 	/* Runs items [0, n) of the launch's kernel; args is its argument struct, whose pointers point to, or into, what
 	 * the launch binds. The order of the items is not defined and never changes a result. */
 	ts_status (*launch)(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n);
 	/* Sets every byte of a buffer. */
 	ts_status (*fill)(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte);
-	/* Exclusive prefix sum in place, of all elements but the last, which becomes the total: 32-bit counts. A total
-	 * that does not fit is told all the same and must be refused. */
+	/* Exclusive prefix sum in place, of all elements but the last, which becomes the total: 32-bit counts. *total is
+	 * right even if it does not fit; the caller must refuse it then. */
 	ts_status (*scan)(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64 *total);
 	/* Waits for all of it. */
 	ts_status (*finish)(ts_backend *backend);
 	/* Releases the backend. Frames that it worked on must be cleared before. */
 	void (*close)(ts_backend *backend);
-	/* Does what a traversal that begins with n pairs and launches the kernel over all its pairs does: `source` are the
-	 * arguments of the traversal, `args` those of the kernel but for the pairs. Order is that of no launch. False: it
-	 * does not, and nothing was done. NULL: it never does. */
+	/* Does at once what a traversal that begins with n pairs and launches the kernel over all its pairs does. source:
+	 * arguments of the traversal; args: those of the kernel, without the pairs. The order of results may be that of no
+	 * launch. False: it cannot for these arguments, and nothing was done. NULL: it never can. */
 	bool (*at_once)(ts_backend *backend, ts_kernel kernel, const void *source, const void *args, u64 n);
-	/* From now on computes quotients and roots in another way, which is slower and exact. False: it does already.
-	 * NULL: it has none. */
+	/* From now on computes quotients and roots in another way, which is slower and exact. False: it does so already.
+	 * NULL: there is no other way. */
 	bool (*repair)(ts_backend *backend);
 };
 
@@ -47,7 +47,7 @@ enum { TS_MAX_DEVICES = 32 };
 typedef struct {
 	char name[128], platform[128], driver[64];
 	bool rounded;   /* divides and takes roots with correct rounding */
-	bool denormals; /* keeps them; exact either way, for the contract flushes what would tell */
+	bool denormals; /* keeps them; results are the same either way, since the contract flushes them */
 	bool atomics;   /* of 64 bits */
 	bool unified;   /* its memory is the host's */
 	bool little_endian;
@@ -60,22 +60,22 @@ typedef struct {
 	const char *build; /* more options for the driver's compiler, or a folder of kernels (--build); or "" */
 	bool inexact;      /* also a device that cannot keep the contract */
 	bool copies;       /* a memory of its own, even where the device has the host's */
-	u64 part_bytes; /* what grows with points and cubes is in parts of so many, a power of two; 0: where it must be */
+	u64 part_bytes; /* of the parts of arrays that grow with points and cubes, a power of two; 0: parts only where needed */
 } ts_backend_options;
 
 typedef struct {
 	const char *name; /* as in --backend */
 	/* Describes at most TS_MAX_DEVICES and returns their number; 0 where there is no driver. */
 	u32 (*devices)(ts_device devices[TS_MAX_DEVICES]);
-	/* TS_SKIPPED if there is no device; TS_ERROR if not this one, or it lacks what the contract needs and inexact is
-	 * not set, or its compiler fails: what that said goes to standard error. Then *backend is NULL. NULL: the one in C,
-	 * which every run brings. */
+	/* Opens a device. TS_SKIPPED: there is no device. TS_ERROR: there is not this one, or it lacks what the contract
+	 * needs and inexact is not set, or its compiler fails, whose output goes to standard error. *backend is NULL then.
+	 * The function is NULL for the backend in C, which every run has. */
 	ts_status (*open)(ts_backend **backend, const ts_backend_options *options);
 } ts_backend_kind;
 extern const ts_backend_kind ts_c_kind, ts_opencl_kind, ts_vulkan_kind, ts_cuda_kind;
-/* Those that the library, or the core, has: the one in C first, ended by NULL. */
+/* The backends of the library, or of the core: the one in C first; ended by NULL. */
 extern const ts_backend_kind *const ts_backend_kinds[];
-/* The one of that name among `kinds`, ended by NULL; TS_ERROR, with a message that names those. */
+/* Finds the backend of that name among `kinds`, ended by NULL. TS_ERROR: there is none; the message names all. */
 ts_status ts_backend_find(const ts_backend_kind **kind, const ts_backend_kind *const *kinds, const char *name);
 
 /* The backend in C: threads of OpenMP. */
@@ -90,7 +90,7 @@ void ts_c_begin(ts_c_backend *backend, u32 threads);
 void ts_c_items(ts_kernel kernel, const void *args, u64 begin, u64 end);
 /* The C backend's loop over the items of a kernel, for arguments that are in no frame. */
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads);
-/* counts[0 .. n-1] become the sums before each, counts[n] the total, which is also returned. */
+/* Exclusive prefix sums: counts[0 .. n-1] become the sums before each, counts[n] the total, which is also returned. */
 u64 ts_c_scan(u32 *counts, u64 n);
 
 #endif

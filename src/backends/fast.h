@@ -6,8 +6,8 @@
 
 typedef bool ts_fast_path(const void *args, u64 n, u32 threads);
 
-/* ts_c_at_once_<kernel>(source, args, n, threads) does what launching the kernel over all pairs of a traversal does, as
- * `at_once` of ts_backend says. False as above. */
+/* ts_c_at_once_<kernel>(source, args, n, threads) does what launching the kernel over all pairs of a traversal does;
+ * see `at_once` of ts_backend. False: as above. */
 typedef bool ts_at_once(const void *source, const void *args, u64 n, u32 threads);
 
 /* Every fast path, once: FAST(kernel), and AT_ONCE(kernel). */

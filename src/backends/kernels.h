@@ -1,4 +1,4 @@
-/* All kernels: for backends, which run them, and for nobody else. */
+/* All kernels. Only backends, which run kernels, include this. */
 #ifndef TS_BACKENDS_KERNELS_H
 #define TS_BACKENDS_KERNELS_H
 #include "../kernels/vectors/kernels.h"

@@ -1,4 +1,4 @@
-/* Kernels that were compiled before: a module each, packed into the library, or in a folder of the user's. */
+/* Kernels that were compiled earlier: one module per kernel, packed into the library, or in a folder of the user. */
 #ifndef TS_BACKENDS_MODULES_H
 #define TS_BACKENDS_MODULES_H
 #include "args.h"
@@ -15,19 +15,19 @@ typedef struct {
 	const char *backend, *ending; /* of the names of files */
 	ts_packed packed;
 	const char *folder; /* of the user's own, or "" */
-	u8 *unpacked;       /* as soon as one is asked for */
+	u8 *unpacked;       /* made when the first module is asked for */
 } ts_modules;
 
-/* Of text, which a zero byte ends; of words, at a multiple of 4. */
+/* A module: text, ended by a zero byte; or words, at a multiple of 4. */
 typedef struct {
 	const u8 *bytes;
 	u64 n_bytes;
 	u8 *read; /* what ts_module_free frees */
 } ts_module;
 
-/* Also after an error the module is to be freed. */
+/* Finds the module of a kernel. Free *module by ts_module_free, also after an error. */
 ts_status ts_modules_find(ts_modules *modules, ts_kernel kernel, ts_module *module);
-/* The error that a module of the user's folder is no such thing. */
+/* Fails because a file of the user's folder is no valid module. */
 ts_status ts_modules_refuse(const ts_modules *modules, ts_kernel kernel, const char *reason);
 void ts_module_free(ts_module *module);
 void ts_modules_free(ts_modules *modules);

@@ -1,5 +1,5 @@
-/* The self-test of a file that computes what kernels do: its last line includes this. TS_FILE: its name, where one
- * source is compiled several times. */
+/* The self-test of a file that computes what kernels do; the last line of such a file includes this one. TS_FILE: name
+ * of the file, if one source is compiled several times. */
 #ifndef TS_BACKENDS_SELFTEST_H
 #define TS_BACKENDS_SELFTEST_H
 #include "../model/selftest.h"

@@ -1,6 +1,6 @@
-/* Loops for vectors: compiled for each width that processors have, with all that they call, and the widest that this
- * processor has is taken at each call. The bits are the same, as nothing is contracted and no sum is reordered
- * (CONTRACT rule 4). Not by the loader (target_clones): that of static programs of musl takes none. */
+/* Vector loops: compiled for each vector width, with all functions that they call; each call takes the widest version
+ * that this processor has. The bits are the same, since nothing is contracted and no sum is reordered (CONTRACT rule
+ * 4). The loader does not choose (target_clones), since static programs of musl have no such loader. */
 #ifndef TS_BACKENDS_C_WIDE_H
 #define TS_BACKENDS_C_WIDE_H
 

@@ -1,5 +1,5 @@
-/* What kernels/base/compat.h takes from the CUDA toolkit, by clang's built-in functions, so that no toolkit is
- * needed. */
+/* The functions that kernels/base/compat.h takes from the CUDA toolkit, by clang's built-in functions, so that no
+ * toolkit is needed. */
 #ifndef TS_BACKENDS_CUDA_BUILTINS_H
 #define TS_BACKENDS_CUDA_BUILTINS_H
 

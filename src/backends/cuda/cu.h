@@ -1,6 +1,6 @@
 /* The kernels on NVIDIA GPUs from Volta on, shared by the files of this folder, the only one that names CUDA. The
- * driver's library is opened at run time. Of its interface, which is documented and keeps its binary form, what is
- * called is declared here, so that no toolkit is needed. */
+ * driver's library is opened at run time. Its interface is documented and binary-stable; the functions that are called
+ * are declared here, so that no toolkit is needed. */
 #ifndef TS_BACKENDS_CUDA_CU_H
 #define TS_BACKENDS_CUDA_CU_H
 #include "../device.h"
@@ -18,7 +18,7 @@ enum {
 	CU_DEVICE_ATTRIBUTE_COMPUTE_CAPABILITY_MINOR = 76,
 };
 
-/* What is called: CALL(name, as the library has it, parameters). */
+/* The functions that are called: CALL(name, symbol of the library, parameters). */
 /* clang-format off */
 #define TS_CU_CALLS(CALL) \
 	CALL(Init, cuInit, (unsigned flags)) \
@@ -74,7 +74,7 @@ typedef struct {
 
 /* A failed call as one line. */
 ts_status ts_cu_failed(const ts_cu *cu, const char *what, CUresult result);
-/* What follows is of this device; result: of what comes next. */
+/* Makes this device's context current for the calls that follow. */
 CUresult ts_cu_enter(const ts_cu *cu);
 
 /* device.c: ts_cuda_kind's devices; the one of an index, TS_SKIPPED without any; opened. */

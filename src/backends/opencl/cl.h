@@ -6,7 +6,7 @@
 #include <CL/cl.h>
 #include "../device.h"
 
-/* What is called. */
+/* The functions that are called. */
 /* clang-format off */
 #define TS_CL_CALLS(CALL) \
 	CALL(GetPlatformIDs) CALL(GetPlatformInfo) CALL(GetDeviceIDs) CALL(GetDeviceInfo) CALL(CreateContext) \

@@ -7,7 +7,7 @@
 #include "../device.h"
 #include "../modules.h"
 
-/* What is called. */
+/* The functions that are called. */
 /* clang-format off */
 #define TS_VK_GLOBAL(CALL) CALL(CreateInstance) CALL(EnumerateInstanceVersion)
 #define TS_VK_CALLS(CALL) \
@@ -29,7 +29,7 @@ typedef struct {
 } ts_vk_calls;
 #undef TS_VK_CALL
 
-/* Memory of the device with an address there; mapped: where the host sees it, NULL if it does not. */
+/* Memory of the device with an address there; mapped: its address on the host, NULL if the host does not see it. */
 enum { TS_VK_ARGUMENTS = 1 << 18, TS_VK_ALIGN = 16 };
 typedef struct {
 	VkBuffer buffer;
@@ -38,10 +38,10 @@ typedef struct {
 	u8 *mapped;
 } ts_vk_block;
 
-/* Groups of a dispatch, and items of a group, which are whole vectors: what is left of one, llvmpipe lets run on. */
+/* Groups of a dispatch, and items of a group. Groups are whole vectors, since llvmpipe does not end incomplete ones. */
 typedef struct {
 	u32 groups, items, vector;
-	bool ends_loops; /* of the 8 items of a vector together after 65,535 turns: llvmpipe */
+	bool ends_loops; /* ends the loops of the 8 items of a vector after 65,535 iterations together: llvmpipe */
 } ts_vk_limits;
 
 typedef struct {
@@ -65,8 +65,8 @@ typedef struct {
 	u64 part_bytes;        /* of parted arrays; 0: none is in parts */
 	ts_vk_block arguments; /* of the launches that are recorded, behind the kernel of which a loop was ended early */
 	u64 n_arguments;       /* bytes */
-	ts_vk_block staging;   /* where the host does not see the device's memory */
-	bool sees;             /* it does */
+	ts_vk_block staging;   /* used if the host does not see the device's memory */
+	bool sees;             /* the host sees the device's memory */
 	ts_modules modules;
 	ts_store store;
 } ts_vk;

@@ -7,31 +7,33 @@ enum { TS_ASKED_LEVELS = 32 };
 
 typedef struct {
 	u64 n;
-	u8 *texel;  /* n of all cubes: 1: some sample reads it */
+	u8 *texel;  /* of all cubes, n texels; 1: a sample reads it */
 	u8 *blocks; /* of all faces, level after level */
 	u64 *first; /* of each cube: its first block */
 } ts_asked;
 
-/* Blocks of a face, 2^level texels wide: 1: that block, or a neighbour to its right or below, has such a texel. */
+/* Blocks of a face, 2^level texels wide; 1: the block, or its neighbour to the right or below, has a texel that a
+ * sample reads. */
 typedef struct {
 	const u8 *level[TS_ASKED_LEVELS]; /* from 1 on */
-	u32 n;                            /* texels a side; 0: all count */
+	u32 n;                            /* texels per side; 0: all texels count */
 } ts_asked_face;
 
-/* Of args->pixels. False: no memory. Clear it in any case. */
+/* Finds the texels that args->pixels read. False: no memory. Clear *asked in either case. */
 bool ts_asked_make(ts_asked *asked, const ts_splat_args *args, u32 threads);
 void ts_asked_clear(ts_asked *asked);
 
-/* Where nobody was asked, all texels count. */
+/* The blocks of a face. If *asked is empty, all texels count. */
 ts_asked_face ts_asked_face_of(const ts_asked *asked, const ts_face *cubes, u32 cube, u32 side);
 
-/* No key wins a closed texel. Closes the empty texels that nobody reads; and empties those again. */
+/* Closes the empty texels that no sample reads, so that no key wins them; and empties them again. */
 void ts_asked_close(const ts_asked *asked, u64 *texels, u32 threads);
 void ts_asked_open(const ts_asked *asked, u64 *texels, u32 threads);
 
 static inline u32 ts_asked_blocks(u32 n, u32 level) { return ((n - 1) >> level) + 1; }
 
-/* False: none of the box, which is within the face and not empty. It touches two blocks a side at most. */
+/* Whether a sample may read a texel of the box, which is within the face and not empty. A box touches at most two
+ * blocks per side. */
 static inline bool ts_asked_any(const ts_asked_face *f, ts_box box)
 {
 	if (f->n == 0) return true;

@@ -1,4 +1,4 @@
-/* Closest points as loops for vectors find them: without branches, with the bits of the kernels. */
+/* Closest points for vector loops: without branches, with the bits of the kernels. */
 #ifndef TS_BACKENDS_CLOSEST_LANES_H
 #define TS_BACKENDS_CLOSEST_LANES_H
 #include "../../../kernels/base/closest.h"
@@ -11,7 +11,7 @@ static inline u32 ts_all3(bool x, bool y, bool z)
 	return z ? r : 0u;
 }
 
-/* A point from `from` on, by so much of `by` as `part` is of `whole`. */
+/* The point from + by * part / whole. */
 typedef struct {
 	ts_v3 from, by;
 	f32 part, whole;
@@ -23,15 +23,15 @@ static inline ts_along ts_choose_along(u32 first, ts_along a, ts_along b)
 	                  first != 0u ? a.part : b.part, first != 0u ? a.whole : b.whole};
 }
 
-/* Of the sides ab and ac with a point less a: d1, d2; less b: d3, d4; less c: d5, d6. */
+/* Dot products of the sides ab and ac with p - a: d1, d2; with p - b: d3, d4; with p - c: d5, d6. */
 typedef struct {
 	f32 d1, d2, d3, d4, d5, d6;
 } ts_side_dots;
 
-/* The first region that holds the point of a, b, the edge ab, c, the edges ac and bc, the inside. One division for
- * whatever edge holds the point, and one more inside. Whatever the six numbers are, the result is on the triangle: by
- * cases of sign and order, where no test holds none of va, vb and vc is negative. Rounding keeps that, since products
- * and differences are rounded monotonely: a rounded sign is the true one, or 0. */
+/* The closest point by the first region that contains p: a, b, the edge ab, c, the edges ac and bc, the inside. One
+ * division serves all edges, and one more the inside. Whatever the six numbers are, the result is on the triangle: by
+ * cases of sign and order, none of va, vb and vc is negative where no test holds. Rounding preserves this, since
+ * products and differences are rounded monotonically: a rounded sign is the true one, or 0. */
 static inline ts_v3 ts_closest_by_dots(ts_side_dots d, ts_v3 a, ts_v3 b, ts_v3 c, ts_v3 ab, ts_v3 ac)
 {
 	f32 va = ts_flush(ts_diff_of_products(d.d3, d.d6, d.d5, d.d4));

@@ -1,11 +1,11 @@
-/* Triangles side by side, and which cubes may still count for their densities. */
+/* Triangles in vector lanes, and the cubes that may still change their densities. */
 #ifndef TS_BACKENDS_DENSITY_BOUND_H
 #define TS_BACKENDS_DENSITY_BOUND_H
 #include "../../../kernels/points/density.h"
 
 enum { TS_PART = 128, TS_COORDINATES = 9 };
 
-/* Triangles, one after another, and what their cubes told so far. */
+/* Consecutive triangles, and the results of their cubes so far. */
 typedef struct {
 	u32 n;
 	f32 corner[TS_COORDINATES][TS_PART];
@@ -25,10 +25,10 @@ static inline ts_v3 ts_part_corner(const ts_density_part *p, u32 k, u32 i)
 	return ts_v3_make(p->corner[3 * k][i], p->corner[3 * k + 1][i], p->corner[3 * k + 2][i]);
 }
 
-/* Finds middles, reaches and the extent; nothing is told yet. */
+/* Finds middles, reaches and the extent; there are no results yet. */
 void ts_density_begin(ts_density_part *p);
 
-/* Lists the triangles whose shortest way or densest need the cube may change; returns how many. */
+/* Lists the triangles whose shortest way or densest need the cube may change; returns their number. */
 u32 ts_density_may_count(u32 list[TS_PART], const ts_density_part *p, const ts_density_cube *of);
 
 #endif

@@ -1,14 +1,14 @@
-/* Points of a piece, made row by row of its lattice and side by side, with the bits of ts_k_flight_start. */
+/* Makes the points of a piece, row by row of its lattice, in vector lanes, with the bits of ts_k_flight_start. */
 #ifndef TS_BACKENDS_MADE_POINTS_H
 #define TS_BACKENDS_MADE_POINTS_H
 #include "../../../kernels/points/points.h"
 #include "sample_mask.h"
 #include "view_planes.h"
 
-/* What is written beside the last point; what else is read there may be anything. */
+/* Lanes beyond the last point may be written, and hold anything when read. */
 enum { TS_MADE_LANES = 16 };
 
-/* What all rows of a piece have in common; its frame's scale is above 0. */
+/* Values that all rows of a piece share; the scale of its frame is above 0. */
 typedef struct {
 	const ts_points_args *from;
 	u64 piece;
@@ -22,13 +22,14 @@ typedef struct {
 ts_made_piece ts_made_piece_begin(const ts_points_args *from, u64 piece);
 /* Whether a sample is a point. */
 bool ts_made_is_point(const ts_made_piece *piece, i32 x, i32 y);
-/* How many points the rows have, from touched.y0 to touched.y1. */
+/* Number of points of the rows from touched.y0 to touched.y1. */
 u64 ts_made_piece_count(const ts_made_piece *piece);
-/* What has all of them. */
+/* A box that contains all these points. */
 ts_bounds ts_made_piece_bounds(const ts_made_piece *piece);
-/* Makes the points of row y, in order of x; returns how many. Arrays have room for all of the row and TS_MADE_LANES. */
+/* Makes the points of row y, in the order of x; returns their number. Arrays have room for the whole row and
+ * TS_MADE_LANES. */
 u32 ts_made_row(const ts_made_piece *piece, i32 y, f32 *const centre[3]);
-/* The same of a piece without a mask, where the samples that touch are known; none: last is first - 1. */
+/* ts_made_row for a piece without a mask, of which the touching samples are known; none: last is first - 1. */
 void ts_made_span(const ts_made_piece *piece, ts_span row, i32 y, f32 *const centre[3]);
 
 #endif

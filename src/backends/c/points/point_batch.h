@@ -1,4 +1,4 @@
-/* Surfaces of points side by side, with the bits of ts_k_flight_surface: loops for vectors find the weights of samples
+/* Surfaces of points in vector lanes, with the bits of ts_k_flight_surface: vector loops compute the weights of samples
  * in the lattices of their pieces. */
 #ifndef TS_BACKENDS_POINT_BATCH_H
 #define TS_BACKENDS_POINT_BATCH_H
@@ -17,10 +17,10 @@ typedef struct {
 	u64 place[TS_ABREAST]; /* the caller's */
 } ts_point_batch;
 
-/* Asks `bins` for the surfaces of all that the batch has when it is full. */
+/* Adds a point. A full batch asks `bins` for the surfaces of its points. */
 void ts_points_add(ts_point_batch *batch, ts_surface_bins *bins, const ts_points_args *from, const ts_flight *point,
                    ts_v3 viewer, u64 place);
-/* And of what it still has. */
+/* Asks for the surfaces of the points that are left. */
 void ts_points_flush(ts_point_batch *batch, ts_surface_bins *bins);
 
 #endif

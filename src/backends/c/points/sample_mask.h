@@ -1,5 +1,5 @@
-/* The alpha mask of a piece's samples, with the bits of ts_k_is_cut: what they have in common is found once, and texels
- * are asked for alpha alone. */
+/* The alpha mask of a piece's samples, with the bits of ts_k_is_cut: values that the samples share are computed once,
+ * and only the alpha of texels is read. */
 #ifndef TS_BACKENDS_SAMPLE_MASK_H
 #define TS_BACKENDS_SAMPLE_MASK_H
 #include "../../../kernels/points/points.h"
@@ -14,7 +14,7 @@ typedef struct {
 	u32 next; /* weight of the second level, in 1/256; 0: there is none */
 } ts_sample_mask;
 
-/* Of a piece with a masked material; its frame's scale is above 0. */
+/* The mask of a piece with a masked material; the scale of its frame is above 0. */
 ts_sample_mask ts_sample_mask_of(const ts_points_args *from, u64 piece);
 bool ts_sample_mask_cuts(const ts_sample_mask *mask, i32 x, i32 y);
 

@@ -11,7 +11,7 @@ typedef struct {
 } ts_sample_offsets;
 
 ts_sample_offsets ts_sample_offsets_of(u32 n_samples);
-/* Places in a cube of n texels a side; `to` also receives what no sample asks for, up to its end. */
+/* Indices of the texels in a cube of n texels per side. Elements of `to` beyond the last sample are written too. */
 void ts_sample_texels(u32 to[TS_SAMPLE_ROOM], const ts_sample_offsets *o, const ts_pixel *of, ts_v3 eye, u32 n);
 
 #endif

@@ -1,5 +1,5 @@
-/* What is splatted: rows of points, each of one piece, as arrays. Where points are made as they are splatted, a row is
- * a whole piece. */
+/* The input of splatting: rows of points, each of one piece, as arrays. If points are made as they are splatted, a row
+ * is a whole piece. */
 #ifndef TS_BACKENDS_SPLAT_LIVE_H
 #define TS_BACKENDS_SPLAT_LIVE_H
 #include "../../../kernels/points/splat_pieces.h"
@@ -10,17 +10,17 @@ typedef struct {
 	f32 least, most;
 } ts_range;
 
-/* Of points, in the world. */
+/* Bounds of points, in the world. */
 typedef struct {
 	ts_range of[3];
 } ts_splat_bounds;
 
-/* Coordinates in the world: corners a, b, c of the piece; half a square's sides du, dv; and of stored points, at most
- * TS_SPLAT_POINTS a row, which may be read up to a multiple of lanes. */
+/* World coordinates of the corners a, b, c of the piece, of half a square's sides du, dv, and of stored points: at most
+ * TS_SPLAT_POINTS per row; arrays may be read up to a multiple of lanes. */
 typedef struct {
 	u64 n;
 	u32 *piece, *triangle, *tiny;
-	u32 *index; /* of the first point; [n]: of all points, how many */
+	u32 *index; /* of the first point of each row; [n]: number of all points */
 	f32 *length, *corner[TS_SPLAT_CORNERS], *side[TS_SPLAT_SIDES];
 	f32 *centre[3];          /* NULL: points are made */
 	ts_splat_bounds *bounds; /* of rows */
@@ -31,7 +31,7 @@ static inline u32 ts_splat_live_points(const ts_splat_live *live, u64 begin, u64
 	return live->index[end] - live->index[begin];
 }
 
-/* False: no memory. Clear it in any case. */
+/* False: no memory. Clear *live in either case. */
 bool ts_splat_live_make(ts_splat_live *live, const ts_splat_args *args, u32 threads);
 void ts_splat_live_clear(ts_splat_live *live);
 

@@ -1,19 +1,20 @@
-/* Which of 32 views may see a box in world space: one that no plane of its pyramid parts from it. */
+/* The views, of at most 32, that may see a box in world space: those without a plane of their pyramid that separates
+ * the box. */
 #ifndef TS_BACKENDS_VIEW_PLANES_H
 #define TS_BACKENDS_VIEW_PLANES_H
 #include "../../../kernels/raster/raster.h"
 
 enum { TS_GROUP = 32, TS_PLANES = 5 };
 
-/* About its middle, half its sides. */
+/* A box: its middle, and half its sides. */
 typedef struct {
 	f32 middle[3], half[3];
 } ts_bounds;
 
-/* By plane and view: a point p is outside where normal.(p - eye) + least < 0, by more than `error` times the distance
- * and `level`, which rounding can change. */
+/* By plane and view: a point p is outside where normal.(p - eye) + least < 0 by more than the rounding error, `error`
+ * times the distance plus `level`. */
 typedef struct {
-	u32 views; /* bits: those that were set; of others nothing is told */
+	u32 views; /* bits of the views that were set; bits of other views mean nothing */
 	f32 eye[3][TS_GROUP];
 	f32 normal[TS_PLANES][3][TS_GROUP];
 	f32 least[TS_PLANES][TS_GROUP], error[TS_PLANES][TS_GROUP], level[TS_PLANES][TS_GROUP];

@@ -1,6 +1,6 @@
-/* Triangles of one view side by side, into texels that their thread owns. Most cover few pixels: loops for vectors
- * project and snap them, and find the depths of all that they cover. Triangles that are clipped or large go alone.
- */
+/* Triangles of one view in vector lanes, drawn into texels that their thread owns. Most triangles cover few pixels:
+ * vector loops project and snap them, and compute the depths of all pixels that they cover. Triangles that are clipped
+ * or large are drawn alone. */
 #ifndef TS_BACKENDS_DRAW_BATCH_H
 #define TS_BACKENDS_DRAW_BATCH_H
 #include "../../../kernels/raster/draw.h"
@@ -34,7 +34,7 @@ typedef struct {
 	ts_draw_corners corners; /* on the view's axes: right, up, ahead */
 } ts_draw_batch;
 
-/* Triangles as the scene has them, from `first` on. */
+/* Consecutive triangles of the scene, from `first` on. */
 typedef struct {
 	u32 first, n;
 	u32 object[TS_DRAW_TRIANGLES];
@@ -48,13 +48,13 @@ void ts_draw_block_read(ts_draw_block *block, const ts_arrays *scene, u32 first,
  * and ahead in the axes of `corners`. Draws the batch when it is full. */
 void ts_draw_add(ts_draw_batch *batch, const ts_draw_block *block, u32 k, const ts_draw_corners *corners,
                  const ts_row row[3]);
-/* Draws what the batch has, and empties it. */
+/* Draws the triangles of the batch, and empties it. */
 void ts_draw_flush(ts_draw_batch *batch);
 
-/* A triangle of the scene by itself; clips: a plane of ts_k_clip_to_range may do so. */
+/* Draws one triangle of the scene; clips: a plane of ts_k_clip_to_range may clip it. */
 void ts_draw_alone(const ts_draw_batch *batch, u32 triangle, bool masked, bool clips);
 
-/* 1 where x is a number above 0 after ts_flush; below. */
+/* 1 if x is a number above 0 after ts_flush; ts_draw_is_below: below 0. */
 static inline u32 ts_draw_is_above(f32 x) { return ts_f2u(x) - 0x0d800000u <= 0x7f800000u - 0x0d800000u ? 1u : 0u; }
 static inline u32 ts_draw_is_below(f32 x) { return ts_draw_is_above(-x); }
 
@@ -64,7 +64,7 @@ static inline bool ts_draw_is_nearer(const ts_target *target, u64 at, u32 depth,
 	return depth < target->depths[at];
 }
 
-/* The texel's least. */
+/* Lowers the texel to the depth, or the key, if that is less. */
 static inline void ts_draw_texel(const ts_target *target, u64 at, u32 depth, u32 triangle)
 {
 	if (target->keys != NULL) {

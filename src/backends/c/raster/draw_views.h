@@ -1,5 +1,5 @@
-/* Triangles of the scene into several views, each drawn by one thread or, where threads are many, by one in each band
- * of rows. */
+/* Draws the triangles of the scene into several views. One thread draws a view; if there are more threads, one draws
+ * each band of its rows. */
 #ifndef TS_BACKENDS_DRAW_VIEWS_H
 #define TS_BACKENDS_DRAW_VIEWS_H
 #include "../../../kernels/raster/draw.h"
@@ -13,7 +13,7 @@ typedef struct {
 
 ts_draw_view ts_draw_view_offscreen(const ts_offscreen *offscreen, ts_target target);
 
-/* False without memory. */
+/* False: no memory. */
 bool ts_draw_views(const ts_arrays *scene, const ts_draw_view *views, u32 n, u32 threads);
 
 #endif

@@ -1,5 +1,5 @@
-/* Fragments of pixels beside each other, with the bits of ts_k_fragment_at: loops for vectors bring their triangles
- * into the view. */
+/* Fragments of neighbouring pixels, with the bits of ts_k_fragment_at: vector loops transform their triangles into the
+ * view. */
 #ifndef TS_BACKENDS_FRAGMENT_BATCH_H
 #define TS_BACKENDS_FRAGMENT_BATCH_H
 #include "../../../kernels/raster/draw.h"
@@ -10,7 +10,7 @@ typedef struct {
 	u32 triangle[TS_ABREAST];
 	i32 x[TS_ABREAST], y[TS_ABREAST]; /* pixels */
 	u64 place[TS_ABREAST];            /* the caller's */
-	/* Found: */
+	/* Results: */
 	ts_lanes3 w, normal, p; /* corners' weights, (b - a) x (c - a), the place seen */
 	f32 z[TS_ABREAST], footprint[TS_ABREAST];
 } ts_fragment_batch;
@@ -24,10 +24,10 @@ static inline void ts_fragment_add(ts_fragment_batch *batch, u32 triangle, i32 x
 	batch->place[i] = place;
 }
 
-/* Finds all, asks `bins` for their surfaces, towards the view's eye, and empties the batch. The view is not
- * orthographic. lit: of each place, as ts_surface_batch has it; or NULL. */
+/* Finds all fragments, asks `bins` for their surfaces, towards the view's eye, and empties the batch. The view is not
+ * orthographic. lit: that of each place, as in ts_surface_batch; or NULL. */
 void ts_fragments_ask(ts_fragment_batch *batch, ts_surface_bins *bins, const ts_camera_k *view, const u32 *lit);
-/* Finds all. */
+/* Finds all fragments. */
 void ts_fragments_find(ts_fragment_batch *batch, const ts_arrays *scene, const ts_camera_k *view);
 
 #endif

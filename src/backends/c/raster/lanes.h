@@ -1,4 +1,4 @@
-/* Values of many items side by side, and choices that loops for vectors can make. */
+/* Values of many items in vector lanes, and choices that vector loops can make. */
 #ifndef TS_BACKENDS_LANES_H
 #define TS_BACKENDS_LANES_H
 #include "../../../kernels/base/scene.h"
@@ -21,14 +21,14 @@ static inline void ts_set_lane3(ts_lanes3 *to, u32 i, ts_v3 v)
 	to->z[i] = v.z;
 }
 
-/* Copies where corners a, b and c of a triangle are. */
+/* Copies the positions of the corners a, b and c of a triangle. */
 static inline void ts_set_corners(ts_lanes3 corner[3], u32 i, const ts_arrays *scene, u32 triangle)
 {
 	const u32 *vertex = scene->triangles[triangle].vertex;
 	for (u32 k = 0; k < 3; k++) ts_set_lane3(&corner[k], i, ts_load3(scene->vertices[vertex[k]].position));
 }
 
-/* p where `which`, a number that loops of vectors can hold, is 1. */
+/* p if `which` is 1, otherwise q; `which` is a number, which vector loops can hold. */
 static inline ts_v3 ts_choose_lane(u32 which, ts_v3 p, ts_v3 q)
 {
 	return ts_v3_make(which != 0u ? p.x : q.x, which != 0u ? p.y : q.y, which != 0u ? p.z : q.z);

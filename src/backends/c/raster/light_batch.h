@@ -1,10 +1,10 @@
-/* Light on surfaces of one material side by side, with the bits of ts_k_shade_lit. */
+/* Light on surfaces of one material in vector lanes, with the bits of ts_k_shade_lit. */
 #ifndef TS_BACKENDS_LIGHT_BATCH_H
 #define TS_BACKENDS_LIGHT_BATCH_H
 #include "../../../kernels/base/shade.h"
 #include "surface_batch.h"
 
-/* Outgoing radiance of `s`, found of `of`, towards the viewers. lamps: may be NULL where of->lit is. */
+/* Outgoing radiance of the surfaces `s` of the batch `of`, towards the viewers. lamps may be NULL if of->lit is. */
 void ts_light_batch(ts_lanes3 *radiance, const ts_arrays *scene, const ts_lamp *lamps, const ts_surface_batch *of,
                     const ts_surfaces *s);
 

@@ -1,4 +1,4 @@
-/* A triangle that a view has clipped and set up once, for many pixels: what fast paths share. */
+/* A triangle that is clipped and set up once for a view and many pixels; fast paths share it. */
 #ifndef TS_BACKENDS_C_PREPARED_H
 #define TS_BACKENDS_C_PREPARED_H
 #include "../../../kernels/raster/draw.h"
@@ -11,7 +11,7 @@ typedef struct {
 	ts_setup setup[TS_MAX_CORNERS];
 } ts_prepared;
 
-/* clips: a plane of ts_k_clip_to_range may do so. */
+/* clips: a plane of ts_k_clip_to_range may clip the triangle. */
 static inline void ts_prepare_if(ts_prepared *p, const ts_arrays *scene, const ts_camera_k *view, u32 triangle,
                                  bool clips)
 {
@@ -29,7 +29,7 @@ static inline void ts_prepare(ts_prepared *p, const ts_arrays *scene, const ts_c
 	ts_prepare_if(p, scene, view, triangle, true);
 }
 
-/* As ts_k_fragment_at. */
+/* The fragment of ts_k_fragment_at. */
 static inline ts_fragment ts_prepared_fragment(const ts_prepared *p, const ts_camera_k *view, i32 x, i32 y)
 {
 	const ts_corner *corner = p->polygon.corner;

@@ -3,14 +3,14 @@
 #define TS_BACKENDS_SRGB_TABLE_H
 #include "../../../kernels/base/srgb.h"
 
-/* Numbers from 2^-13, below which all are 0, up to 1 share their exponent and 8 bits of their fraction with others: no
- * threshold lies between them, or one. */
+/* Display values are 0 below 2^-13. From there to 1, numbers with the same exponent and the same 8 highest bits of the
+ * fraction have at most one threshold between them. */
 #define TS_SRGB_LEAST 0x39000000u
 #define TS_SRGB_SHIFT 15u
 #define TS_SRGB_PLACES ((0x3f800000u - TS_SRGB_LEAST) >> TS_SRGB_SHIFT)
 
 typedef struct {
-	u8 first[TS_SRGB_PLACES]; /* of the least number of each place */
+	u8 first[TS_SRGB_PLACES]; /* display value of the least number of each entry */
 } ts_srgb_table;
 
 static inline void ts_srgb_table_make(ts_srgb_table *table)

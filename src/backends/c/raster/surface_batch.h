@@ -1,11 +1,11 @@
-/* Surfaces of one material side by side, with the bits of ts_k_surface: loops for vectors find what textures, normal
- * maps and corners make of many samples at once. */
+/* Surfaces of one material in vector lanes, with the bits of ts_k_surface: vector loops evaluate textures, normal maps
+ * and corners of many samples at once. */
 #ifndef TS_BACKENDS_SURFACE_BATCH_H
 #define TS_BACKENDS_SURFACE_BATCH_H
 #include "../../../kernels/base/surface.h"
 #include "lanes.h"
 
-/* What is asked. */
+/* The samples. */
 typedef struct {
 	u32 material, n;
 	u32 triangle[TS_ABREAST];
@@ -13,17 +13,17 @@ typedef struct {
 	ts_lanes3 normal; /* (b - a) x (c - a) */
 	ts_lanes3 p, viewer;
 	f32 footprint[TS_ABREAST];
-	const u32 *lit[TS_ABREAST]; /* samples of each lamp that reach it, or NULL */
+	const u32 *lit[TS_ABREAST]; /* samples of each lamp that reach the surface, or NULL */
 	u64 place[TS_ABREAST];      /* the caller's */
 } ts_surface_batch;
 
-/* What is found: as ts_surface has it. */
+/* Their surfaces, with the members of ts_surface. */
 typedef struct {
 	ts_lanes3 face, n, base, emissive;
 	f32 metallic[TS_ABREAST], roughness[TS_ABREAST], occlusion[TS_ABREAST];
 } ts_surfaces;
 
-/* Surface i, but for what lights alone ask. */
+/* Surface i, without the members that only lighting reads. */
 static inline ts_surface ts_surface_lane(const ts_surface_batch *of, const ts_surfaces *found, u32 i)
 {
 	return (ts_surface){.p = ts_lane3(&of->p, i),

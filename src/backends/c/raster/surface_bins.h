@@ -1,4 +1,5 @@
-/* Surfaces that a thread asks for one by one, dealt to bins by their material: a full bin is found at once. */
+/* Surfaces that a thread asks for one by one are collected in bins by material; the surfaces of a full bin are found at
+ * once. */
 #ifndef TS_BACKENDS_SURFACE_BINS_H
 #define TS_BACKENDS_SURFACE_BINS_H
 #include "surface_batch.h"
@@ -26,7 +27,7 @@ typedef struct {
 
 void ts_surface_bins_begin(ts_surface_bins *bins, const ts_arrays *scene, ts_surface_done *done, const void *user);
 void ts_surface_bins_add(ts_surface_bins *bins, const ts_surface_ask *ask);
-/* Finds what the bins still have. */
+/* Finds the surfaces that are left in the bins. */
 void ts_surface_bins_flush(ts_surface_bins *bins);
 
 #endif

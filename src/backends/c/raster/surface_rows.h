@@ -1,16 +1,16 @@
-/* Threads that see rows of pixels, and find their surfaces. */
+/* Threads that find the surfaces of rows of pixels. */
 #ifndef TS_BACKENDS_SURFACE_ROWS_H
 #define TS_BACKENDS_SURFACE_ROWS_H
 #include "fragment_batch.h"
 
-/* A thread's. */
+/* The state of a thread. */
 typedef struct {
 	const void *user;
 	ts_surface_bins bins;
 	ts_fragment_batch fragments;
 } ts_row_worker;
 
-/* Sees pixels [first, first + n), and leaves no fragments. */
+/* Asks for the surfaces of pixels [first, first + n), and leaves no fragments in the batch. */
 typedef void ts_see_row(ts_row_worker *worker, u64 first, u64 n);
 
 typedef struct {

@@ -1,9 +1,9 @@
-/* One texture at many places side by side, with the bits of ts_k_slot_sample. */
+/* One texture at many places in vector lanes, with the bits of ts_k_slot_sample. */
 #ifndef TS_BACKENDS_TEXTURE_BATCH_H
 #define TS_BACKENDS_TEXTURE_BATCH_H
 #include "surface_batch.h"
 
-/* The corners' texture coordinates, as the slot's set has them. */
+/* The corners' texture coordinates in the slot's set. */
 typedef struct {
 	f32 u[3][TS_ABREAST], v[3][TS_ABREAST];
 } ts_uv_batch;
