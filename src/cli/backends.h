@@ -1,10 +1,10 @@
-/* Opens what --backend and the options behind it name. */
+/* Opens the backend that --backend and its options name. */
 #ifndef TS_CLI_BACKENDS_H
 #define TS_CLI_BACKENDS_H
 #include "../study/job.h"
 
-/* Opens the job's backend into job->how, if it is not that in C; a device that breaks the numeric contract
- * is refused, unless it may. */
+/* Opens the job's backend into job->how, unless it is that in C. A device that breaks the numeric contract is refused,
+ * except with --inexact. */
 ts_status ts_backend_open(ts_job *job);
 
 #endif

@@ -21,7 +21,7 @@ typedef enum {
 	TS_N_GROUPS,
 } ts_group;
 
-/* Options: their places in the table, and how the row of a command says that it takes one. */
+/* Options: their indices in the table, and the way in which the row of a command names those it takes. */
 enum {
 #define OPTION(id, ...) TS_OPTION_##id,
 #include "options.def"
@@ -32,14 +32,14 @@ enum {
 
 enum { TS_MAX_ARGUMENTS = 1000, TS_MAX_TYPED = 256 };
 
-/* What images need not be, each where it is typed; all that are typed must hold. */
+/* Tolerances of images. Those that are typed must all hold. */
 typedef struct {
 	double percent;  /* of the pixels may differ, */
 	double hardfail; /* no channel by more than this, */
 	double rmse;     /* and the root mean square of all differences is at most this */
 } ts_tolerances;
 
-/* What traces need not be, either. */
+/* Relaxations of traces. */
 typedef struct {
 	u64 ulp;
 	double abs, rel;
@@ -48,28 +48,28 @@ typedef struct {
 	const char *ignore;
 } ts_relaxed;
 
-/* How a comparison judges, and what it writes. Strings are NULL if nothing was said. */
+/* Options by which a comparison judges and writes. Strings are NULL if they were not typed. */
 typedef struct {
 	ts_relaxed relaxations;
 	ts_tolerances tolerances; /* of images */
 	const char *mask;         /* file */
 	const char *layout;
 	bool forced;                 /* each stage by the candidate's own inputs */
-	u32 first;                   /* differences that are shown of a buffer, at least 1 */
+	u32 first;                   /* differences to show per buffer, at least 1 */
 	const char *baseline, *skip; /* files */
 	const char *junit;
 	bool tap;
 	bool told; /* the file of --junit is written */
 } ts_judging;
 
-/* What was typed. Strings belong to argv. */
+/* The command line as it was typed. Strings belong to argv. */
 typedef struct {
 	double began; /* ts_seconds */
 	bool given[TS_N_OPTIONS];
 	struct {
 		u32 option;
 		const char *text;  /* NULL: no value */
-	} typed[TS_MAX_TYPED]; /* as they stood */
+	} typed[TS_MAX_TYPED]; /* options in their order */
 	u32 n_typed;
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
@@ -80,7 +80,7 @@ typedef struct {
 		u64 triangle, item;
 		const char *kernel, *element;
 		bool primitives;
-		u32 lines; /* 0: as many as by default */
+		u32 lines; /* 0: the default */
 	} place;       /* of probe and explain */
 	struct {
 		const char *reason, *dir;
@@ -91,7 +91,7 @@ typedef struct {
 		u32 probes;
 	} report;
 	bool flush_denormals;
-	const struct ts_parts *parts; /* of merge: renders are taken from these shards; NULL: they are made */
+	const struct ts_parts *parts; /* merge: shards from which renders are taken; NULL: renders are made */
 	struct {
 		u32 seconds, mib; /* at most; 0: no limit */
 		bool none;
@@ -105,8 +105,8 @@ typedef struct {
 	u32 min_arguments, max_arguments;
 	bool options[TS_N_OPTIONS]; /* those it takes */
 	ts_status (*run)(ts_cli *cli);
-	void (*failed)(const ts_cli *cli); /* is told that the command ended with an error, which was said; NULL: nothing */
-	void (*print_more)(void);          /* prints what `help NAME` has from tables; NULL: nothing */
+	void (*failed)(const ts_cli *cli); /* called after an error ended the command and was printed; NULL: nothing */
+	void (*print_more)(void);          /* prints the tables of `help NAME`; NULL: there are none */
 } ts_command;
 
 typedef struct ts_option ts_option;
@@ -115,30 +115,29 @@ struct ts_option {
 	const char *name;
 	char letter;          /* its short form; 0: none */
 	const char *argument; /* "" none, "[...]" optional */
-	const char *standard; /* the default as `help` has it; "" none */
+	const char *standard; /* the default as `help` prints it; "" none */
 	ts_status (*take)(void *to, const ts_option *option, const char *text);
 	size_t at;         /* of `to` in ts_cli */
 	u32 min, max;      /* of a count */
 	const char *param; /* that is set */
 	const char *help;
-	const char *list; /* `list` has its values; "" no */
+	const char *list; /* WHAT of `list WHAT`, which prints its values; "" none */
 };
 
-/* Each program's own table, ended by a row without a name. */
+/* The program's table of commands, ended by a row without a name. */
 extern const ts_command ts_command_table[];
 /* The program's name in messages. */
 extern const char *const ts_program;
 
 extern const ts_option ts_option_table[TS_N_OPTIONS];
-/* Whether the command takes the option at that place of the table; each takes --help. */
+/* Whether the command takes the option at that index of the table. Every command takes --help. */
 bool ts_command_takes(const ts_command *command, u32 option);
 
 /* The command of that name; NULL if this program has none. */
 const ts_command *ts_cli_find(const char *name);
-/* The same; NULL with the message set. */
+/* The command of that name; NULL with the message set. */
 const ts_command *ts_cli_require(const char *name);
-/* From here on what is said goes to standard error: lines, and progress as one line that rewrites itself, on a terminal
- * only. */
+/* From now on messages go to standard error: lines, and on a terminal progress, as one line that rewrites itself. */
 void ts_cli_listen(void);
 void ts_cli_say(void *user, const char *line);
 void ts_cli_progress(void *user, const char *label, uint64_t done, uint64_t total);
@@ -148,7 +147,7 @@ int ts_cli_main(int argc, char **argv);
 /* Reads argv[1...] of a command into *cli. */
 ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **argv);
 
-/* Refuses options of what a judging command says that contradict each other. */
+/* Refuses output options of a judging command that contradict each other. */
 ts_status ts_judging_check(const ts_cli *cli);
 
 /* Commands. */
@@ -163,7 +162,7 @@ ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
-/* Write the file of --junit where nothing was judged. */
+/* Write the file of --junit if nothing was judged. */
 void ts_compare_failed(const ts_cli *cli);
 ts_status ts_report_command(ts_cli *cli);
 ts_status ts_vectors_command(ts_cli *cli);
@@ -179,9 +178,9 @@ typedef struct {
 	const char *left, *text;
 } ts_help_row;
 
-/* Prints a titled table, its texts beside each other and within 80 columns; none if n is 0. */
+/* Prints a titled table with two columns of text, within 80 columns; nothing if n is 0. */
 void ts_help_table(const char *title, const ts_help_row *rows, u32 n);
-/* Prints a row whose text stands below. */
+/* Prints a row with its text below the left cell. */
 void ts_help_item(const char *left, const char *text);
 
 #endif

@@ -1,4 +1,4 @@
-/* What the commands share that ask the library by its public headers, as any program does. */
+/* Code of the commands that use the library by its public headers, like any other program. */
 #ifndef TS_CLI_CLIENT_H
 #define TS_CLI_CLIENT_H
 #include <jansson.h>

@@ -1,4 +1,4 @@
-/* Goldens as a command: reference/cases.txt says what is run, reference/<case>/ what came of it. Part of the core. */
+/* The command `golden`: reference/cases.txt lists the runs, reference/<case>/ holds their results. Part of the core. */
 #ifndef TS_CLI_GOLDEN_H
 #define TS_CLI_GOLDEN_H
 #include <touchstone/image.h>
@@ -18,18 +18,18 @@ typedef struct {
 	bool small; /* small files are stored as they are */
 } ts_case;
 
-/* What a `golden` command works on. */
+/* The cases and goldens of a `golden` command. */
 typedef struct {
 	ts_cli *cli;
 	ts_golden_dir dir; /* reference/ */
 	ts_case cases[TS_MAX_CASES];
 	u32 n_cases;
 	ts_baseline known, skips;
-	const ts_case *only; /* the one that is worked on; NULL: all */
+	const ts_case *only; /* the only case to work on; NULL: all */
 } ts_goldens;
 
 enum { TS_CASE_PATH = TS_GOLDEN_PATH + TS_CASE_NAME + 8 };
-/* The folder of a case, or, with suffix ".new", of what is proposed for it. */
+/* The folder of a case, or, with suffix ".new", of its proposal. */
 void ts_case_path(char path[TS_CASE_PATH], const ts_goldens *goldens, const ts_case *c, const char *suffix);
 /* Whether text can be the name of a case. */
 bool ts_case_name(const char *text);
@@ -42,17 +42,19 @@ const ts_case *ts_cases_find(const ts_goldens *goldens, const char *name);
  * NAME=VALUE lines. */
 ts_status ts_case_write_params(const ts_case *c);
 /* Compares params.txt of a folder with the case. TS_DIFFERENT: `text` says where. A parameter that the file does not
- * name, because it is younger, must have its default. */
+ * name, because it was added later, must have its default. */
 ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir);
 
-/* As ts_golden_compare; then the folder's preview with the computed picture, in a program that reads PNG. */
+/* Compares as ts_golden_compare does; then, in a program that reads PNG, the folder's preview with the computed
+ * picture. */
 ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir, const ts_golden *stored,
                           const ts_golden *computed);
 
-/* Runs a case, as ts_golden_compute; refuses what does not fit the machine. ts_golden_free also after a failure. */
+/* Runs a case as ts_golden_compute does; refuses a case that does not fit the machine. Release by ts_golden_free, also
+ * after a failure. */
 ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how);
 
-/* How the check of a case ended. */
+/* The outcome of the check of a case. */
 typedef enum {
 	TS_CASE_SAME,
 	TS_CASE_SKIPPED,
@@ -65,21 +67,21 @@ typedef enum {
 typedef struct {
 	const ts_case *of;
 	ts_case_end end;
-	ts_buffer_id first;      /* that differs; TS_N_BUFFERS: none */
-	const char *why;         /* it is known, or skipped; else "" */
-	char text[TS_CASE_TEXT]; /* what differs, or is wrong */
+	ts_buffer_id first;      /* buffer that differs; TS_N_BUFFERS: none */
+	const char *why;         /* reason if it is known or skipped; otherwise "" */
+	char text[TS_CASE_TEXT]; /* the difference, or the error */
 	double seconds;
 } ts_checked;
 /* The stage of the first buffer that differs. */
 const char *ts_checked_stage(const ts_checked *checked);
 /* "same", "different", ... */
 const char *ts_case_word(ts_case_end end);
-/* Says what was checked as --json, --tap, --junit and -o ask, of a command that ends with `status`; NULL in a program
- * that does not know them. Each program has its own. */
+/* Reports the checks of a command that ends with `status`, in the forms of --json, --tap, --junit and -o; NULL in a
+ * program without these options. Each program has its own. */
 typedef ts_status ts_golden_teller(const ts_goldens *goldens, const ts_checked *checked, u32 n, ts_status status);
 extern ts_golden_teller *const ts_golden_tell;
 
-/* How many cases are worked on, and the i-th. */
+/* The number of cases to work on, and the i-th. */
 u32 ts_goldens_count(const ts_goldens *goldens);
 const ts_case *ts_goldens_case(const ts_goldens *goldens, u32 i);
 

@@ -1,4 +1,4 @@
-/* How the cases of a command ended: rows of its report, which TAP and JUnit XML print too. */
+/* Outcomes of the cases of a command: rows of its report, which TAP and JUnit XML print too. */
 #ifndef TS_CLI_OUTCOMES_H
 #define TS_CLI_OUTCOMES_H
 #include <jansson.h>
@@ -12,25 +12,24 @@ typedef enum {
 	TS_LEFT_OUT, /* not judged, for a reason */
 	TS_KNOWN,    /* differs as a baseline says */
 	TS_FAILED,
-	TS_BROKEN, /* could not be judged, and should */
+	TS_BROKEN, /* could not be judged, although it should */
 	TS_N_OUTCOMES,
 } ts_outcome;
 
-/* Rows are {KEY: name, "verdict": a word, "outcome": "passed", "skipped", "known", "failed" or "error", "why": why, or
- * "", "lines": what is said of it}. */
+/* Rows are {KEY: name, "verdict": a word, "outcome": "passed", "skipped", "known", "failed" or "error", "why": the
+ * reason or "", "lines": the lines about it}. */
 typedef struct {
 	const char *key;        /* "case" or "stage" */
 	const char *class_name; /* in JUnit XML */
-	json_t *rows, *seconds; /* how long each took */
+	json_t *rows, *seconds; /* times of the rows */
 	bool failed;            /* out of memory */
 } ts_outcomes;
 
 ts_status ts_outcomes_begin(ts_outcomes *outcomes, const char *key, const char *class_name);
-/* Takes rows that were read, which may hold anything, and how long each took. Ended by ts_outcomes_end also on
- * failure. */
+/* Takes rows that were read, which may hold anything, and the time of each. End by ts_outcomes_end, also on failure. */
 ts_status ts_outcomes_read(ts_outcomes *outcomes, const char *key, const char *class_name, json_t *rows,
                            json_t *seconds);
-/* Appends a case; what follows is about it. */
+/* Appends a case, which the calls that follow describe. */
 void ts_outcomes_add(ts_outcomes *outcomes, const char *name, const char *verdict, ts_outcome outcome, const char *why,
                      double seconds);
 void ts_outcomes_line(ts_outcomes *outcomes, const char *line);
@@ -39,7 +38,7 @@ u32 ts_outcomes_count(const ts_outcomes *outcomes, ts_outcome outcome);
 ts_status ts_outcomes_check(const ts_outcomes *outcomes);
 void ts_outcomes_end(ts_outcomes *outcomes);
 
-/* Lines of text of each; of those that did not pass as failures. */
+/* Reports the lines of each case; those of cases that did not pass as failures. */
 void ts_outcomes_lines(ts_report *report, const ts_outcomes *outcomes);
 /* What was relaxed, unless it is "", and the cases, in Test Anything Protocol. */
 void ts_outcomes_tap(const ts_outcomes *outcomes, const char *relaxed, FILE *out);

@@ -1,4 +1,4 @@
-/* What `replay` prints, as text and as JSON. */
+/* The report of `replay`, as text and as JSON. */
 #ifndef TS_CLI_REPLAY_REPORT_H
 #define TS_CLI_REPLAY_REPORT_H
 #include "client.h"
@@ -13,11 +13,11 @@ typedef struct {
 	char error[1024];      /* of TS_ERROR */
 } ts_replayed;
 
-/* Which traces; candidate may be NULL. */
+/* Begins the report with the traces; candidate may be NULL. */
 void ts_replay_report_begin(ts_report *report, ts_trace *reference, ts_trace *candidate);
-/* A line an output. */
+/* Reports a line per output. */
 void ts_replay_report_outputs(ts_report *report, const ts_replayed *replayed);
-/* A line for the stage: same, what first differs, or why it could not be replayed. */
+/* Reports a line for the stage: same, the first difference, or the reason why it could not be replayed. */
 void ts_replay_report_stage(ts_report *report, const ts_replayed *replayed);
 
 #endif

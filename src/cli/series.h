@@ -1,4 +1,4 @@
-/* Renders of several frames, or of several combinations of parameters: what they leave beside pictures of each. */
+/* Renders of several frames, or of several combinations of parameters: the outputs beside the pictures of each. */
 #ifndef TS_CLI_SERIES_H
 #define TS_CLI_SERIES_H
 #include "../study/contact.h"
@@ -8,7 +8,7 @@
 #include "merge.h"
 #include "render.h"
 
-/* What is told of a picture: counters, errors against each truth, and how it changed. */
+/* The figures of a picture: counters, errors against each truth, and changes. */
 enum { TS_MAX_FIGURES = 256, TS_FIGURE_NAME = 48 };
 typedef struct {
 	char name[TS_FIGURE_NAME];
@@ -19,17 +19,18 @@ typedef struct {
 	ts_figure figure[TS_MAX_FIGURES];
 	u32 n;
 } ts_figures;
-/* Of the i-th shown picture of a render that was compared. Names and order are those of all its pictures. */
+/* The figures of the i-th shown picture of a render that was compared. All pictures of a render have the same names, in
+ * the same order. */
 void ts_series_figures(ts_figures *figures, const ts_render *render, u32 shown);
 
 /* Least, mean and greatest of figures over frames. */
 typedef struct {
-	ts_figures figures; /* of the last frame; all but the values are those of every frame */
+	ts_figures figures; /* of the last frame; their names are those of every frame */
 	ts_frame_spread spread[TS_MAX_FIGURES], milliseconds;
 } ts_series_row;
 
-/* Pictures that were made, for later combinations that change nothing that these depend on. The first that fit into an
- * eighth of the memory that a run may use are kept. */
+/* Pictures that are kept for later combinations with the same values of all parameters that the pictures depend on. The
+ * first pictures that fit into an eighth of the memory of a run are kept. */
 typedef struct ts_kept ts_kept;
 typedef struct {
 	ts_kept *list;
@@ -40,7 +41,7 @@ enum { TS_SERIES_NAME = TS_MAX_SWEEPS * 2 * (TS_SWEEP_TEXT + 1) };
 
 /* A point of a plot. */
 typedef struct {
-	u32 along, figure, shown; /* axis: 0, the frame, or 1 + a swept parameter; row of the figures that are plotted */
+	u32 along, figure, shown; /* axis: 0 the frame, or 1 + a swept parameter; row of the plotted figures; picture */
 	double x, y;
 } ts_datum;
 
@@ -52,59 +53,59 @@ typedef struct {
 
 typedef struct {
 	ts_cli *cli;
-	ts_job *job; /* its parameters are those of the render that is made */
+	ts_job *job; /* has the parameters of the current render */
 	ts_render *render;
 	ts_report report;
 	ts_file_text csv;
 	ts_series_time *times; /* of each render */
 	ts_contact contact;
 	ts_keep keep;
-	ts_series_row *rows[TS_MAX_SHOWN]; /* over the frames of a combination; NULL: not made yet */
+	ts_series_row *rows[TS_MAX_SHOWN]; /* figures over the frames of a combination; NULL: not made yet */
 	u8 *before[TS_MAX_SHOWN];          /* pictures of the frame before; NULL: there are none */
 	u8 *mirrors_before, *mirrors_still;
 	char values[TS_MAX_SWEEPS][TS_SWEEP_TEXT]; /* of the combination */
-	char name[TS_SERIES_NAME];                 /* of the combination, "" or "cube.px=64"; and of a folder of it */
+	char name[TS_SERIES_NAME];                 /* of the combination, "" or "cube.px=64", and of its folder */
 	char folder[TS_SERIES_NAME + 24];
-	u32 combination, n_done; /* its place among all; renders before this one */
+	u32 combination, n_done; /* index of the combination; renders before this one */
 	u32 n_all;               /* renders of this shard */
 	bool begun;              /* the report has its head */
-	json_t *renders;         /* of a shard: what they gave */
-	const ts_part *from;     /* of merge: the shard of this one, */
-	const json_t *fetched;   /* and what this one gave */
-	u32 absent;              /* truths that cannot be made, as the report has said */
+	json_t *renders;         /* of a shard: results of its renders */
+	const ts_part *from;     /* merge: the shard of this render */
+	const json_t *fetched;   /* merge: the results of this render */
+	u32 absent;              /* truths that cannot be made and were reported */
 	ts_datum *data;          /* of the plots */
 	size_t n_data, data_capacity;
 } ts_series;
 
-/* Moves what was kept for this combination and frame into the render. */
+/* Moves the pictures that were kept for this combination and frame into the render. */
 void ts_keep_give(ts_series *series);
-/* Takes the pictures of the render, but for those that do not fit, which stay. */
+/* Takes the pictures of the render; pictures that do not fit stay. */
 ts_status ts_keep_take(ts_series *series);
 void ts_keep_free(ts_keep *keep);
 
 /* Whether the shard has frame number k of a combination. A case is a combination, or, where there is no sweep, a
  * frame. */
 bool ts_series_has(const ts_series *series, u32 combination, u32 k);
-/* Keeps what this render gave: its figures, exactly. */
+/* Records the figures of this render, exactly. */
 ts_status ts_series_record(ts_series *series);
 /* Writes the report as one of a shard. */
 ts_status ts_series_shard_write(ts_series *series);
 /* Takes the pictures, times and figures of this render from the shard that made them, for merge. */
 ts_status ts_series_fetch(ts_series *series);
 ts_status ts_series_fetch_figures(ts_figures *figures, const ts_series *series, u32 shown);
-/* Rows of names and of what they show, as the shard of this render has them. */
+/* Rows of the pictures' table, as the shard of this render has them. */
 void ts_series_fetch_pictures(ts_table *table, const ts_series *series);
-/* Copies the files of this render from there. */
+/* Copies the files of this render from its shard. */
 ts_status ts_series_copy(ts_series *series);
 
 /* Adds this render's figures to those of the combination, series->rows. */
 ts_status ts_series_add(ts_series *series);
 /* Tables of means and extremes over the frames, if there is one combination. */
 void ts_series_report(ts_series *series);
-/* Those figures as lines of CSV, a picture each; before the first the names of the columns. With times on standard
- * output too, if `print`. */
+/* Writes the figures as lines of CSV, one per picture; before the first the names of the columns. If `print`, also to
+ * standard output, with times. */
 ts_status ts_series_csv(ts_series *series, bool print);
-/* Keeps what the plots show of this frame, or of a whole combination. */
+/* Keeps the data of this frame, or of a whole combination, for the plots. */
 ts_status ts_series_plot_frame(ts_series *series);
 ts_status ts_series_plot_combination(ts_series *series);
 /* Writes errors and changes by frame and by each swept parameter that is a number, as SVG. */

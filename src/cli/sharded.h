@@ -1,5 +1,5 @@
-/* The folder of a shard's results: report.json has a member "shard", and SHA256SUMS, as sha256sum checks them, is of
- * all its files but times.json. `merge` reads it. */
+/* The folder of a shard's results, which `merge` reads: report.json has a member "shard", and SHA256SUMS, for
+ * sha256sum, names all files except times.json. */
 #ifndef TS_CLI_SHARDED_H
 #define TS_CLI_SHARDED_H
 #include "../study/table.h"
@@ -11,13 +11,13 @@ typedef struct {
 	const char *command;    /* "golden check" */
 	const char *class_name; /* of its cases in JUnit XML */
 	json_t *cases;          /* names of all cases, in their order */
-	ts_status status;       /* that the command ends with */
-	json_t *renders;        /* of a series, what its renders gave; NULL */
+	ts_status status;       /* with which the command ends */
+	json_t *renders;        /* of a series, the results of its renders; otherwise NULL */
 } ts_sharded;
-/* Writes the report as ts_results_report, as one of a shard. */
+/* Writes the report of a shard, otherwise like ts_results_report. */
 ts_status ts_sharded_write(ts_report *report, const ts_cli *cli, const ts_sharded *sharded);
-/* What was typed that says what is worked on, but not how fast, which part, or what is written where; a new reference,
- * or NULL without memory. */
+/* The typed options that change results: not those on speed, on the part, or on output. A new reference, or NULL
+ * without memory. */
 json_t *ts_sharded_typed(const ts_cli *cli);
 /* The digest of a file; false: it cannot be read. */
 bool ts_sharded_digest(char *hex, const char *path);

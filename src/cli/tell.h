@@ -1,4 +1,4 @@
-/* What a command that judges says: as text or JSON, as TAP, as JUnit XML, and as a folder of results. */
+/* The output of a judging command: as text or JSON, as TAP, as JUnit XML, and as a folder of results. */
 #ifndef TS_CLI_TELL_H
 #define TS_CLI_TELL_H
 #include "client.h"
@@ -9,17 +9,17 @@ typedef struct {
 	const char *command; /* "compare" */
 	const ts_outcomes *outcomes;
 	const char *relaxed; /* relaxations; "" none */
-	json_t *cases;       /* names of all cases, those of other shards too; NULL: there are no shards */
-	ts_status status;    /* that the command will end with */
+	json_t *cases;       /* names of the cases of all shards; NULL: there are no shards */
+	ts_status status;    /* with which the command will end */
 	void (*report)(ts_report *report, const void *user);
 	bool lines;                          /* the report has the lines of the outcomes */
 	ts_status (*draw)(const void *user); /* pictures into the folder of -o; NULL: none */
-	/* Both sides, and what was said of them as JSON, into the page of --report; NULL: there is none. */
+	/* Puts both sides, and the report as JSON, into the page of --report; NULL: there is no page. */
 	ts_status (*show)(ts_html *page, const char *said, const void *user);
 	const void *user;
 } ts_telling;
-/* Says all that cli asks for. Whether the report is printed, with `print`, or was, as it came. */
+/* Writes all output that cli asks for. `print`: also prints the report, unless it was printed as it came. */
 ts_status ts_tell(ts_cli *cli, const ts_telling *telling, bool print);
-/* Writes the file of --junit where nothing was judged. */
+/* Writes the file of --junit if nothing was judged. */
 void ts_tell_failed(const ts_cli *cli, const char *command);
 #endif

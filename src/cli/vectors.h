@@ -14,11 +14,11 @@ typedef struct {
 /* Judges the outputs in the folder of --check: TS_OK all that are there are right, TS_DIFFERENT, or TS_ERROR. */
 ts_status ts_vectors_check(const ts_cli *cli);
 
-/* Reads DIR/NAME.npy, elements of `descr` and of element_bytes in that shape, to `data`. *there: the file exists;
- * without it nothing is read and nothing fails. */
+/* Reads DIR/NAME.npy, elements of `descr` and of element_bytes in that shape, to `data`. *there: the file exists; if it
+ * does not, nothing is read and nothing fails. */
 ts_status ts_vectors_read(void *data, bool *there, const char *dir, const char *name, const char *descr,
                           size_t element_bytes, u32 n_dims, const u64 *shape);
-/* Fails if DIR/vectors.json is there and of another contract. */
+/* Fails if DIR/vectors.json exists and is of another contract. */
 ts_status ts_vectors_read_contract(const char *dir);
 /* Fails unless every DIR/NAME.out.npy is named after a primitive; DIR must be a folder. */
 ts_status ts_vectors_check_names(const char *dir);

@@ -1,6 +1,6 @@
-/* A command's work is done by a child process, the worker. Whatever ends the worker, the command ends as it should: by
- * the worker's exit code; by the signal that somebody sent; or, where a library or the machine ended it, with exit code
- * 2 and one line. Nothing half-written is left. */
+/* A child process, the worker, does the work of a command. Whatever ends the worker, the command ends properly: with
+ * the worker's exit code; by the signal that somebody sent; or, if a library or the machine ended the worker, with exit
+ * code 2 and one line. Nothing half-written is left. */
 #ifndef TS_CLI_WORKER_H
 #define TS_CLI_WORKER_H
 #include "../model/core.h"

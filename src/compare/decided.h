@@ -1,8 +1,8 @@
-/* What a reference does not decide: places where a port with other sub-pixel bits, or other snapping, may legally
- * answer otherwise. A margin says how near an element of another buffer is to another answer: its edges and depths in
- * steps of 1/256 pixel and of rounding, its random number as a share of its range. An element is decided if it is
- * farther than the margin's rule says; of buffers without a margin every element is. The reference must hold the
- * margins (render --margins). */
+/* Elements that a reference does not decide: there a port with other sub-pixel bits, or other snapping, may answer
+ * otherwise. A margin says how near an element of another buffer is to another answer: edges and depths in steps of
+ * 1/256 pixel and of rounding, random numbers as a share of their range. An element is decided if its margin is larger
+ * than the rule says; in buffers without a margin every element is decided. The reference must have the margins (render
+ * --margins). */
 #ifndef TS_TRACE_DECIDED_H
 #define TS_TRACE_DECIDED_H
 #include "../trace/read.h"
@@ -10,17 +10,17 @@
 
 /* A row of a family. */
 typedef struct {
-	ts_buffer_id buffer, margin; /* pairs of f32 bits in words of 64, a f32, or of ties a byte, not 0 where it ties */
-	u32 of;                      /* elements of the buffer to one of the margin */
-	f32 steps;                   /* decided is what is farther than so much; of ties nothing */
-	bool rare;                   /* most methods have the buffer and not the margin, so that a file alone has none */
+	ts_buffer_id buffer, margin; /* margin: pairs of f32 bits in 64-bit words, an f32, or for ties a byte, not 0 at a tie */
+	u32 of;                      /* elements of the buffer per element of the margin */
+	f32 steps;                   /* an element is decided if its margin is above this; not used for ties */
+	bool rare;                   /* most methods have the buffer without the margin, so a single file has no margin */
 } ts_margin_rule;
 
 /* Takes the rules of all families: lists ended by NULL, each ended by a row of no elements. They must stay. */
 void ts_decided_use(const ts_margin_rule *const *rules);
 
 typedef struct {
-	const ts_margin_rule *rule; /* NULL: everything is decided */
+	const ts_margin_rule *rule; /* NULL: every element is decided */
 	ts_reader *reader;
 } ts_decided;
 

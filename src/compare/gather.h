@@ -1,13 +1,13 @@
-/* Records of a candidate that stand in the order of their arrival, in the order of the reference: the file is read once
- * for each window of memory, whose size grows with the number of records, so that there are never many. */
+/* Gives the records of a candidate, which are in the order of arrival, in the order of the reference. The file is read
+ * once for each window of memory; windows grow with the number of records, so that there are never many. */
 #ifndef TS_TRACE_GATHER_H
 #define TS_TRACE_GATHER_H
 #include "order.h"
 
 typedef struct ts_gather ts_gather;
 
-/* Opens a set of the candidate, as many records as `order`, which must stay, knows of it. NULL with the message set on
- * failure. */
+/* Opens a set of the candidate, which has as many records as `order` says; `order` must stay. NULL with the message set
+ * on failure. */
 ts_gather *ts_gather_open(const ts_trace_item *item, ts_buffer_id id, const ts_order *order);
 /* The candidate's records for those of the reference from `first` on, *n of them, at least 1; the bytes of one that it
  * lacks are 0. Valid until the next call; cheap while `first` ascends. NULL with the message set if the file cannot be

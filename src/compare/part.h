@@ -1,13 +1,14 @@
-/* The part of a comparison that was asked for: what some stages make. */
+/* The part of a comparison that was asked for: the buffers of some stages. */
 #ifndef TS_COMPARE_PART_H
 #define TS_COMPARE_PART_H
 #include "compare.h"
 
-/* Marks the buffers that these stages make, "scene,split,...". Fails where a name is of none, or there is no buffer of
- * any stage that both have. */
+/* Marks the buffers that the stages "scene,split,..." make. Fails if a name is of no stage, or both traces have no such
+ * buffer in common. */
 ts_status ts_part_make(bool part[TS_N_BUFFERS], const char *stages, const ts_trace *reference,
                        const ts_trace *candidate, const ts_relaxations *relaxations);
-/* Judges aside what is beside the part and a stage that differs has read: it says whether inputs are identical. */
+/* Judges the buffers outside the part that a stage with a difference has read, without counting them: by them the
+ * report says whether inputs are identical. */
 ts_status ts_part_inputs(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
                          const ts_relaxations *relaxations);
 

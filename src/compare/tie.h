@@ -1,4 +1,4 @@
-/* Where a candidate whose points stand in the order of their arrival may answer otherwise: rules of families. */
+/* Rules of families: elements in which a candidate with points in the order of arrival may answer otherwise. */
 #ifndef TS_COMPARE_TIE_H
 #define TS_COMPARE_TIE_H
 #include "../trace/read.h"
@@ -6,7 +6,7 @@
 /* A rule keeps its own state: `open` makes the state, `close` releases it. */
 typedef struct {
 	ts_buffer_id buffer;
-	/* *ties: NULL if nothing is free. TS_ERROR if the reference cannot be read; then *ties is NULL. */
+	/* *ties: NULL if there are no ties. TS_ERROR if the reference cannot be read; *ties is NULL then. */
 	ts_status (*open)(void **ties, const ts_trace *reference);
 	/* *allows: the reference's value of an element and the candidate's, mapped to the reference's indices, are equally
 	 * right. */

@@ -1,4 +1,4 @@
-/* Explaining: a stage replayed on one thread, where one item of a kernel tells what it computes, line by line. */
+/* Explanations: a stage is replayed on one thread, and one item of a kernel records what it computes, line by line. */
 #ifndef TS_EXPLAIN_EXPLAIN_H
 #define TS_EXPLAIN_EXPLAIN_H
 #include "../replay/replay.h"
@@ -9,7 +9,7 @@
 typedef struct {
 	ts_kernel kernel;
 	u64 n;    /* items */
-	u64 item; /* that tells; n: none */
+	u64 item; /* the item that is explained; n: none */
 	size_t first_line, n_lines;
 } ts_explained_launch;
 
@@ -21,9 +21,9 @@ typedef enum {
 
 typedef struct {
 	ts_explain_subject subject;
-	ts_kernel kernel; /* of ITEM: launches of this one only; TS_N_KERNELS: of any */
+	ts_kernel kernel; /* for ITEM: only launches of this kernel; TS_N_KERNELS: of any */
 	u64 item;
-	ts_buffer_id buffer; /* of ELEMENT: one that the stage writes */
+	ts_buffer_id buffer; /* for ELEMENT: a buffer that the stage writes */
 	u64 element;
 	bool primitives; /* as in ts_telling */
 	u64 most;        /* lines that are kept; ts_telling.n_more counts the others */
@@ -42,21 +42,21 @@ ts_status ts_explain(ts_explanation *explanation, const ts_stage *stage, const t
                      const ts_trace *reference, const ts_trace *candidate);
 void ts_explain_end(ts_explanation *explanation);
 
-/* One number of a line's value: "1.5 (3fc00000)"; of a pointer the element that it is to: "points.piece:3". */
+/* One number of a line's value: "1.5 (3fc00000)"; for a pointer the element that it points to: "points.piece:3". */
 void ts_explain_number(char text[TS_VALUE_TEXT], const ts_explanation *explanation, const ts_told_line *line,
                        const ts_told_leaf *leaf);
-/* A line has a value of its own: calls and tests have none, and a counter has that of all items before. */
+/* Whether a line has a value of its own. Calls and tests have none; the value of a counter is that of all items
+ * before. */
 bool ts_explain_has_value(const ts_explanation *explanation, const ts_told_line *line);
-/* The element that a line stores to, as that; "" if it stores to none. */
+/* The element that a line stores to, in the same form; "" if it stores to none. */
 void ts_explain_place(char text[TS_VALUE_TEXT], const ts_explanation *explanation, const ts_told_line *line);
 
 enum { TS_TOLD_TEXT = 8192 };
-/* Line `number` without its place in the text: "half = 1.5 (3fc00000)". A long value that an earlier line told is "as
- * in line 12", counted from 1. With `other`, whose line of that number is at the same place: only what differs
- * there. */
+/* Line `number` without its place in the text: "half = 1.5 (3fc00000)". A long value that an earlier line has is "as in
+ * line 12", counted from 1. With `other`, whose line of that number is at the same place, only the differences. */
 void ts_explain_text(char text[TS_TOLD_TEXT], const ts_explanation *explanation, size_t number,
                      const ts_explanation *other);
-/* Both have a line of that number, at the same place; and what it tells is the same. */
+/* Whether both have a line of that number, at the same place; ts_explain_is_same: and with the same content. */
 bool ts_explain_is_beside(const ts_explanation *a, const ts_explanation *b, size_t number);
 bool ts_explain_is_same(const ts_explanation *a, const ts_explanation *b, size_t number);
 /* Whether two have different lines, and the number of the first. */

@@ -1,5 +1,5 @@
-/* What an item of a kernel tells while it is computed. scripts/explained writes the kernels as C that computes the
- * same bits and calls these functions at each parameter, variable, result, decision and store. One thread tells at a
+/* The record of an item of a kernel while it is computed. scripts/explained writes the kernels as C that computes the
+ * same bits and calls these functions at each parameter, variable, result, decision and store. One thread records at a
  * time. */
 #ifndef TS_EXPLAIN_TOLD_H
 #define TS_EXPLAIN_TOLD_H
@@ -16,7 +16,7 @@ typedef enum {
 	TS_TOLD_pointer,
 } ts_told_scalar;
 
-/* A number within a value: ".x", "[2].y", or "" if it is all of it. */
+/* A number within a value: ".x", "[2].y", or "" for the whole value. */
 typedef struct {
 	const char *path;
 	size_t offset;
@@ -31,40 +31,40 @@ typedef struct {
 } ts_told_type;
 
 typedef enum {
-	TS_TOLD_CALL,   /* of a function; what follows is told in it, until its end */
+	TS_TOLD_CALL,   /* of a function; the lines that follow are inside the call, until its end */
 	TS_TOLD_VALUE,  /* a parameter or a variable has it */
 	TS_TOLD_RESULT, /* the function returns it */
 	TS_TOLD_TEST,   /* a decision */
-	TS_TOLD_STORE,  /* stands in a buffer now */
+	TS_TOLD_STORE,  /* is stored in a buffer */
 } ts_told_how;
 
-/* A place in the text of the kernels, and what is told there. */
+/* A place in the text of the kernels, and what is recorded there. */
 typedef struct {
 	ts_told_how how;
 	const char *file; /* below src/kernels */
 	u32 line;
-	const char *text;         /* the name, the function, the condition, what is stored to */
-	const ts_told_type *type; /* NULL of calls and tests */
+	const char *text;         /* the name, the function, the condition, or the target of the store */
+	const ts_told_type *type; /* NULL for calls and tests */
 } ts_told_site;
 
-/* One thing that was told. */
+/* One recorded line. */
 typedef struct {
 	const ts_told_site *site;
 	u32 depth;      /* calls around it */
-	bool yes;       /* of TEST */
-	const void *at; /* of STORE: in a buffer */
+	bool yes;       /* for TEST: the decision */
+	const void *at; /* for STORE: the address in a buffer */
 	size_t value;   /* where its bytes begin in ts_telling.bytes */
 } ts_told_line;
 
-/* Who listens. Zero-initialise; release `lines` and `bytes` by free(). */
+/* The recorded lines. Zero-initialise; release `lines` and `bytes` by free(). */
 typedef struct {
 	bool listens;
-	bool primitives;     /* also what functions that are no kernel's own do, beside their stores */
+	bool primitives;     /* also record functions that belong to no kernel, not only their stores */
 	u64 most;            /* lines that are kept */
-	u64 n_more;          /* lines behind them */
+	u64 n_more;          /* further lines, which are not kept */
 	const u8 *from, *to; /* bytes of a buffer */
-	bool stored;         /* something was stored there; */
-	size_t stores;       /* last by this line, if it is kept */
+	bool stored;         /* something was stored there */
+	size_t stores;       /* the last line that stored there, if it is kept */
 	ts_told_line *lines;
 	size_t n_lines, line_capacity;
 	u8 *bytes;
@@ -73,7 +73,7 @@ typedef struct {
 	bool failed; /* no memory; the message is set */
 } ts_telling;
 
-/* Until the next call of this, all is told to `telling`. */
+/* Until the next call of this function, lines are recorded in `telling`. */
 void ts_told_to(ts_telling *telling);
 
 void ts_told_call(const ts_told_site *site);

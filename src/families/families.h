@@ -1,4 +1,4 @@
-/* The families of methods, and what they bring for the engines below them. */
+/* The families of methods, and their rows for the engines. */
 #ifndef TS_FAMILIES_H
 #define TS_FAMILIES_H
 

@@ -1,5 +1,5 @@
-/* Folders and files of goldens, to read: opened by name below an open folder, never through links, and bounded in size.
- * A name that is opened here is one that this program made up or has checked. */
+/* Reads folders and files of goldens: they are opened by name below an open folder, never through links, and bounded in
+ * size. Names that are opened here were made or checked by this program. */
 #ifndef TS_TRACE_GOLDEN_FILE_H
 #define TS_TRACE_GOLDEN_FILE_H
 #include "../model/core.h"
@@ -15,16 +15,16 @@ typedef struct {
 /* Opens folder `name` in `parent`, or, with parent NULL, the folder at the path `name`, which may be a link. On failure
  * nothing is open. */
 ts_status ts_golden_dir_open(ts_golden_dir *dir, const ts_golden_dir *parent, const char *name);
-/* Closes it; a folder that is not open, too. */
+/* Closes a folder; nothing happens if it is not open. */
 void ts_golden_dir_close(ts_golden_dir *dir);
 
-/* True if there is anything of that name. */
+/* Whether the folder has anything of that name. */
 bool ts_golden_has(const ts_golden_dir *dir, const char *name);
 /* Calls `each` with every name in the folder, in no order, until it fails. */
 ts_status ts_golden_names(const ts_golden_dir *dir, ts_status (*each)(void *user, const char *name), void *user);
 
-/* Reads a regular file of at most `most` bytes. On success *data holds *bytes and a 0 behind them, by free(); on
- * failure nothing is allocated. */
+/* Reads a regular file of at most `most` bytes. On success *data holds *bytes and a 0 after them; release it by free().
+ * On failure nothing is allocated. */
 ts_status ts_golden_read_file(char **data, size_t *bytes, const ts_golden_dir *dir, const char *name, size_t most);
 
 #endif

@@ -21,21 +21,21 @@ enum { TS_GOLDEN_SMALL_BYTES = 192 << 10, TS_GOLDEN_FILE_BYTES = 8 << 20 };
 typedef struct {
 	char *data; /* a whole .npy file; NULL: not kept */
 	size_t bytes;
-	size_t taken;              /* so many of them are there */
-	ts_npy npy;                /* what its header says */
-	char hex[TS_DIGEST_BYTES]; /* its own digest, where it was read */
+	size_t taken;              /* bytes that are there */
+	ts_npy npy;                /* its header */
+	char hex[TS_DIGEST_BYTES]; /* its digest, if it was read */
 } ts_golden_file;
 
 typedef struct {
 	ts_sums sums;
 	ts_golden_file file[TS_N_BUFFERS];
-	/* Only where it was computed: */
+	/* Set only if the golden was computed: */
 	u64 bytes[TS_N_BUFFERS]; /* of each file, kept or not */
-	ts_buffer_id infinite;   /* the first buffer with a float that is no number or not finite; TS_N_BUFFERS: none */
-	u64 n_infinite;          /* such floats in all */
+	ts_buffer_id infinite;   /* the first buffer with a float that is NaN or infinite; TS_N_BUFFERS: none */
+	u64 n_infinite;          /* number of such floats in all buffers */
 } ts_golden;
 
-/* How to compute one. */
+/* The way to compute a golden. */
 typedef struct {
 	const ts_pipeline *pipeline;
 	const ts_scene *scene;
@@ -51,27 +51,27 @@ ts_status ts_golden_compute(ts_golden *golden, const ts_golden_job *job);
 ts_status ts_golden_read(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline);
 /* Writes SHA256SUMS and, with `small`, small/ to the folder that is written (output/folder.h). */
 ts_status ts_golden_write(const ts_golden *golden, const ts_pipeline *pipeline, bool small);
-/* Copies to it all of a golden but CHANGES. */
+/* Copies to the output folder all of a golden except CHANGES. */
 ts_status ts_golden_copy(const ts_golden_dir *from);
-/* A ts_folder_judge: all that is there is of a golden. */
+/* A ts_folder_judge: whether everything in the folder is of a golden. */
 ts_status ts_golden_judge(const char *path);
-/* Releases what it holds. */
+/* Releases the golden's memory. */
 void ts_golden_free(ts_golden *golden);
 
-/* Floats in elements of a buffer's file that are no numbers or not finite. */
+/* Number of floats in a buffer's file that are NaN or infinite. */
 u64 ts_golden_infinite(ts_buffer_id id, const void *data, u64 bytes);
-/* True if each pixel of the computed image.srgb is the same, or there is none. */
+/* Whether all pixels of the computed image.srgb are the same, or there are none. */
 bool ts_golden_is_constant(const ts_golden *golden);
 /* The pixels of the computed image.srgb. */
 const u8 *ts_golden_image(const ts_golden *golden, u32 *width, u32 *height);
 
-/* True if the buffer's file is one that a case with `small` must have. */
+/* Whether a case with `small` must have the buffer's file. */
 bool ts_golden_is_small(const ts_golden *computed, ts_buffer_id id);
 /* The first file in the order of the pipeline that differs. TS_OK: none. TS_DIFFERENT: `text` says which and where.
  * TS_ERROR, with the message set: `small` and a file that should be stored is not. */
 ts_status ts_golden_compare(char *text, size_t text_bytes, const ts_golden *stored, const ts_golden *computed,
                             const ts_pipeline *pipeline, bool small);
-/* The buffer whose file such a text begins with; TS_N_BUFFERS: none. */
+/* The buffer with whose file such a text begins; TS_N_BUFFERS: none. */
 ts_buffer_id ts_golden_named(const char *text, const ts_pipeline *pipeline);
 /* The first difference of two files of one buffer, as "element [3, 5], field centre[2]: golden ... here ..."; `text` is
  * empty if there is none. */
