@@ -10,7 +10,7 @@
 
 /* A row of a family. */
 typedef struct {
-	ts_buffer_id buffer, margin; /* margin: pairs of f32 bits in 64-bit words, an f32, or for ties a byte, not 0 at a tie */
+	ts_buffer_id buffer, margin; /* margin: pairs of f32 bits in 64-bit words, an f32, or for ties a byte, 0 if none */
 	u32 of;                      /* elements of the buffer per element of the margin */
 	f32 steps;                   /* an element is decided if its margin is above this; not used for ties */
 	bool rare;                   /* most methods have the buffer without the margin, so a single file has no margin */

@@ -1,4 +1,4 @@
-/* What a picture's file says about the picture: text in a PNG or EXR that never depends on the time or the machine. */
+/* Text about a picture in its PNG or EXR file; the text never depends on the time or the machine. */
 #ifndef TS_IMAGE_ABOUT_H
 #define TS_IMAGE_ABOUT_H
 #include <touchstone/image.h>

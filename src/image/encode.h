@@ -5,8 +5,8 @@
 #include <stdint.h>
 #include <touchstone/image.h>
 
-/* A PNG of pixels and texts as ts_image_write_png takes them; *file by free(), NULL on failure. `what` names it in
- * messages. */
+/* Encodes a PNG from pixels and texts as in ts_image_write_png. Release *file by free(); NULL on failure. what: its
+ * name in messages. */
 ts_status ts_image_encode_png(void **file, size_t *file_bytes, const char *what, const uint8_t *pixels, uint32_t width,
                               uint32_t height, uint32_t channels, const ts_image_text *texts);
 

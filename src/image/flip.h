@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <touchstone/status.h>
 
-/* Pixels per degree of visual angle: of the paper's observer, and what is taken. */
+/* Pixels per degree of visual angle: those of the paper's observer, and the accepted range. */
 #define TS_FLIP_PPD 67.0
 #define TS_FLIP_LEAST_PPD 1.0
 #define TS_FLIP_MOST_PPD 1000.0

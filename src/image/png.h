@@ -8,10 +8,10 @@
 extern "C" {
 #endif
 
-/* Copies of a PNG what its pixels depend on: IHDR, PLTE (filled up with black), tRNS and one IDAT. All of it is checked
- * first, checksums and the whole compressed stream too, because libpng prints its opinion of damage on stderr.
- * On success *clean holds *clean_bytes bytes, to be released with free(). On failure nothing is allocated, and the
- * message begins with `what`. `file` must begin with the PNG signature. */
+/* Copies the chunks of a PNG that its pixels depend on: IHDR, PLTE (padded with black), tRNS and one IDAT. Everything
+ * is checked first, including checksums and the whole compressed stream, because libpng prints messages about damage to
+ * stderr. On success *clean holds *clean_bytes bytes, to be released with free(). On failure nothing is allocated, and
+ * the message begins with `what`. `file` must begin with the PNG signature. */
 ts_status ts_png_clean(uint8_t **clean, size_t *clean_bytes, const uint8_t *file, size_t file_bytes, const char *what);
 
 #ifdef __cplusplus

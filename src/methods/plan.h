@@ -1,17 +1,17 @@
-/* A plan: what a method derives from the parameters, from what there is, and from what was asked for beside them. It is
- * made before the first stage (ts_pipeline_plan) and read only from then on; parameters stay what was typed. */
+/* A plan: values that a method derives from parameters, counts and a request. A plan is made before the first stage
+ * (ts_pipeline_plan) and only read from then on; parameters stay as typed. */
 #ifndef TS_STAGES_PLAN_H
 #define TS_STAGES_PLAN_H
 #include "../model/param.h"
 #include "../scene/scene.h"
 
-/* How many there are; TS_NONE: not known yet, because a stage makes them. */
+/* Numbers of things; TS_NONE: not known yet, because a stage makes the things. */
 typedef struct {
 	u32 reflectors, lights;  /* of the scene */
-	u32 cubes, views, lamps; /* made: cubes, off-screen views and area lights */
+	u32 cubes, views, lamps; /* cubes, off-screen views and area lights that stages make */
 } ts_counts;
 
-/* What truths ask of a plan beside the parameters; zeros: nothing. */
+/* Requests of truths to a plan; zeros: none. */
 typedef struct {
 	u32 samples; /* of each light, instead of views and lamp.cubes */
 } ts_request;
@@ -25,8 +25,8 @@ typedef struct {
 	} name;
 #define MEMBER(part, name) u32 name;
 typedef struct {
-	u32 units; /* what batches are made of: cubes, depth maps, or lights */
-	u32 batch; /* units a batch */
+	u32 units; /* number of the things in batches: cubes, depth maps, or lights */
+	u32 batch; /* units per batch */
 #include "../families.def"
 } ts_plan;
 #undef MEMBER
@@ -42,14 +42,14 @@ extern const ts_plan_row ts_plan_table[];
 enum { TS_PLAN_ROWS = sizeof(ts_plan) / sizeof(u32) };
 u32 ts_plan_value(const ts_plan *plan, const ts_plan_row *row);
 
-/* Counts of a scene of which no stage has made anything. */
+/* Counts of a scene before any stage. */
 ts_counts ts_scene_counts(const ts_scene *scene);
-/* What every plan starts as: a batch a reflector, points for the eye. */
+/* The beginning of every plan: one batch per reflector, points for the eye. */
 void ts_plan_begin(ts_plan *plan, const ts_counts *counts);
-/* Whose lights they are, and what views of many lights see, as the parameters say. */
+/* Sets, by the parameters, the origin of lights, and the directions that views of many lights see. */
 void ts_plan_lights(ts_plan *plan, const ts_params *params);
 void ts_plan_views(ts_plan *plan, const ts_params *params);
-/* The plan of a run without a method: all of these, and the views of soft shadows. */
+/* The plan of a run without a method: all of the above, and the views of soft shadows. */
 void ts_plan_default(ts_plan *plan, const ts_params *params, const ts_counts *counts);
 
 #endif

@@ -18,18 +18,20 @@ enum { TS_MAX_COUNTERS = 64, TS_MAX_TIMINGS = 128 };
 
 typedef struct ts_run ts_run;
 
-/* What one frame leaves the next: the sizes of the cubes after frame `frame`. Owned by whoever runs frame after frame
- * with one method, one scene and the same parameters but `frame`, which grows; zero-initialise, release n by free(). */
+/* State from one frame to the next: the sizes of the cubes after frame `frame`. The caller owns it, and runs frame
+ * after frame with one method, one scene and the same parameters except `frame`, which grows. Zero-initialise; release
+ * n by free(). */
 typedef struct {
 	u32 *n; /* NULL: no frame was run */
 	u32 frame, n_cubes;
 } ts_history;
 
-/* What computes a run. Only `arrival` changes a result: the order of the points and, where they tie, what is seen. */
+/* The way to compute a run. Only `arrival` changes a result: the order of the points and, at ties, the point that
+ * wins. */
 typedef struct {
 	u32 threads;         /* of the C backend */
-	bool no_fast_paths;  /* it takes none */
-	ts_backend *backend; /* NULL: the C backend; else outlives the run */
+	bool no_fast_paths;  /* the C backend takes no fast paths */
+	ts_backend *backend; /* NULL: the C backend; otherwise it outlives the run */
 	bool arrival;        /* points are appended as they come, not in the order of the pieces */
 } ts_how;
 
@@ -37,9 +39,9 @@ typedef struct {
 	const char *name;
 	const char *kind;                     /* map, emit or scatter */
 	const ts_launch *const *launches;     /* ended by NULL; NULL: none */
-	const ts_buffer_id *looks_at, *makes; /* what its host code does beside; ended by TS_N_BUFFERS; NULL: nothing */
+	const ts_buffer_id *looks_at, *makes; /* by its host code; ended by TS_N_BUFFERS; NULL: none */
 	ts_status (*run)(ts_run *run);
-	const char *margin_of; /* of a margin: the stage whose decisions it is about; NULL: it is none */
+	const char *margin_of; /* of a margin: the stage whose decisions it judges; NULL: the stage is no margin */
 	const char *paper;
 	const char *doc;
 } ts_stage;
@@ -48,23 +50,23 @@ typedef struct {
 #define TS_LAUNCHES(...) ((const ts_launch *const[]){__VA_ARGS__, NULL})
 #define TS_BUFFERS(...) ((const ts_buffer_id[]){__VA_ARGS__, TS_N_BUFFERS})
 
-/* Called after every stage, with what it wrote in run->frame. */
+/* Called after every stage, whose outputs are in run->frame. */
 typedef ts_status (*ts_stage_hook)(const ts_run *run, const ts_stage *stage, void *user);
 
 struct ts_run {
 	const ts_scene *scene;
 	ts_params params;                   /* as typed: read only */
-	ts_plan plan;                       /* what follows from them: read only from the first stage on */
+	ts_plan plan;                       /* made from them; read only from the first stage on */
 	const struct ts_pipeline *pipeline; /* whose plan it is; NULL: the default one */
 	ts_c_backend c;
 	ts_backend *backend;     /* NULL: c */
 	bool arrival;            /* see ts_how */
-	u32 first_unit, n_units; /* the batch that stages work on: all, but where a step goes by batches */
+	u32 first_unit, n_units; /* the batch that stages work on: all units, unless a step runs by batches */
 	bool traced;             /* also the stages that only traces need */
-	bool margins;            /* also the stages that say how near the decisions were */
-	bool lean;               /* a buffer lives until its last reader; digests and replays want all of them */
-	bool keep[TS_N_BUFFERS]; /* even so, these stay */
-	bool asked;              /* what nobody reads may be left out of buffers that do not stay */
+	bool margins;            /* also the stages of margins */
+	bool lean;               /* a buffer lives until its last reader; digests and replays need all buffers */
+	bool keep[TS_N_BUFFERS]; /* buffers that stay even so */
+	bool asked;              /* elements that no stage reads may be left out of buffers that do not stay */
 	bool made[TS_N_BUFFERS]; /* by the stage that runs */
 	ts_frame frame;
 	ts_sizes sizes; /* of the scene, and what stages counted */
@@ -72,7 +74,7 @@ struct ts_run {
 	u32 n_counters;
 	ts_timing timings[TS_MAX_TIMINGS];
 	u32 n_timings;
-	ts_history *history; /* read and written; NULL: the frames before are replayed */
+	ts_history *history; /* read and written; NULL: the sizes of the frames before are computed again */
 	ts_stage_hook hook;
 	void *hook_user;
 };
@@ -92,63 +94,66 @@ void ts_run_count(ts_run *run, const char *name, i64 value);
 i64 ts_run_counter(const ts_run *run, const char *name);
 i64 ts_counter_of(const ts_counter *counters, u32 n, const char *name);
 
-/* Sizes of records.def (sizes.c). A run has those of the scene and what stages counted; the others are computed when
- * they are asked for, of the batch if batched. TS_UNKNOWN where neither is there. */
+/* Sizes of records.def (sizes.c). A run has those of the scene and those that stages counted; the others are computed
+ * when they are asked for, for the batch if batched. TS_UNKNOWN if a size is neither there nor computable. */
 void ts_run_set_size(ts_run *run, ts_dim dim, u64 n);
 u64 ts_run_size(const ts_run *run, ts_dim dim);
-/* Computes what is still unknown, of all batches. */
+/* Computes the sizes that are still unknown, for all batches. */
 void ts_sizes_give(ts_sizes *sizes, const ts_run *run);
-/* Sets what a scene has. */
+/* Sets the sizes of a scene. */
 void ts_sizes_scene(ts_sizes *sizes, const ts_scene *scene);
 /* Sets n cubes and the off-screen views that are their faces. */
 void ts_sizes_cubes(ts_sizes *sizes, u64 n);
 
 /* The run's backend at work: see backend.h. */
 ts_status ts_run_fill(ts_run *run, ts_buffer_id id, u8 byte);
-/* Makes a buffer of zeros, for what mostly stays zero. */
+/* Makes a buffer of zeros, for data that mostly stay zero. */
 void *ts_run_zeros(ts_run *run, ts_buffer_id id, u32 n_dims, const u64 *shape);
-/* Counts to the sums before each, in place, of a buffer with a SUM row, whose size is then known. The total must
- * stay below 2^32 - 1. */
+/* Turns the counts of a buffer with a SUM row into exclusive prefix sums, in place; the size of the row is known then.
+ * The total must stay below 2^32 - 1. */
 ts_status ts_run_scan(ts_run *run, ts_buffer_id id, u64 *total);
 
-/* Makes what the host writes, by its shape; NULL with the message set. */
+/* Makes a buffer for the host to write, by its shape; NULL with the message set. */
 void *ts_run_make(ts_run *run, ts_buffer_id id);
 
-/* What launches need (launch.c). A launch's pointers are set by its kernel's rows and by what it binds otherwise;
- * what it writes is made, by its shape in records.def, where this stage has not made it yet: of all batches by the
- * first, unless its shape has batched sizes. Pointers that it does not bind are NULL; those to lent memory stay as
- * the stage set them. */
+/* Launches (launch.c). The pointers of a launch are set by its kernel's rows and its own bindings. Buffers that it
+ * writes are made, by their shapes in records.def, if this stage has not made them yet; the first batch makes them for
+ * all batches, unless the shape has batched sizes. Pointers that are not bound are NULL; pointers to lent memory stay
+ * as the stage set them. */
 ts_status ts_launch_fill(ts_run *run, const ts_launch *launch, void *args, size_t bytes);
 /* Runs items [0, n) with arguments that were filled. */
 ts_status ts_launch_items(ts_run *run, const ts_launch *launch, const void *args, u64 n);
-/* The same over all pairs of a traversal that begins with n, whose arguments are `source`, without that; false where
- * the backend does not. */
+/* Does what a traversal that begins with n pairs and launches the kernel over all its pairs does, without the
+ * traversal; source: its arguments. False if the backend cannot. */
 bool ts_launch_at_once(ts_run *run, const ts_launch *launch, const void *source, const void *args, u64 n);
-/* Filled, then run. */
+/* Fills the arguments and runs the items. */
 ts_status ts_launch_run(ts_run *run, const ts_launch *launch, void *args, size_t bytes, u64 n);
-/* As a filling, for who asks what a kernel would answer: only what it reads is bound, and nothing is made. */
+/* Fills arguments for callers that evaluate a kernel's functions: only the buffers that it reads are bound, and nothing
+ * is made. */
 ts_status ts_launch_ask(const ts_run *run, const ts_launch *launch, void *args, size_t bytes);
 #define TS_ASK(run, launch, args) ts_launch_ask(run, launch, args, sizeof *(args))
 #define TS_FILL(run, launch, args) ts_launch_fill(run, launch, args, sizeof *(args))
 #define TS_RUN(run, launch, args, n) ts_launch_run(run, launch, args, sizeof *(args), n)
-/* Makes what a launch writes, `more` elements longer than its shape says; and cuts that off again. */
+/* Makes a buffer that a launch writes, `more` elements longer than its shape; ts_launch_cut cuts these off again. */
 ts_status ts_launch_make(ts_run *run, const ts_launch *launch, const char *name, u32 more);
-/* The next filling of the launch makes its outputs once more, for sizes have changed. */
+/* Lets the next filling of the launch make its outputs again, since sizes have changed. */
 void ts_launch_make_again(ts_run *run, const ts_launch *launch);
 void ts_launch_cut(ts_run *run, const ts_launch *launch, const char *name, u32 less);
-/* What nobody reads may be left out of a buffer that the launch writes. */
+/* Whether elements that no stage reads may be left out of a buffer that the launch writes. */
 bool ts_launch_spares(const ts_run *run, const ts_launch *launch, const char *name);
-/* Counts to the sums before each, in place, and the size that SUM of records.def names; it must stay below 2^32 - 1. */
+/* Turns counts that a launch wrote into exclusive prefix sums, in place, and sets the size of the SUM row of
+ * records.def. The total must stay below 2^32 - 1. */
 ts_status ts_launch_sum(ts_run *run, const ts_launch *launch, const char *name, u64 *total);
 
 /* All stages, in the order of pipelines, ended by NULL. */
 const ts_stage *const *ts_stages(void);
 const ts_stage *ts_stage_find(const char *name);
-/* The stage that says how near the decisions of this one were, and runs right behind it where margins are asked for;
- * NULL: it has none. */
+/* The stage of the margins of this stage's decisions, which runs right after it if margins are asked for; NULL: there
+ * is none. */
 const ts_stage *ts_stage_margin(const ts_stage *stage);
-/* What its launches and its host code read, but what they make, in the order of records.def; and what they write, in
- * that of the launches. Ended by TS_N_BUFFERS; those of a step that was not taken are not there. */
+/* The buffers that a stage's launches and host code read, except those that they make, in the order of records.def; and
+ * the buffers that they write, in the order of the launches. Ended by TS_N_BUFFERS. Buffers of a step that was not
+ * taken are not there. */
 const ts_buffer_id *ts_stage_inputs(const ts_stage *stage);
 const ts_buffer_id *ts_stage_outputs(const ts_stage *stage);
 bool ts_stage_reads(const ts_stage *stage, ts_buffer_id id);

@@ -1,4 +1,4 @@
-/* What the look-up and shade stages share: the buffers of each bounce. */
+/* The buffers of each bounce, which the look-up and shade stages share. */
 #ifndef TS_STAGES_LOOKUP_H
 #define TS_STAGES_LOOKUP_H
 #include "../../kernels/points/lookup.h"
@@ -16,7 +16,7 @@ typedef struct {
 } ts_bounce_buffers;
 extern const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES]; /* bounces.c */
 
-/* Arguments of the kernels of bounce 0, 1 or 2, but pointers. */
+/* Arguments of the kernels of bounce 0, 1 or 2, without pointers. */
 ts_lookup_args ts_lookup_values(const ts_run *run, u32 bounce);
 
 #endif

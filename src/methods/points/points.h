@@ -1,17 +1,18 @@
-/* What the stages of points share. */
+/* Functions that the stages of points share. */
 #ifndef TS_STAGES_POINTS_H
 #define TS_STAGES_POINTS_H
 #include "../../kernels/points/points.h"
 #include "../stages.h"
 
-/* density.scale as samples a pixel a side (cull.c). */
+/* density.scale as samples per pixel side (cull.c). */
 f32 ts_samples_a_pixel(const ts_params *params);
-/* Bindings of a launch, `path` being its ts_points_args: of stored points; of points that are made again. */
+/* Bindings of a launch for stored points, and for points that are made again; path: that of its ts_points_args. */
 #define TS_STORED_POINTS(path) TS_IN(path.keys, points_key), TS_IN(path.points, points_record)
 #define TS_COUNTED_POINTS(path) TS_IN(path.offset, points_offset)
-/* The method stores no points, but counts them: whoever is given an index makes its point again (points.c). */
+/* Whether the method counts points and does not store them, so that points are made again from their indices
+ * (points.c). */
 bool ts_points_again(const ts_run *run);
-/* Arguments of the kernels that make points, but pointers (points.c). */
+/* Arguments of the kernels that make points, without pointers (points.c). */
 ts_points_args ts_points_values(const ts_run *run);
 
 #endif

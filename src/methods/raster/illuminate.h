@@ -1,11 +1,11 @@
-/* Mip chains of the batch's cubes, from what is in level 0. */
+/* Mip chains of the batch's cubes, from level 0. */
 #ifndef TS_METHODS_ILLUMINATE_H
 #define TS_METHODS_ILLUMINATE_H
 #include "../../kernels/raster/illuminate.h"
 #include "../stages.h"
 
 extern const ts_launch ts_mip_averaged;
-/* Levels 1 and up; `args` are those that made level 0. */
+/* Makes levels 1 and up; `args` are those that made level 0. */
 ts_status ts_mip_make(ts_run *run, ts_illuminate_args args);
 
 #endif

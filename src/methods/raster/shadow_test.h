@@ -1,4 +1,4 @@
-/* What comparisons with depth maps share. */
+/* Arguments that comparisons with depth maps share. */
 #ifndef TS_METHODS_SHADOW_TEST_H
 #define TS_METHODS_SHADOW_TEST_H
 #include "../../kernels/raster/shadow_test.h"

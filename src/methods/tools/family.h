@@ -1,5 +1,5 @@
-/* What a family of methods brings for the tools: its rows for each engine, which knows no method by name. A family's
- * are in its tools/tools.c. A list that a family has nothing for is NULL. */
+/* The rows of a family of methods for each engine, since engines know no method by name. The rows of a family are in
+ * its tools/tools.c; an empty list is NULL. */
 #ifndef TS_METHODS_TOOLS_FAMILY_H
 #define TS_METHODS_TOOLS_FAMILY_H
 #include "../../compare/decided.h"
@@ -24,7 +24,7 @@ typedef struct {
 	const ts_truth_kind *truths;           /* ended by a row without a name */
 	const ts_texel_rule *texels;           /* ended by a row without `judge` */
 	const ts_bench_row *benches;           /* ended by a row without a name */
-	const ts_speed_of *speed;              /* what `bench speed` measures of it */
+	const ts_speed_of *speed;              /* the frames and figures of `bench speed` */
 	const ts_claim *claims;                /* ended by a row without a paper */
 	const ts_probe_part *parts;            /* ended by a row without `answer` */
 	const ts_stage_picture_rule *pictures; /* ended by a row without `take` */

@@ -1,4 +1,4 @@
-/* What the octrees of the scene and of the views share: masks, nodes and the lists of the leaves. */
+/* Code that the octrees of the scene and of the views share: masks, nodes and the lists of the leaves. */
 #ifndef TS_STAGES_OCTREE_H
 #define TS_STAGES_OCTREE_H
 #include "../../kernels/base/sort.h"
@@ -6,7 +6,7 @@
 #include "../../kernels/views/voxel.h"
 #include "views.h"
 
-/* The buffers of one of them, what is launched to make them, and its counters. */
+/* The buffers of an octree, the launches that make them, and its counters. */
 typedef struct {
 	ts_buffer_id mask, before, level, node, offset, entries;
 	ts_dim n_nodes;
@@ -27,22 +27,22 @@ extern const ts_octree ts_scene_octree, ts_view_octree;
 			of " octree bytes" \
 	}
 
-/* What the voxels of triangles do not take of the scene. */
+/* The arrays of the scene that the voxels of triangles do not need. */
 #define TS_BUT_LIT TS_BUT(scene.lights), TS_BUT(scene.objects)
-/* Arguments of the kernel that visits them, but pointers (voxel.c). */
+/* Arguments of the kernel that visits the voxels, without pointers (voxel.c). */
 ts_voxel_args ts_voxel_values(const ts_run *run);
 
-/* The levels above the leaves, whose mask is made, and the ids. */
+/* Makes the levels of the mask above the leaves, and the ids. */
 ts_status ts_octree_ids(ts_run *run, const ts_octree *octree);
-/* The nodes, and their number. */
+/* Makes the nodes, and sets their number. */
 ts_status ts_octree_nodes(ts_run *run, const ts_octree *octree);
-/* The entries of each leaf in order. Where lists begin stood one later than their leaf while they were written, and
- * has moved to its place: what was one longer is cut. */
+/* Sorts the entries of each leaf. While lists were written, the begin of a list was stored one place later than its
+ * leaf, and has moved to its place; the additional element is cut off. */
 ts_status ts_octree_sort(ts_run *run, const ts_octree *octree);
 /* The first node of a level; of level levels + 1 the number of nodes. */
 u32 ts_octree_first(const ts_run *run, const ts_octree *octree, u32 level);
-/* Runs over the nodes of the scene's octree from the leaves up, a level a launch; `first`, in the arguments, is the
- * first node of each. */
+/* Launches over the nodes of the scene's octree, level by level from the leaves up; `first`, in the arguments, is the
+ * first node of each level. */
 ts_status ts_octree_rise(ts_run *run, const ts_launch *leaves, const ts_launch *nodes, const void *args, u32 *first);
 
 #endif

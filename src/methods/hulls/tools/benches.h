@@ -12,7 +12,7 @@ ts_status ts_bench_borders(const ts_job *job);
 ts_status ts_bench_curves(const ts_job *job);
 ts_status ts_bench_logistic(const ts_job *job);
 ts_status ts_bench_cosines(const ts_job *job);
-/* Of ssagh-7: what single precision leaves of the integrals as they are printed. */
+/* For ssagh-7: the accuracy in single precision of the integrals as printed. */
 void ts_bench_printed(ts_report *report);
 
 #endif

@@ -1,10 +1,10 @@
-/* Seams of hulls (METHODS 11): how the irradiance of hulls changes from pixel to pixel beside that of `direct`, and how
- * many triangles of light that face the corners of boxes count there. */
+/* Seams of hulls (METHODS 11): the change of the irradiance of hulls from pixel to pixel, against that of `direct`, and
+ * the number of triangles of light that count at the corners of boxes that they face. */
 #ifndef TS_HULLS_TOOLS_BORDERS_H
 #define TS_HULLS_TOOLS_BORDERS_H
 #include "../../../kernels/hulls/corner.h"
 
-/* Two runs of one image; arrays of a pixel, irradiance of three channels. */
+/* Two runs of one image: arrays with an element per pixel; irradiance has three channels. */
 typedef struct {
 	const ts_gpixel *pixels;
 	const u32 *boxes;          /* hull.box */
@@ -12,20 +12,20 @@ typedef struct {
 	u32 width, height, grid;   /* the grid: texels a side */
 } ts_borders_of;
 
-/* Of neighbouring pixels, beside or below each other, of like depth (2 %) and normal (cosine 0.99) all |change of
- * hulls - change of direct| by all irradiance of direct, summed over channels. NAN where there are no such pixels, or
- * no light. */
+/* Over neighbouring pixels, beside or below each other, with similar depth (2 %) and normal (cosine 0.99): the sum of
+ * |change of hulls - change of direct| over the sum of the irradiance of direct, of all channels. NAN if there are no
+ * such pixels, or no light. */
 typedef struct {
 	double across; /* in two blocks of the grid */
 	double within; /* in one box */
 } ts_borders;
 ts_borders ts_borders_measure(const ts_borders_of *of);
 
-/* Pairs of a corner and a triangle of light that has its front to the corner. */
+/* Pairs of a corner and a triangle of light that faces the corner. */
 typedef struct {
 	u64 facing;
-	u64 counted; /* that the ramp of facing leaves some of */
-	u64 full;    /* that it leaves all of */
+	u64 counted; /* to which the ramp of corner.facing leaves a share */
+	u64 full;    /* to which the ramp leaves the whole */
 } ts_facing_pairs;
 ts_facing_pairs ts_facing_count(const ts_moment *corners, u64 n_corners, const ts_patch *patches, u64 n_patches);
 

@@ -1,4 +1,4 @@
-/* What hulls and the light that they approximate answer to the probe. */
+/* Answers of the probe about hulls, and about the light that they approximate. */
 #ifndef TS_HULLS_TOOLS_PROBE_H
 #define TS_HULLS_TOOLS_PROBE_H
 #include "../../../kernels/hulls/direct.h"
@@ -10,13 +10,13 @@
  * (probe_direct.c). */
 ts_status ts_probe_hull_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 json_t *ts_probe_lobe(ts_probe *probe, const ts_hull_args *args, const ts_sg *g, ts_v3 n, u32 channel);
-/* A pixel's specular reflection (probe_gloss.c): puts and sets its surface; puts the product of a lobe of light with
- * it, and returns what is reflected. */
+/* A pixel's specular reflection (probe_gloss.c): the first puts and sets its surface; the second puts the product of a
+ * lobe of light with the surface's lobe, and returns the reflected light. */
 ts_status ts_probe_put_gloss(ts_probe *probe, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
                              ts_glossy *glossy);
 ts_v3 ts_probe_put_reflected(ts_probe *probe, json_t *object, const ts_glossy *glossy, const ts_sg *light);
-/* What light is gathered from: triangles of reflective shadow maps, or lamps (probe_source.c). Sets all of source that
- * says so, checked; and the buffers that a pixel's answer needs. */
+/* The source of gathered light: triangles of reflective shadow maps, or lamps (probe_source.c). Sets the members of
+ * *source that describe it, checked, and the buffers that a pixel's answer needs. */
 ts_status ts_probe_read_source(ts_probe *probe, ts_direct_args *source);
 const ts_buffer_id *ts_probe_source_needed(const ts_probe *probe);
 ts_status ts_probe_direct_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);

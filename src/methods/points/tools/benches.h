@@ -6,7 +6,7 @@
 #include "../../../study/claims.h"
 #include "../../../study/speed.h"
 
-/* As the iVIR paper has it, and a quarter of its image, faces and mirrors. */
+/* The settings of the iVIR paper, and a quarter of its image, faces and mirrors. */
 #define TS_IVIR_DEFAULTS "density.rate=paper,points.snap=off"
 #define TS_IVIR_FACE "128"
 #define TS_IVIR_QUARTER "cube.max_px=" TS_IVIR_FACE ",reflectors.px=28.75"
@@ -16,14 +16,15 @@
 #define TS_VIR_NOTE "VIR is a reconstruction (METHODS 9)."
 #define TS_OMNI_NOTE "Depth maps have 256 x 256 texels, the paper's 1024 x 1024."
 
-/* The stages that make points, those that fill off-screen views, and both: what the iVIR paper's totals are of. */
+/* The stages that make points, those that fill off-screen views, and both, which the totals of the iVIR paper
+ * include. */
 #define TS_POINT_STAGES "visibility,offscreen.visibility,split,split.views,split.shadow,cull,align,points.count,points"
 #define TS_VIEW_STAGES "splat,scatter,scatter.colour,environment_map,cube_face,depth_map,shadow_cube_size,shadow_splat"
 #define TS_MAP_STAGES TS_POINT_STAGES "," TS_VIEW_STAGES
 
 /* clang-format off */
-/* Rows of figures: what they are called, of which variant or figures, and decimals where tables differ in them. RMSE
- * and SSIM are to the truth, and not there without one; those that end in TO are to the image of the variant `to`. */
+/* Rows of figures: their names, their variant or figures, and the decimals if tables differ in them. RMSE and SSIM are
+ * to the truth, and missing without a truth; those that end in TO are to the image of the variant `to`. */
 #define TS_TRIANGLES(id) [id] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" }
 #define TS_COUNT(id, key, head, of, what) [id] = { key, head, TS_FIGURE_COUNTER, of, 0, TS_WHOLE, what }
 #define TS_MS(id, key, head, of) [id] = { key, head, TS_FIGURE_TIME, of, 0, 2, "" }
@@ -38,7 +39,7 @@
 #define TS_SAVED(id, key, head, a, b) [id] = { key, head, TS_FIGURE_SAVED, a, b, 1, "" }
 #define TS_MORE(id, key, head, a, b) [id] = { key, head, TS_FIGURE_MORE, a, b, 3, "" }
 
-/* What rays say of iVIR at either rate: of holes, and of errors beside MVR's. */
+/* Relations by rays for iVIR at either rate: of holes, and of errors against MVR's. */
 #define TS_HOLE_RELATIONS(share, cause, default_share, default_cause) \
 	{ "holes of iVIR, % of covered texels", share, TS_AT_MOST, 0, 0.0001, TS_ANY, \
 	  "samples at the rate of the closest point miss texels", cause }, \

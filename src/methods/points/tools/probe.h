@@ -1,4 +1,4 @@
-/* What the family of points answers to the probe, and what its parts share. */
+/* Answers of the probe about the family of points, and functions that its parts share. */
 #ifndef TS_POINTS_TOOLS_PROBE_H
 #define TS_POINTS_TOOLS_PROBE_H
 #include "../../../kernels/points/points.h"
@@ -16,13 +16,13 @@ extern const ts_probe_view ts_probe_face;
 ts_status ts_probe_epr_texel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 ts_status ts_probe_forward_texel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 ts_status ts_probe_mvr_texel(ts_probe *probe, const ts_probe_question *question, json_t *object);
-/* Where a triangle or a point went, or which stage lost it (probe_triangle.c). */
+/* The way of a triangle or a point through the stages, or the stage that dropped it (probe_triangle.c). */
 ts_status ts_probe_epr_triangle(ts_probe *probe, const ts_probe_question *question, json_t *object);
 ts_status ts_probe_mvr_triangle(ts_probe *probe, const ts_probe_question *question, json_t *object);
 ts_status ts_probe_epr_point(ts_probe *probe, const ts_probe_question *question, json_t *object);
 
 /* ---- cubes (probe_cubes.c) ---- */
-/* Reads the scene and the cubes of reflectors, and checks both; and makes points that the method does not store. */
+/* Reads the scene and the cubes of reflectors, and checks both. Makes points that the method does not store. */
 ts_status ts_probe_read_cubes(ts_probe *probe);
 /* After that: the cubes, their number, and the words of visibility.bits per triangle. */
 const ts_face *ts_probe_cubes(const ts_probe *probe);
@@ -45,18 +45,18 @@ typedef struct {
 	i64 least_ulps;
 } ts_rival;
 typedef struct {
-	u64 offered, won, lost, ties, lost_to_own, odd; /* texels; odd: the buffer holds what is farther */
+	u64 offered, won, lost, ties, lost_to_own, odd; /* texels; odd: the buffer holds a farther key */
 	ts_rival *rival;
 	size_t n_rivals, capacity;
 	size_t last; /* place of the rival found last */
 } ts_spread;
 
-/* Holds what a triangle or its points wrote alone, n keys, against elements from `first` on of buffer `id` of depths.
- * `index` are the points that these keys' low halves number, ascending, n_index of them; NULL: they are triangles.
- * won[i], if not NULL, receives how many texels index[i] holds. */
+/* Compares n keys that a triangle or its points alone would write with the elements from `first` on of buffer `id`.
+ * `index`: the n_index points, ascending, that the keys' low halves name; NULL: they name triangles. won[i], if not
+ * NULL, receives the number of texels that index[i] holds. */
 ts_status ts_probe_spread_add(ts_probe *probe, ts_spread *spread, const u64 *alone, u64 n, ts_buffer_id id, u64 first,
                               u32 triangle, const u32 *index, size_t n_index, u64 *won);
-/* Place of a point in an ascending list; n: it is not in it. */
+/* The index of a point in an ascending list of n; n: it is not in the list. */
 size_t ts_probe_place(const u32 *index, size_t n, u32 point);
 /* Puts the figures, and the rivals that took most. */
 void ts_probe_put_spread(ts_probe *probe, json_t *object, const ts_spread *spread);
@@ -87,16 +87,16 @@ typedef struct {
  * ts_probe_set_free, also on failure. */
 ts_status ts_probe_set_make(ts_probe *probe, ts_probe_set *set, u64 first_piece, u64 n_pieces, u32 only);
 void ts_probe_set_free(ts_probe_set *set);
-/* Splats them into every face that may see them; faces: an entry a face that they touch. */
+/* Splats the points into every face that may see them; faces: one entry per face that they touch. */
 ts_status ts_probe_set_splat(ts_probe *probe, ts_probe_set *set, ts_spread *spread, json_t *faces);
-/* Puts how many samples of reflective pixels, and of later bounces, see one of them. */
+/* Puts the number of samples of reflective pixels, and of later bounces, that see one of the points. */
 ts_status ts_probe_put_lookups(ts_probe *probe, json_t *object, const ts_probe_set *set, u64 *n_samples);
 
 /* ---- pieces and densities ---- */
 /* A piece of a triangle: density, culling, frame (probe_piece.c). */
 ts_status ts_probe_piece(ts_probe *probe, u64 piece, json_t *object, bool *kept);
-/* Which faces may see a triangle, and why others may not; its density and who set it (probe_density.c). `bits` receives
- * the triangle's words, ts_probe_n_words of them. */
+/* Puts the faces that may see a triangle, and the reasons why others may not; its density, and the cube that sets it
+ * (probe_density.c). `bits` receives the triangle's words, ts_probe_n_words of them. */
 ts_status ts_probe_visibility(ts_probe *probe, u32 triangle, u64 *bits, json_t *object, bool *seen, const char **why);
 ts_status ts_probe_density(ts_probe *probe, u32 triangle, const u64 *bits, json_t *object);
 

@@ -1,10 +1,10 @@
-/* Texels at which points that stand in the order of their arrival may answer otherwise: equal distances go to the
- * lowest index, and their indices are others. Nothing else is free. A rule of compare/tie.h. */
+/* Texels in which points in the order of arrival may answer otherwise: of equal distances the lowest index wins, and
+ * indices differ. All other texels must be equal. A rule of compare/tie.h. */
 #ifndef TS_POINTS_TOOLS_TIE_H
 #define TS_POINTS_TOOLS_TIE_H
 #include "../../../trace/read.h"
 
-/* Opens what the reference has of splat.tie and of the inputs of stage splat; without all of them nothing is free. */
+/* Opens splat.tie and the inputs of stage splat in the reference; if one of them is missing there are no ties. */
 ts_status ts_splat_ties_open(void **ties, const ts_trace *reference);
 void ts_splat_ties_close(void *ties);
 

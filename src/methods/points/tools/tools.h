@@ -1,4 +1,4 @@
-/* What the files of this folder have for tools.c. */
+/* Functions of this folder's files for tools.c. */
 #ifndef TS_POINTS_TOOLS_H
 #define TS_POINTS_TOOLS_H
 #include "../../../replay/check.h"
@@ -20,49 +20,49 @@ ts_status ts_points_view(const ts_run *run, const char *folder);
  * mirror_pixel.record; makes shade.radiance (P x 3, tinted as in METHODS 2) in run->frame, from which stage `image`
  * makes the picture. Fails without memory. */
 ts_status ts_truth_a(ts_truth *truth, ts_run *run, ts_sampling *sampling);
-/* B: the same with true reflections from the surface point, 25 rays a pixel; the own reflector may be hit. */
+/* B: like A, with true reflections from the surface point, 25 rays per pixel; the own reflector may be hit. */
 ts_status ts_truth_b(ts_truth *truth, ts_run *run, ts_sampling *sampling);
 
-/* What EPR's look-ups are judged by: the triangle, or TS_NONE, that each sample of each reflective pixel hits
- * (P x 25, the first legs of A); TS_NONE, too, at pixels that `sampling` did not choose. *hits by free(); NULL on
- * failure. */
+/* The hits by which EPR's look-ups are judged: the triangle, or TS_NONE, that each sample of each reflective pixel hits
+ * (P x 25, the first legs of A); TS_NONE also at pixels that `sampling` did not choose. Release *hits by free(); NULL
+ * on failure. */
 ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, const ts_sampling *sampling, u32 **hits);
 
-/* Adds how many of these rays hit something, and how many look-ups of the run (lookup.point) are empty there. Fails
- * without memory. */
+/* Adds the number of these rays that hit something, and of the run's look-ups (lookup.point) that are empty there.
+ * Fails without memory. */
 ts_status ts_truth_missed(u64 *n_hits, u64 *n_missed, ts_truth *truth, const ts_run *run, const ts_sampling *sampling);
 
 /* C (truth_supersample.c): the MVR pipeline at `factor` (1 to 16) times the linear resolution of eye and faces,
- * box-filtered in linear radiance down to width x height. *radiance: width * height * 3 floats, by free(). NULL on
- * failure: a factor that takes a parameter out of its range, or more memory than a run may use. */
+ * box-filtered in linear radiance down to width x height. *radiance: width * height * 3 floats; release by free(). NULL
+ * on failure: the factor takes a parameter out of its range, or more memory is needed than a run may use. */
 ts_status ts_truth_c(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 factor, u32 threads);
 enum { TS_TRUTH_C_FACTOR = 4 }; /* of --truth=C */
-/* Its work at that factor, and what it is estimated to need of memory. */
+/* The work of C at that factor, and the estimate of its memory. */
 u64 ts_truth_c_rays(const ts_scene *scene, const ts_params *params);
 u64 ts_truth_c_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 
-/* Truth of shadows (truth_shadow.c). Runs what comes before the first depth map of `effect`, soft-shadows or
- * omni-shadows, in a run that has just begun: pose, eye, lights and the views of their samples, the same for all
- * methods. */
+/* Truth of shadows (truth_shadow.c). Runs the stages before the first depth map of `effect`, soft-shadows or
+ * omni-shadows, in a run that has just begun: pose, eye, lights and the views of their samples, which are the same for
+ * all methods. */
 ts_status ts_truth_shadow_begin(ts_run *run, const char *effect);
-/* Rays to the very samples that the methods have depth maps of, which leaves the error of the maps. Reads
+/* Rays to the samples for which the methods have depth maps, so that the difference is the error of the maps. Reads
  * pose.vertex, eye.view, eye.depth_triangle, offscreen.view, lamp.shape and, if the views are of cubes, cube_size.face;
  * makes shadow_test.lit in run->frame, from which stage `image.shadow` makes the picture. Fails without memory. */
 ts_status ts_truth_samples(ts_truth *truth, ts_run *run, ts_sampling *sampling);
-/* Rays to params.truth_area_samples samples of each light, which with the other leaves what sampling the lights costs.
- * They lie as the methods' do, on the same disc, ball or cone, and see as much: a depth map's image, all around in
- * omni-shadows. Afterwards lamp.shape, the views and the run's plan are those of these samples. Fails without memory
- * and beyond 2^20 samples of all lights. */
+/* Rays to params.truth_area_samples samples of each light; the difference from ts_truth_samples is the error of
+ * sampling the lights. Samples are distributed as those of the methods, on the same disc, ball or cone, and have the
+ * same field of view: that of a depth map, in omni-shadows all directions. Afterwards lamp.shape, the views and the
+ * run's plan are those of these samples. Fails without memory and beyond 2^20 samples of all lights. */
 ts_status ts_truth_area(ts_truth *truth, ts_run *run, ts_sampling *sampling);
-/* What `area` is estimated to need of memory: views of all its samples, without their depth maps. */
+/* The estimate of the memory of `area`: views of all its samples, without their depth maps. */
 u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 
 /* Off-screen buffers (truth_texels.c): a ray through the centre of every texel. Triangles with an alpha mask do not
- * count, and depths are right within the shadow bias; leaks are also farther than the triangle is anywhere within
- * half a texel of the centre, and apart is also what reaches into the texel beside its centre. Reads also
- * offscreen.view or, of cubes, cube_size.face. With points.cull=off, and density.rate, points.snap, visibility.test and
- * points.conservative as they are by default, there are no holes and no leaks, unless density.capped is counted. Never
- * fails but with the device that the buffer is on. */
+ * count, and depths are right within the shadow bias; leaks are also farther than the triangle is anywhere within half
+ * a texel of the centre, and apart is also what reaches into the texel beside its centre. Reads also offscreen.view or,
+ * of cubes, cube_size.face. With points.cull=off, and density.rate, points.snap, visibility.test and
+ * points.conservative as they are by default, there are no holes and no leaks, unless density.capped is counted. Fails
+ * only if the device fails that holds the buffer. */
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
 
 #endif

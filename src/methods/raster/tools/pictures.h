@@ -3,16 +3,16 @@
 #define TS_RASTER_TOOLS_PICTURES_H
 #include "../../../study/stage_pictures.h"
 
-extern const u8 ts_picture_nothing[3]; /* the colour of what is empty */
+extern const u8 ts_picture_nothing[3]; /* the colour of empty texels */
 
-/* The largest cube of all; false if there is none or it is not in this batch. */
+/* Finds the largest cube of all; false if there is none, or it is not in this batch. */
 bool ts_picture_largest_cube(const ts_run *run, u32 *cube);
 /* The colour of texel i of a cube. */
 typedef void ts_picture_colour(u8 *rgb, const void *texels, u64 i);
-/* Its six faces, as a cross. Not taken again if it is there. */
+/* Adds a picture of the six faces of a cube, as a cross, unless it is there already. */
 ts_status ts_picture_cube(ts_stage_pictures *pictures, const ts_run *run, u32 cube, const char *name, const char *what,
                           const void *texels, ts_picture_colour *colour);
-/* The indices of the largest cube, in a buffer of keys. */
+/* Adds a picture of the indices of the largest cube, in a buffer of keys. */
 ts_status ts_picture_indices(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id keys, const char *what);
 
 /* Rules of this folder. */

@@ -5,7 +5,7 @@
 #include "../../../probe/parts.h"
 
 /* ---- lamps and their views (probe_lamps.c) ---- */
-/* How a light's samples are seen. */
+/* The views of a light's samples. */
 typedef enum {
 	TS_PROBE_A_VIEW,       /* one view per sample */
 	TS_PROBE_A_CUBE,       /* six views per sample, the faces of a cube */
@@ -31,7 +31,7 @@ bool ts_probe_lamp_has_cube(const ts_probe_lamps *lamps, u32 light);
 json_t *ts_probe_lamp_view_name(const ts_probe_lamps *lamps, const ts_offscreen *view, u32 light);
 
 /* ---- what light reaches a pixel (probe_shadow.c) ---- */
-/* A point before the depth maps; `depths` holds some rows of one map, from first_texel on. */
+/* A receiver that is looked up in depth maps; `depths` holds some rows of one map, from first_texel on. */
 typedef struct {
 	ts_probe_lamps lamps;
 	ts_shadow_test_args args;
@@ -39,21 +39,21 @@ typedef struct {
 	f32 moves; /* the step of the point from pixel to pixel */
 	u32 *depths;
 	u64 first_texel;
-	u32 *lit; /* samples of each light that reach it */
+	u32 *lit; /* samples of each light that reach the point */
 } ts_probe_shadow;
 
-/* Puts what a light's samples find, and counts those that reach the point in shadow->lit[light]. */
+/* Puts the results of a light's samples, and counts the samples that reach the point in shadow->lit[light]. */
 typedef ts_status ts_probe_samples(ts_probe *probe, json_t *object, ts_probe_shadow *shadow, u32 light);
 ts_probe_samples ts_probe_put_samples;
 
-/* Rows [first, first + n) of a depth map. */
+/* Reads rows [first, first + n) of a depth map. */
 ts_status ts_probe_read_rows(ts_probe *probe, ts_probe_shadow *shadow, const ts_offscreen *view, u32 first, u32 n);
-/* Puts what light reaches row y and column x of the eye's buffers, where the eye sees `at`; shadow->lamps must be read.
- * Release by ts_probe_shadow_free, also on failure. */
+/* Puts the light that reaches row y and column x of the eye's buffers, where the eye sees `at`; shadow->lamps must be
+ * read. Release by ts_probe_shadow_free, also on failure. */
 ts_status ts_probe_put_shadow(ts_probe *probe, ts_probe_shadow *shadow, u32 x, u32 y, const ts_receiver *at,
                               ts_probe_samples *put_samples, json_t *object);
 void ts_probe_shadow_free(ts_probe_shadow *shadow);
-/* Puts what light reaches a pixel and its shading by that; reads the lamps. */
+/* Puts the light that reaches a pixel, and its shading with this light; reads the lamps. */
 ts_status ts_probe_put_shadowed(ts_probe *probe, const ts_probe_seen *seen, ts_probe_lens lens,
                                 ts_probe_samples *put_samples, json_t *object, ts_v3 *radiance);
 /* A pixel of shadows by depth maps. */
@@ -62,20 +62,20 @@ ts_status ts_probe_shadow_pixel(ts_probe *probe, const ts_probe_question *questi
 /* ---- indirect light (probe_indirect.c) ---- */
 typedef struct {
 	f32 irradiance[3], specular[3];
-	bool reflects; /* specularly; or `specular` is not there */
+	bool reflects; /* specularly; false: `specular` is not set */
 } ts_probe_gathered;
 
-/* Puts what the light of a pixel is made of, and sets it; `pixel` is the G-buffer's. */
+/* Puts the parts of a pixel's light, and sets the light; `pixel` is that of the G-buffer. */
 typedef ts_status ts_probe_irradiance(ts_probe *probe, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
                                       ts_probe_gathered *gathered);
-/* Puts the G-buffer's pixel, what its irradiance is made from, the irradiance, and what is sent on. */
+/* Puts the G-buffer's pixel, the parts of its irradiance, the irradiance, and the reflected light. */
 ts_status ts_probe_put_indirect(ts_probe *probe, const ts_probe_seen *at, ts_probe_irradiance *put_from, json_t *object,
                                 ts_v3 *radiance);
 
 /* ---- triangles of light (probe_patch.c) ---- */
-/* Puts where one is, and what it sends. */
+/* Puts the place of a triangle of light, and its exitance. */
 void ts_probe_put_shining(ts_probe *probe, json_t *object, const ts_patch *patch);
-/* Puts what a texel is as a light. */
+/* Puts a texel as a triangle of light. */
 ts_status ts_probe_put_patch(ts_probe *probe, json_t *object, const ts_probe_lamps *lamps, u32 index,
                              const ts_patch *patch);
 

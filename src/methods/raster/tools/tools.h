@@ -1,4 +1,4 @@
-/* What the files of this folder have for tools.c. */
+/* Functions of this folder's files for tools.c. */
 #ifndef TS_RASTER_TOOLS_H
 #define TS_RASTER_TOOLS_H
 #include "../../../replay/check.h"

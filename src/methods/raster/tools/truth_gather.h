@@ -1,18 +1,18 @@
-/* What truths of indirect light share (METHODS 17): light that is gathered at every pixel of the G-buffer. */
+/* Code that truths of indirect light share (METHODS 17): light is gathered at every pixel of the G-buffer. */
 #ifndef TS_RASTER_TOOLS_TRUTH_GATHER_H
 #define TS_RASTER_TOOLS_TRUTH_GATHER_H
 #include "../../../truth/query.h"
 #include "../../../truth/sampling.h"
 
-/* Runs, in a run that has just begun, what comes before the lights of a method of indirect light: pose, lights, what
- * they see, eye and G-buffer, the same for all methods. */
+/* Runs, in a run that has just begun, the stages before the light of a method of indirect light: pose, lights, their
+ * views, eye and G-buffer, which are the same for all methods. */
 ts_status ts_truth_indirect_begin(ts_run *run, const char *effect);
 
-/* The light that arrives at a pixel's surface, whose place is p and whose normal is n, or what that reflects of it, by
- * a share of the items. */
+/* The light from a share of the items that arrives at a pixel's surface, at p with the normal n, or that the surface
+ * reflects. */
 typedef ts_v3 ts_truth_light(const void *user, const ts_share *share, ts_v3 p, ts_v3 n);
 
-/* Light gathered at a pixel from `items` items, by `each` rays an item. */
+/* Light gathered at a pixel from `items` items, by `each` rays per item. */
 typedef struct {
 	const char *label;
 	ts_truth_light *light;
@@ -20,7 +20,7 @@ typedef struct {
 	u64 items, each;
 } ts_truth_gathered;
 
-/* The weight of an item that was asked: all items by those asked. */
+/* The weight of a sampled item: the number of all items over that of the sampled. */
 f32 ts_share_weight(const ts_share *share);
 /* Reads gbuffer.pixel; makes `to`, indirect.irradiance or indirect.specular, in run->frame, from which stage
  * `image.indirect` makes the picture. Fails without memory. */

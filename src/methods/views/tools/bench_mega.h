@@ -1,4 +1,4 @@
-/* Figures that tables of MegaViews share, of MegaViews and ManyLoDs as X grows, which each table has for itself. */
+/* Figures that tables of MegaViews share: of MegaViews and ManyLoDs as X grows. Each table has its own X. */
 #ifndef TS_VIEWS_TOOLS_BENCH_MEGA_H
 #define TS_VIEWS_TOOLS_BENCH_MEGA_H
 #include "benches.h"
@@ -61,7 +61,7 @@ enum {
 	[MAPS_LESS] = { "maps_ratio", "by ours", TS_FIGURE_RATIO, LODS_MAPS_MIB, MAPS_MIB, 2, "" }, \
 	[RMSE] = { "rmse", "RMSE to ManyLoDs'", TS_FIGURE_RMSE, M_MEGA, M_LODS, 3, "" }
 
-/* Where ts_empty_share is the table's look. */
+/* For tables whose look is ts_empty_share. */
 #define TS_MEGA_EMPTY [EMPTY] = { "empty_percent", "empty, %", TS_FIGURE_LOOKED, M_MEGA, 0, 1, "" }
 /* clang-format on */
 

@@ -1,4 +1,4 @@
-/* What the files of this folder have for tools.c. */
+/* Functions of this folder's files for tools.c. */
 #ifndef TS_VIEWS_TOOLS_H
 #define TS_VIEWS_TOOLS_H
 #include "../../../kernels/views/vpl_gather.h"
@@ -13,26 +13,25 @@ extern const ts_check_rule ts_views_checks[];
 /* Lists of views that pixels draw from (check_gather.c); cones must have been checked. */
 ts_status ts_check_gather(const ts_load *load, const ts_stage *stage, ts_buffer_id id);
 
-/* A map a cube (check_cubes.c). */
+/* One map per cube (check_cubes.c). */
 ts_status ts_check_colours(const ts_load *load, const ts_stage *stage, ts_buffer_id id);
 
 /* Truths of many lights (truth_vpls.c). All virtual point lights of params.vpl_paths, each with its distance bounded as
- * in vpl_gather, if nothing stands between pixel and light but within a leaf's diagonal of the light, which the methods
- * skip, too. Runs what makes them. Reads gbuffer.pixel; makes indirect.irradiance in run->frame, from which stage
- * `image.indirect` makes the picture. Fails without memory. */
+ * in vpl_gather, if nothing stands between pixel and light; surfaces within a leaf's diagonal of the light do not
+ * count, since the methods skip them too. Runs the stages that make the lights. Reads gbuffer.pixel; makes
+ * indirect.irradiance in run->frame, from which stage `image.indirect` makes the picture. Fails without memory. */
 ts_status ts_truth_vpls(ts_truth *truth, ts_run *run, ts_sampling *sampling);
 
-/* Truth of glowing particles: the same of all params.particle_count. Runs what comes before the particles of `effect`,
- * in a run that has just begun. */
+/* Truth of all params.particle_count glowing particles. Runs the stages before the particles of `effect`, in a run that
+ * has just begun. */
 ts_status ts_truth_particles_begin(ts_run *run, const char *effect);
-/* Reads gbuffer.pixel; makes the same. */
+/* Reads gbuffer.pixel; makes indirect.irradiance. */
 ts_status ts_truth_glow(ts_truth *truth, ts_run *run, ts_sampling *sampling);
 
 /* Maps of virtual point lights and particles after stage vpl_gather, whose buffers are there (truth_maps.c), of up to
- * 1024 lights, every so many-th: rays along the middles of texels from the light on but for a leaf's diagonal.
- * Depths, moved to the light, are right within three leaves' sides. Of lights is asked for 64 pixels each, at random,
- * that would have light of them, with the parameters of shadows, whether these are on or off. Fails if a buffer is
- * not there. */
+ * 1024 lights at equal steps: rays through the middles of texels, from a leaf's diagonal away from the light on.
+ * Depths, moved to the light, are right within three leaves' sides. For each light 64 random pixels that would receive
+ * its light are tested with the parameters of shadows, whether these are on or off. Fails if a buffer is missing. */
 ts_status ts_truth_maps(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
 
 /* Reasons of truth_wrong.def. */
@@ -47,15 +46,15 @@ _Static_assert((u32)TS_N_WRONG <= (u32)TS_MOST_REASONS, "room for all");
 
 extern const char *const ts_wrong_names[]; /* their counters, ended by NULL (truth_wrong.c) */
 
-/* `lit`: the wrong answer of a view's map about the place p with the normal n. Surfaces within `reach` of a light stop
- * nothing; leaves whose middles are within `apart` radii of that of the view's leaf are not in maps. */
+/* The reason for the wrong answer `lit` of a view's map about the place p with the normal n. Surfaces within `reach` of
+ * a light block nothing; leaves whose middles are within `apart` radii of that of the view's leaf are not in maps. */
 ts_wrong ts_truth_wrong(const ts_truth *truth, const ts_vpl_gather_args *of, u32 view, ts_v3 p, ts_v3 n, f32 reach,
                         f32 apart, bool lit);
 
-/* Where pairs of nodes are (where.c). */
+/* Places of pairs of nodes (where.c). */
 extern const ts_where_rule ts_views_places[];
 
-/* Pictures of what views show (pictures.c). */
+/* Pictures of the maps of views (pictures.c). */
 extern const ts_stage_picture_rule ts_views_pictures[];
 
 #endif
