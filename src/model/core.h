@@ -1,4 +1,4 @@
-/* Errors, memory, what is said: what every folder needs. */
+/* Errors, memory, threads and messages, for all folders. */
 #ifndef TS_CORE_CORE_H
 #define TS_CORE_CORE_H
 #include <stdarg.h>
@@ -11,18 +11,18 @@ extern "C" {
 #endif
 
 #define TS_VERSION "0.1.0"
-/* Of the numeric contract, reference/CONTRACT.md. */
+/* The version of the numeric contract, reference/CONTRACT.md. */
 #define TS_CONTRACT_VERSION 1
 
 /* Sets this thread's message to one line (by ts_line_clean) and returns TS_ERROR. */
 ts_status ts_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 ts_status ts_fail_v(const char *format, va_list arguments);
-/* The same where data from outside is to blame: nothing failed, and other data would do. */
+/* As ts_fail, for data from outside that cannot be accepted: with other data the call would succeed. */
 ts_status ts_refuse(const char *format, ...) __attribute__((format(printf, 1, 2)));
-/* Whether this thread's last failure was such a refusal. */
+/* Whether ts_refuse set this thread's last message. */
 bool ts_refused(void);
 
-/* Whether an argument of a public function is NULL; the message names both. */
+/* Whether an argument of a public function is NULL; the message names the function and the argument. */
 #define TS_LACKS(argument) ts_lacks(__func__, #argument, argument)
 bool ts_lacks(const char *function, const char *name, const void *argument);
 
@@ -34,55 +34,55 @@ void ts_line_clean(char *text);
  * pointer. `what` names the contents in the message. */
 void *ts_alloc(size_t count, size_t size, const char *what);
 void *ts_alloc_zero(size_t count, size_t size, const char *what);
-/* Asks for large pages, for memory that is touched all over: fewer faults where it is first written, fewer walks where
- * it is written at random. */
+/* Asks for large pages for memory that is used throughout: fewer page faults at first writes, fewer page-table walks at
+ * random writes. */
 void ts_memory_large_pages(void *memory, size_t bytes);
 /* Grows *array (of *capacity elements) to hold at least `need`, at least doubling. */
 ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, const char *what);
 
-/* All of a regular file, which is untrusted, and a 0 behind it, by free(). NULL with the message set: it cannot be
- * read, or is larger than a third of the machine's memory. */
+/* Returns all bytes of a regular file, which is untrusted, and a 0 behind them; to be released by free(). NULL with the
+ * message set if the file cannot be read or is larger than a third of the machine's memory. */
 char *ts_input_read(size_t *bytes, const char *path);
 
-/* Bytes that this process has in memory: of files, such as libraries, and what it allocated, without what it
- * released. */
+/* Bytes of this process in memory: those of files, such as libraries, and allocated ones that are not released. */
 uint64_t ts_memory_used(void);
-/* The same with what it released and keeps. */
+/* As ts_memory_used, with released bytes that the process keeps. */
 uint64_t ts_memory_resident(void);
 /* Memory that this process can have, in bytes: of the machine, of its control group, and what its own limits (ulimit -v
  * and -d) had left when this was asked first. */
 uint64_t ts_memory_total(void);
-/* What one run may use of it: three quarters. */
+/* Bytes that one run may use: three quarters of ts_memory_total. */
 uint64_t ts_memory_limit(void);
 
 /* Verifies that this process computes as the numeric contract says (rule 8): 0, or a bit per failing primitive. */
 unsigned ts_selftest(void);
-/* The same as a status with a message that names the primitives. */
+/* As ts_selftest; fails with a message that names the failing primitives. */
 ts_status ts_selftest_require(void);
-/* The same of so many threads, which must be ready. */
+/* As ts_selftest_require, on so many threads, which must be ready (ts_threads_ready). */
 ts_status ts_selftest_require_on(uint32_t threads);
 
-/* Who hears what is said beside results and failures, and may end what takes long. NULL: nobody. */
+/* Receives messages and progress, and may cancel long work. A member that is NULL is not called. */
 typedef struct {
-	void (*line)(void *user, const char *text); /* without its end */
+	void (*line)(void *user, const char *text); /* `text`: a line without its end */
 	void (*progress)(void *user, const char *label, uint64_t done, uint64_t total);
-	int (*cancelled)(void *user); /* not 0: what runs is to fail */
+	int (*cancelled)(void *user); /* not 0: the running work is to fail */
 	void *user;
 } ts_listener;
-/* Of this thread; without it nothing is heard. Returns who listened before. */
+/* Sets the listener of this thread, at first one without functions. Returns the listener before. */
 ts_listener ts_listen(const ts_listener *listener);
-/* Whether the listener wants no more of what runs. */
+/* Whether this thread's listener cancels the running work. */
 bool ts_cancelled(void);
-/* One line, by ts_line_clean. */
+/* Sends the listener one line, cleaned by ts_line_clean. */
 void ts_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Progress of long work: done of total. Ends with done == total. */
 void ts_progress(const char *label, uint64_t done, uint64_t total);
 
 /* The most threads that anything may ask for. */
 enum { TS_MOST_THREADS = 1024 };
-/* So many of these threads, at least 1, can be had, this one among them; says so where they are fewer. */
+/* Makes up to `wanted` threads ready, this one among them, and returns how many there are, at least 1; a line says so
+ * where they are fewer. */
 uint32_t ts_threads_ready(uint32_t wanted);
-/* The same of one a processor. */
+/* As ts_threads_ready, with one thread a processor. */
 uint32_t ts_threads_all(void);
 
 /* The commit that the program was built from, with "-dirty" behind it if its source was changed since; or "unknown". */

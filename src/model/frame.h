@@ -1,16 +1,16 @@
-/* A frame: the buffers of one run by name. A stage reads some and adds some. */
+/* A frame: the buffers of one run by name. Each stage reads some of them and adds others. */
 #ifndef TS_CORE_FRAME_H
 #define TS_CORE_FRAME_H
 #include "table.h"
 
 typedef struct {
 	void *data;
-	u64 n, bytes; /* elements in all, and what they take */
+	u64 n, bytes; /* elements, and the bytes of all of them */
 	u32 n_dims;
 	u64 shape[4];
 	bool borrowed; /* belongs to the scene */
 	bool made;
-	void *resident; /* what a backend's device holds of it; NULL: nothing */
+	void *resident; /* the buffer in the memory of a backend's device; NULL: it is not there */
 } ts_buffer;
 
 /* Calls by which a backend with a memory of its own serves the buffers that are resident there. */
@@ -35,26 +35,26 @@ void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *sha
 void *ts_frame_make1(ts_frame *frame, ts_buffer_id id, u64 n);
 void *ts_frame_make2(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1);
 void *ts_frame_make3(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1, u64 n2);
-/* The same with zeros in host memory, of which those that nobody writes take none. */
+/* As ts_frame_make, with zeros in host memory; pages that nobody writes take no memory. */
 void *ts_frame_zeros(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape);
 /* Makes a buffer of memory that outlives the frame. */
 void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n);
 void ts_frame_borrow_rows(ts_frame *frame, ts_buffer_id id, const void *data, u64 n_rows, u64 n);
-/* What arguments of kernels hold; the buffer must exist. Its contents may be elsewhere. */
+/* The handle of a buffer for arguments of kernels; the buffer must exist. Its contents may be on a device. */
 void *ts_frame_handle(const ts_frame *frame, ts_buffer_id id);
-/* The contents, fetched to host memory; the buffer must exist. If that fails they are zeros, and
- * the backend's next `finish` says so. */
+/* The contents of a buffer, which must exist, in host memory. If fetching fails, they are zeros, and the backend's next
+ * `finish` fails. */
 void *ts_frame_data(const ts_frame *frame, ts_buffer_id id);
-/* Fetches all that there is. */
+/* Fetches the contents of all buffers to host memory. */
 ts_status ts_frame_fetch(ts_frame *frame);
-/* Lets kernels work on memory that stays the caller's, until it is recalled: then it holds what they made of it. */
+/* Lets kernels work on memory that stays the caller's. Once the memory is recalled, it holds the kernels' results. */
 void ts_frame_lend(ts_frame *frame, u32 slot, void *data, u64 bytes);
 ts_status ts_frame_recall(ts_frame *frame, u32 slot);
-/* Sets the tallies to 0 and returns what arguments of kernels hold; ts_frame_tally reads one. */
+/* Sets the tallies to 0 and returns their handle for arguments of kernels; ts_frame_tally reads one tally. */
 i64 *ts_frame_tallies(ts_frame *frame);
 i64 ts_frame_tally(ts_frame *frame, u32 index);
 u64 ts_frame_n(const ts_frame *frame, ts_buffer_id id);
-/* Keeps the first n elements of a buffer of one dimension, and all of its memory. */
+/* Cuts a buffer of one dimension to its first n elements; its memory is kept. */
 void ts_frame_cut(ts_frame *frame, ts_buffer_id id, u64 n);
 void ts_frame_drop(ts_frame *frame, ts_buffer_id id);
 void ts_frame_clear(ts_frame *frame);

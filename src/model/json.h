@@ -1,5 +1,6 @@
-/* Why jansson returned NULL. It has no code for memory that ends while it reads: it leaves the line at -1, or calls a
- * string that it could not store an invalid token. So set errno to 0 before json_load*, and ask here after it. */
+/* Why jansson returned NULL. Jansson has no error code for memory that ends while it reads: it leaves the line at -1,
+ * or calls a string that it could not store an invalid token. So set errno to 0 before json_load*, and call ts_json_why
+ * after it. */
 #ifndef TS_MODEL_JSON_H
 #define TS_MODEL_JSON_H
 #include <errno.h>

@@ -1,13 +1,14 @@
-/* Shared libraries that are opened when they are first needed. They stay as long as the process: drivers do not take it
- * well to be unloaded, and what they leak would have no name. */
+/* Shared libraries that are opened when they are first needed. They stay open as long as the process: some drivers
+ * crash when they are unloaded, and leak checkers could not name what they leak. */
 #ifndef TS_MODEL_LIBRARY_H
 #define TS_MODEL_LIBRARY_H
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A table of calls: n function pointers, of the functions so named. */
+/* A function pointer of a table of calls. */
 typedef void (*ts_call)(void);
-/* Finds them in what dlopen returned, or in RTLD_DEFAULT; false if one is missing, and the table is as it was. */
+/* Sets `calls`, a table of n function pointers, to the functions `names` of a library that dlopen returned, or of
+ * RTLD_DEFAULT. False if one is missing; then the table is unchanged. */
 bool ts_library_find(void *calls, const char *const *names, size_t n, void *library);
 
 #endif

@@ -1,7 +1,7 @@
 /* The struct of all parameters, and how sources read and set a member of it.
  *
- * A build with TS_RECORD_PARAMS notes who reads which (tests/record/record.c), and refuses whatever does without
- * TS_PARAM: there the members have other names. */
+ * A build with TS_RECORD_PARAMS notes which code reads which parameter (tests/record/record.c). In that build the
+ * members have other names, so that code that reads one without TS_PARAM does not compile. */
 #ifndef TS_CORE_PARAM_H
 #define TS_CORE_PARAM_H
 #include <stddef.h>
@@ -37,7 +37,7 @@ void ts_params_default(ts_params *params);
 /* Writes the value of table row `row` as text that ts_params_set reads back to the same bits. */
 void ts_params_format(const ts_params *params, size_t row, char *text, size_t text_bytes);
 
-/* Every parameter lies in its range; for a struct that was not filled by ts_params_set. */
+/* Fails unless every parameter lies in its range; for a struct that was not filled by ts_params_set. */
 ts_status ts_params_check(const ts_params *params);
 
 #ifdef __cplusplus

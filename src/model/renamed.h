@@ -1,22 +1,23 @@
-/* Names of buffers, stages, parameters and sizes that were changed (renamed.def): the old ones work until 0.2. An
- * option's old name is refused, by a line with the new one. */
+/* Changed names of buffers, stages, parameters and sizes (renamed.def): the old names work until 0.2. An old name of an
+ * option is refused with a line that tells the new one. */
 #ifndef TS_MODEL_RENAMED_H
 #define TS_MODEL_RENAMED_H
 
 typedef enum { TS_NAME_buffer, TS_NAME_stage, TS_NAME_param, TS_NAME_size, TS_NAME_option } ts_name_kind;
 
-/* A row of the table: an old name, and what it is now. */
+/* A row of the table: an old name and the present one. */
 typedef struct {
 	ts_name_kind kind;
 	const char *old, *now;
 } ts_renamed;
 
-/* The name of today: `name` itself, unless it is an old one. */
+/* The present name: `name` itself, unless the table has it as an old one. */
 const char *ts_name_now(ts_name_kind kind, const char *name);
-/* The same of a name that was typed: about each old one a line on standard error says once what it is called now. */
+/* As ts_name_now, for a name that was typed: for each old name one line on standard error tells the present one,
+ * once. */
 const char *ts_name_typed(ts_name_kind kind, const char *name);
 
-/* Takes another table, ended by a row without names; NULL: that of renamed.def. For tests. */
+/* For tests: replaces the table by `rows`, ended by a row without names; NULL: the table of renamed.def. */
 void ts_renamed_use(const ts_renamed *rows);
 
 #endif

@@ -1,11 +1,11 @@
 /* Does this file compute as the numeric contract says (CONTRACT rule 8)? Each primitive gets operands for which a
  * contracted, flushed, re-associated or otherwise approximate evaluation has other bits than the IEEE result. Operands
- * are volatile, so that nothing is folded while compiling. Included last, so that what a file sets holds here too. */
+ * are volatile, so that nothing is folded while compiling. Included last, so that a file's pragmas hold here too. */
 #ifndef TS_MODEL_SELFTEST_H
 #define TS_MODEL_SELFTEST_H
 #include "../kernels/base/compat.h"
 
-/* Bits of the answer, in the order of their names. */
+/* Bits of the result, in the order of the primitives' names. */
 enum {
 	TS_BAD_FMA = 1,
 	TS_BAD_FTZ = 2,
@@ -33,8 +33,8 @@ static inline f32 ts_selftest_multiply_add(f32 a, f32 b, f32 c)
 	return p + c;
 }
 
-/* (1 + 2^-12)^2 - (1 + 2^-11) is 0 after rounding the product, 2^-24 before. Twice the number, or the common product
- * would not be contracted. */
+/* (1 + 2^-12)^2 - (1 + 2^-11) is 0 after rounding the product, 2^-24 before. Computed for two numbers, because a
+ * compiler would not contract one common product. */
 static inline unsigned ts_selftest_contraction(void)
 {
 	f32 a = ts_selftest_load(0x3f800800u), b = ts_selftest_load(0x3f800800u);
@@ -72,7 +72,8 @@ static inline unsigned ts_selftest_association(void)
 	return ts_f2u(rounded) == 0x40000000u && ts_f2u(constant) == 0x40000000u ? 0 : TS_BAD_ASSOCIATION;
 }
 
-/* Several quotients by one divisor, so that multiplying by its reciprocal would pay; 3, 9, 11 and 13 sevenths tell. */
+/* Several quotients by one divisor, so that a compiler gains by multiplying by the reciprocal; then 3/7, 9/7, 11/7 and
+ * 13/7 have other bits. */
 static inline unsigned ts_selftest_division(void)
 {
 	f32 seven = ts_selftest_load(0x40e00000u);
@@ -95,7 +96,7 @@ static inline unsigned ts_selftest_integers(void)
 {
 	volatile i32 negative = -5;
 	volatile i32 tie = 0x01000001;                           /* 2^24 + 1 */
-	volatile i64 wide = ((i64)1 << 40) + ((i64)1 << 16) + 1; /* above half-way: rounding twice would go to even */
+	volatile i64 wide = ((i64)1 << 40) + ((i64)1 << 16) + 1; /* above half-way: rounding twice gives the even one */
 	unsigned bad = negative >> 1 == -3 ? 0 : TS_BAD_SHIFT;
 	bool nearest = ts_f2u((f32)tie) == 0x4b800000u && ts_f2u((f32)wide) == 0x53800001u;
 	return nearest ? bad : bad | TS_BAD_CONVERSION;
@@ -117,7 +118,7 @@ static inline unsigned ts_selftest_nan(void)
 	return kept && nan != nan && (ts_f2u(nan * 0.0f) & 0x7fffffffu) > 0x7f800000u ? 0 : TS_BAD_NAN;
 }
 
-/* The same side by side, as loops for vectors have it: compilers have other instructions for these. */
+/* The same operations in a loop over lanes, for which compilers choose vector instructions. */
 static inline unsigned ts_selftest_lanes(void)
 {
 	enum { TS_LANES_OF_SELFTEST = 32 };

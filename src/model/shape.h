@@ -14,7 +14,7 @@ typedef enum {
 
 enum { TS_MAX_DIMS = 4, TS_MAX_FACTORS = 2 };
 
-/* How a size is known; see records.def. */
+/* How the value of a size becomes known; see records.def. */
 typedef enum { TS_IS_fixed, TS_IS_counted, TS_IS_given, TS_IS_found, TS_IS_batched } ts_how_known;
 
 /* One DIM row of records.def. */
@@ -31,10 +31,10 @@ extern const ts_dim_info ts_dim_table[TS_N_DIMS];
 typedef struct {
 	u64 n[TS_N_DIMS];
 } ts_sizes;
-/* Makes all of them unknown. */
+/* Sets all sizes to TS_UNKNOWN. */
 void ts_sizes_clear(ts_sizes *sizes);
 
-/* number * product of n_factors sizes + more */
+/* A dimension: number * (product of n_factors sizes) + more. */
 typedef struct {
 	u64 number;
 	u32 n_factors;
@@ -47,17 +47,18 @@ typedef struct {
 	ts_axis axis[TS_MAX_DIMS];
 } ts_shape;
 
-/* False if the text is no shape or names a size that there is not. */
+/* Reads a shape. False if the text is no shape or names an unknown size. */
 bool ts_shape_parse(ts_shape *shape, const char *text);
-/* The size, or product, that a dimension is; TS_UNKNOWN if one that it names is unknown or it passes 2^64. */
+/* The value of a dimension; TS_UNKNOWN if the value of a size in it is unknown, or if the result is 2^64 or more. */
 u64 ts_axis_size(const ts_axis *axis, const ts_sizes *sizes);
-/* The dimensions of a shape. False if one is unknown. */
+/* Writes the values of the dimensions of a shape. False if one is unknown. */
 bool ts_shape_dims(const ts_shape *shape, const ts_sizes *sizes, u64 dims[TS_MAX_DIMS]);
-/* What a dimension counts, if that is one size, or sums before each of it; otherwise TS_DIM_none. */
+/* The size that a dimension is, or is one more than (prefix sums); TS_DIM_none if the dimension has another form. */
 ts_dim ts_axis_counts(const ts_axis *axis);
-/* Rows of an image of the eye come first, or of one for each sample of its pixels, one below the other. */
+/* Whether the first dimensions are those of the eye's image, or of one image for each sample of a pixel, one below the
+ * other. */
 bool ts_shape_is_image(const ts_shape *shape);
-/* Product of the dimensions; false if it passes 2^64. */
+/* Writes the product of the dimensions; false if the product is 2^64 or more. */
 bool ts_shape_count(u64 *n, u32 n_dims, const u64 *dims);
 
 #endif

@@ -1,4 +1,4 @@
-/* The rows of records.def: buffers, fields of their elements, what they sum, and what their fields are indices into. */
+/* The rows of records.def: buffers, the fields of their elements, prefix sums, and what indices are of. */
 #ifndef TS_CORE_TABLE_H
 #define TS_CORE_TABLE_H
 #include <touchstone/tables.h>
@@ -16,19 +16,18 @@ typedef enum {
 extern const ts_buffer_info ts_buffer_table[TS_N_BUFFERS];
 
 const ts_shape *ts_buffer_shape(ts_buffer_id id);
-/* What the first dimension of a buffer counts, if that is one size, or sums before each of it; otherwise
- * TS_DIM_none. */
+/* ts_axis_counts of the first dimension of a buffer. */
 ts_dim ts_buffer_counts(ts_buffer_id id);
-/* The size that the first dimension of a buffer tells, if it is one that parameters do not give; otherwise
+/* The size that follows from the first dimension of a buffer, unless parameters give that size; otherwise
  * TS_DIM_none. */
 ts_dim ts_buffer_tells(ts_buffer_id id);
 
 /* The FIELD rows. */
 const ts_field_info *ts_field_table(size_t *n);
-/* Bytes of a number of that type: of `type` above, or of an element that is no record. */
+/* Bytes of a number of a type: `type` of a field, or the type of an element that is no record. */
 size_t ts_type_bytes(const char *type);
 
-/* One SUM row; NULL: the buffer has no sums. */
+/* One SUM row. */
 typedef struct {
 	ts_buffer_id buffer;
 	ts_dim size;
@@ -37,7 +36,7 @@ typedef struct {
 const ts_sum_info *ts_sum_table(size_t *n);
 const ts_sum_info *ts_sum_of(ts_buffer_id id);
 
-/* One INDEX row; `of` is what `size` says. */
+/* One INDEX row; `of` is its text `size`, read. */
 typedef struct {
 	ts_buffer_id buffer;
 	const char *field, *size;

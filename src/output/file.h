@@ -1,11 +1,11 @@
-/* Files that are written. Each holds all that was put into it and is on the disk, or the call that failed says why:
- * short writes go on, interrupted ones start again, and a file that failed once has failed. */
+/* Writing files. A file is complete and on the disk, or a call fails and says why. Short and interrupted writes are
+ * continued; after its first failure every call with the file fails. */
 #ifndef TS_OUTPUT_FILE_H
 #define TS_OUTPUT_FILE_H
 #include <stdio.h>
 #include "../model/core.h"
 
-/* One that is open. `path` is the caller's, and stays until the end. */
+/* An open file. `path` belongs to the caller and must outlive the ts_file. */
 typedef struct {
 	const char *path;
 	int descriptor; /* -1: none */
@@ -14,44 +14,44 @@ typedef struct {
 	size_t n_held;
 } ts_file;
 
-/* Makes the file, or empties it. After a failure there is nothing to end. */
+/* Makes the file, or empties an existing one. After a failure the file needs no ts_file_end. */
 ts_status ts_file_begin(ts_file *file, const char *path);
-/* The same of a file that is open, which is closed in the end; -1: opening it has just set errno. */
+/* As ts_file_begin, for an open descriptor, which ts_file_end closes; -1: opening failed and has just set errno. */
 ts_status ts_file_adopt(ts_file *file, int descriptor, const char *path);
 ts_status ts_file_put(ts_file *file, const void *data, size_t bytes);
-/* Writes the rest, gives the file to the disk and closes it. */
+/* Writes the rest, syncs the file to the disk and closes it. */
 ts_status ts_file_end(ts_file *file);
-/* Closes what is open, after a failure elsewhere. */
+/* Closes the file without writing the rest, after a failure elsewhere. */
 void ts_file_drop(ts_file *file);
 
-/* Gives the disk what is open; 0, or errno. Pipes have nothing to give. */
+/* Syncs an open file to the disk; returns 0 or errno. For a pipe nothing is done. */
 int ts_sync(int descriptor);
 
-/* A whole file at once. */
+/* Writes a whole file. */
 ts_status ts_file_write(const char *path, const void *data, size_t bytes);
-/* The same as PATH.partial, then renamed: what was there stays until all is written. Two processes that do so at a time
- * do not mix. What is no regular file, as a pipe or a link, is written as it is. */
+/* As ts_file_write, but to PATH.partial, which is then renamed: the old file stays until all is written. The output of
+ * two processes that write PATH at the same time does not mix. A path that is no regular file, such as a pipe or a
+ * link, is written directly. */
 ts_status ts_file_replace(const char *path, const void *data, size_t bytes);
 
-/* To standard output, behind what its stream holds. */
+/* Writes to standard output, behind the bytes that stdout still buffers. */
 ts_status ts_file_print(const void *data, size_t bytes);
 
-/* Text for a file: `out` is a stream in memory. May not be moved while that is open. */
+/* Text for a file: `out` is a stream in memory. The struct must not be moved while the stream is open. */
 typedef struct {
 	FILE *out;
 	char *text;
 	size_t bytes, capacity;
 } ts_file_text;
-/* `what` is for messages. After a failure there is nothing to end. */
+/* Opens the stream; `what` names the text in messages. After a failure there is nothing to release. */
 ts_status ts_file_text_begin(ts_file_text *text, const char *what);
-/* Puts all that was written so far into *text and *bytes, which may be set to 0 then. */
+/* Flushes the stream, so that its memory and length are current; the caller may then take them and set them to 0. */
 ts_status ts_file_text_flush(ts_file_text *text, const char *what);
-/* Closes the stream; *text and *bytes are whole then: nothing that a library wrote there is left out. Frees them on
- * failure. */
+/* Closes the stream and checks that all output, that of libraries too, was stored. Frees the text on failure. */
 ts_status ts_file_text_close(ts_file_text *text, const char *what);
-/* Closes it without a word, after a failure elsewhere. */
+/* Closes the stream and frees the text, after a failure elsewhere. */
 void ts_file_text_drop(ts_file_text *text);
-/* Closes it, writes or replaces the file, or prints it, and frees the text. */
+/* Closes the stream, writes the text to a file, replaces a file by it, or prints it, and frees it. */
 ts_status ts_file_text_write(ts_file_text *text, const char *path);
 ts_status ts_file_text_replace(ts_file_text *text, const char *path);
 ts_status ts_file_text_print(ts_file_text *text);

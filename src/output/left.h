@@ -1,15 +1,16 @@
-/* What this process writes at the moment, and would leave behind if it was killed. */
+/* A record of the partial file and folder that this process would leave behind if it was killed. */
 #ifndef TS_OUTPUT_LEFT_H
 #define TS_OUTPUT_LEFT_H
 #include "../model/core.h"
 
-/* Keeps the record where the parent of processes that are forked from now on sees theirs. */
+/* Moves the record to shared memory, where a parent sees the records of processes that it forks from now on. */
 ts_status ts_left_share(void);
-/* Notes the file that is written; "" none. */
+/* Notes the partial file that is being written; "": none. */
 void ts_left_file(const char *partial);
-/* Notes the folder that is written, by its final name, and how many folders above it were made for it; "" none. */
+/* Notes the final name of the folder that is being written, and how many folders above it were made for it; "":
+ * none. */
 void ts_left_folder(const char *dir, uint32_t n_parents);
-/* Removes what a process that ended has left. */
+/* Removes the file and folder that the record names, after the process has ended. */
 void ts_left_clear(void);
 
 #endif

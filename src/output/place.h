@@ -1,4 +1,4 @@
-/* Folders that take the place of others. */
+/* Putting a new folder in the place of an old one. */
 #ifndef TS_OUTPUT_PLACE_H
 #define TS_OUTPUT_PLACE_H
 #include "../model/core.h"
@@ -9,18 +9,18 @@ typedef struct {
 
 /* What became of DIR. */
 typedef enum {
-	TS_PLACE_FREE,      /* nothing was there, or an empty folder */
-	TS_PLACE_EXCHANGED, /* it is DIR.partial now */
-	TS_PLACE_MOVED,     /* it is DIR.old now */
+	TS_PLACE_FREE,      /* there was none, or an empty one */
+	TS_PLACE_EXCHANGED, /* the old folder is DIR.partial now */
+	TS_PLACE_MOVED,     /* the old folder is DIR.old now */
 } ts_placed;
 
-/* Renames DIR.partial to DIR, where nothing is, or an empty folder. TS_DIFFERENT: something is there. */
+/* Renames DIR.partial to DIR, which must be absent or an empty folder. TS_DIFFERENT: DIR is neither. */
 ts_status ts_place_take(const ts_place *place);
-/* DIR and DIR.partial change places. TS_DIFFERENT: the file system cannot do that. */
+/* Exchanges DIR and DIR.partial. TS_DIFFERENT: the file system cannot exchange folders. */
 ts_status ts_place_exchange(const ts_place *place);
 /* Renames DIR to DIR.old, then DIR.partial to DIR. */
 ts_status ts_place_move(const ts_place *place);
-/* Takes it back. */
+/* Undoes what `placed` says was done. */
 ts_status ts_place_undo(const ts_place *place, ts_placed placed);
 /* True if there is anything at that path. */
 bool ts_place_has(const char *path);

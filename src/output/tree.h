@@ -3,13 +3,13 @@
 #define TS_OUTPUT_TREE_H
 #include "../model/core.h"
 
-/* Removes the folder; the message says what could not be. */
+/* Removes the folder with its contents; on failure the message names what could not be removed. */
 ts_status ts_tree_remove(const char *path);
-/* Gives the disk the folder and those in it, that is, the names of their files. */
+/* Syncs the folder and all folders in it, that is, the names of their files, to the disk. */
 ts_status ts_tree_sync(const char *path);
-/* Gives the disk this folder alone. */
+/* Syncs this folder alone. */
 ts_status ts_folder_sync(const char *path);
-/* The same of the folder that `path` lies in. */
+/* Syncs the folder that `path` lies in. */
 ts_status ts_parent_sync(const char *path);
 
 #endif

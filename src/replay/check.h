@@ -18,7 +18,7 @@
  *
  * What remains: time. Views of absurd sharpness ask for 4096 pieces of every triangle. Splats and triangles may cover
  * every texel of every face, so that damaged files can make a stage as slow as its elements times its texels, but not
- * endless. Splats of arrival-order points never take the fast path, which trusts that the points of a piece stand
+ * endless. A replayed stage never takes the fast path of splats, which relies on the points of a piece standing
  * together (ts_replay_stage).
  *
  * Every refusal is one line: file, element, field, value, and what would be right. */
@@ -30,13 +30,13 @@
 ts_status ts_check(ts_load *load, const ts_stage *stage);
 
 typedef enum {
-	TS_CHECK_PARAMS, /* first, of methods that make the buffer, loaded or not */
-	TS_CHECK_SIZES,  /* before sizes are computed from it */
-	TS_CHECK_VALUES, /* when shapes, indices and sums are right: what kernels loop over or address by */
-	TS_CHECK_SUMS,   /* with the values, and in the place of the check of prefix sums */
+	TS_CHECK_PARAMS, /* first, for methods that make the buffer, whether it is loaded or not */
+	TS_CHECK_SIZES,  /* before sizes are computed from the buffer */
+	TS_CHECK_VALUES, /* after shapes, indices and sums: values that kernels loop over or address by */
+	TS_CHECK_SUMS,   /* with the values, instead of the check of prefix sums */
 } ts_check_time;
 
-/* What a family checks of a buffer that was loaded. */
+/* A check of a family for a loaded buffer. */
 typedef struct {
 	ts_buffer_id buffer;
 	ts_check_time time;
@@ -44,19 +44,20 @@ typedef struct {
 } ts_check_rule;
 
 /* Takes the rules of all families: lists ended by NULL, each ended by a row without `check`. They must stay, and are
- * followed in this order. */
+ * applied in this order. */
 void ts_check_use(const ts_check_rule *const *rules);
 
 /* The rules of the scene's buffers (check_scene.c), which come first. */
 extern const ts_check_rule ts_check_scene[];
 
-/* For rules. The elements of a buffer if it was loaded; else NULL and none. */
+/* For rules: the elements of a loaded buffer; NULL, and *n 0, if the buffer was not loaded. */
 const void *ts_check_elements(const ts_load *load, ts_buffer_id id, u64 *n);
-/* Kinds of lights. */
+/* A rule's check of the kinds of lights. */
 ts_status ts_check_kinds(const ts_load *load, const ts_stage *stage, ts_buffer_id id);
-/* What was loaded of a stage's outputs is just what the stage makes of the rest, which `from` stands for. */
+/* Checks that the loaded outputs of stage `maker` are what that stage makes of the other loaded buffers, which `from`
+ * names in messages. */
 ts_status ts_check_again(const ts_load *load, const char *maker, const char *from);
-/* Fails with one line about a loaded buffer: its file, the place, its value, and "RIGHT would be right". */
+/* Fails with one line about a loaded buffer: its file, the place, the value, and "RIGHT would be right". */
 ts_status ts_check_refuse(const ts_load *load, ts_buffer_id id, u64 element, const char *field, u32 component,
                           const char *right, ...) __attribute__((format(printf, 6, 7)));
 

@@ -1,6 +1,6 @@
-/* A page of HTML that shows what was rendered and compared: pictures beside and over each other, how far they are
- * apart, tables, first differences and why pixels are what they are. All is inside the one file, which needs no server
- * and no network. The same input gives the same bytes. */
+/* A page of HTML about renders and comparisons: pictures beside and over each other, metrics between them, tables,
+ * first differences, and probes that explain pixels. The page is one file, which needs no server and no network. The
+ * same input gives the same bytes. */
 #ifndef TS_REPORT_REPORT_H
 #define TS_REPORT_REPORT_H
 #include <jansson.h>
@@ -10,28 +10,28 @@ typedef struct ts_page ts_page;
 
 enum { TS_PAGE_PROBES = 64 };
 
-/* An empty page. ppd: pixels per degree of who looks at the pictures, for FLIP (image/flip.h); n_probes: the most
- * differing pixels of a comparison whose probes the page holds. NULL with the message set on failure. */
+/* An empty page. ppd: pixels per degree of the viewer, for FLIP (image/flip.h); n_probes: the greatest number of
+ * differing pixels of a comparison of which the page holds probes. NULL with the message set on failure. */
 ts_page *ts_page_make(double ppd, u32 n_probes);
 /* NULL is allowed. */
 void ts_page_free(ts_page *page);
 
 /* Adds a picture, whose pixels are copied: 8-bit sRGB, width * height * 3. */
 ts_status ts_page_add_picture(ts_page *page, const char *name, const char *from, const u8 *rgb, u32 width, u32 height);
-/* Adds what render or compare wrote to folder `dir`: the PNG files and the tables that its report.json names, and
+/* Adds the output of render or compare in folder `dir`: the PNG files and tables that its report.json names, and
  * times.json. */
 ts_status ts_page_add_folder(ts_page *page, const char *dir);
-/* Adds a trace: its picture and what trace.json says. */
+/* Adds a trace: its picture, and the figures of its trace.json. */
 ts_status ts_page_add_trace(ts_page *page, const ts_trace *trace);
-/* Adds how a candidate was judged, both sides being added already: `said` is the comparison as JSON (compare --json).
- * The page has the pixels of differences, and probes of pixels on both sides. */
+/* Adds the comparison of a candidate, after both traces were added; `said` is the comparison as JSON (compare --json).
+ * The page gets the differing pixels, and probes of pixels of both traces. */
 ts_status ts_page_add_comparison(ts_page *page, const ts_comparison *comparison, const ts_trace *reference,
                                  const ts_trace *candidate, const ts_relaxations *relaxations, const json_t *said);
 /* Adds a comparison of the last two pictures that were added. */
 ts_status ts_page_add_picture_comparison(ts_page *page, const json_t *said);
 
-/* Judges pictures against each other, and writes or replaces the file as a whole. Says so where the page is larger than
- * browsers open at once. */
+/* Compares the pictures of all pairs, and writes or replaces the file as a whole. A line warns of a page that is too
+ * large for browsers to open at once. */
 ts_status ts_page_write(ts_page *page, const char *path);
 
 #endif

@@ -1,5 +1,5 @@
-/* Building a scene: the loaders and generators append, ts_build_finish checks and freezes.
- * Failures stick: after the first one every call does nothing, and ts_build_finish reports it. */
+/* Building a scene: loaders and generators append, ts_build_finish checks and completes. Failures stick: after the
+ * first one every call does nothing, and ts_build_finish reports it. */
 #ifndef TS_SCENE_BUILD_H
 #define TS_SCENE_BUILD_H
 #include <stdbool.h>
@@ -11,7 +11,7 @@ extern "C" {
 
 typedef struct ts_build ts_build;
 
-/* Bounds of what a file moves: frames, and frames times objects. */
+/* Bounds of an animation in a file: frames, and frames times objects. */
 #define TS_MOTION_MAX_FRAMES 65536u
 #define TS_MOTION_MAX_PLACES 4194304u
 
@@ -26,7 +26,8 @@ void ts_build_free(ts_build *build);
 
 /* A vertex of the current object. */
 u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex);
-/* The same of an object that the file moves: `vertex` as the object stands at frame 0, `own` in the object's space. */
+/* As ts_build_vertex, of an object that the file moves: `vertex` is in world space at frame 0, `own` in the object's
+ * space. */
 u32 ts_build_vertex_moving(ts_build *build, const ts_vertex *vertex, const ts_vertex *own);
 /* Moves the vertices from `first` on. */
 void ts_build_move(ts_build *build, u32 first, ts_v3 by);
@@ -42,16 +43,16 @@ void ts_build_light(ts_build *build, const ts_light *light);
 u32 ts_build_surfel(ts_build *build, const ts_surfel *surfel);
 /* Name and path are copied; of several cameras with one name the first can be chosen. */
 void ts_build_camera(ts_build *build, const ts_camera *camera);
-/* A node of the file with a name, which is copied, and triangles; parents come first. */
+/* Notes a node of the file that has a name, which is copied, and triangles; parents come first. */
 void ts_build_node(ts_build *build, const char *name, u64 n_triangles);
 /* Vertices from here on belong to this object: first_vertex, n_vertices and reflector are filled in. With
  * `object` NULL they belong to object 0 again. Returns the object's index. */
 u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector);
 
-/* Vertices from here on belong to an object that was made before. */
+/* Makes an existing object the current one, to which vertices appended from now on belong. */
 void ts_build_select(ts_build *build, u32 object);
-/* The file moves the current object: n places, one a frame, the same n for all that move. All its vertices are to be
- * ts_build_vertex_moving's. */
+/* Sets the motion of the current object: n places, one a frame, with the same n for all moving objects. All its
+ * vertices must be appended by ts_build_vertex_moving. */
 void ts_build_motion(ts_build *build, const ts_motion *frames, u32 n);
 
 /* Appends an image with its mip chain (CONTRACT rule 37). rgba: width * height * 4 bytes, rows from the top, each side
@@ -61,26 +62,26 @@ u32 ts_build_image(ts_build *build, const u8 *rgba, u32 width, u32 height, bool 
 /* A default for every field: white, roughness 1, metallic 0, no texture, opaque. */
 ts_material ts_material_default(void);
 
-/* Notes one line (by ts_line_clean) for `touchstone info`: what of the file is ignored or read otherwise. */
+/* Notes one line, cleaned by ts_line_clean, for `touchstone info`: something in the file that is ignored or changed. */
 void ts_build_note(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* Fails the build with one line, unless it has failed already. */
 void ts_build_fail(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* Whether it has failed, so that a long loop can end. */
+/* Whether the build has failed, so that a long loop can end. */
 bool ts_build_failed(const ts_build *build);
 
-/* Whether the object is of the scene itself and no mirror, whether the file moves it or not. */
+/* Whether the object belongs to the scene itself, at rest or moved by the file, and is no reflector. */
 static inline bool ts_build_is_own(const ts_scene *scene, u32 object)
 {
 	return scene->objects[object].reflector == TS_NONE;
 }
 
-/* Read access while building: the arrays so far (valid until the next append), with box and hall up to date. */
+/* The scene so far, to read: its arrays (valid until the next append), its box and its hall. */
 const ts_scene *ts_build_peek(ts_build *build);
 
-/* Checks every index, refuses coordinates beyond 2^24, adds the default sun if there is no light, sorts the vertices
- * by object (stable), chooses the camera by name (NULL: the eye circles), and hands over; *scene by ts_scene_free. A
- * scene may be without triangles. Always consumes the build; NULL (ts_build_new failed) is allowed and fails. On
- * failure *scene is NULL and the message is set. */
+/* Checks every index, refuses coordinates beyond 2^24, adds the default sun if there is no light, sorts the vertices by
+ * object (stable), chooses the camera by name (NULL: the eye circles), and hands over *scene, to be released by
+ * ts_scene_free. A scene may have no triangles. Always consumes the build; NULL (ts_build_new failed) is allowed and
+ * fails. On failure *scene is NULL and the message is set. */
 ts_status ts_build_finish(ts_build *build, const ts_params *params, const char *camera, ts_scene **scene);
 
 /* The first camera of that name; TS_NONE if there is none or name is NULL. */

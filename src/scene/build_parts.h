@@ -5,11 +5,11 @@
 
 struct ts_build {
 	ts_scene *scene;
-	u32 object;  /* that new vertices belong to */
-	bool placed; /* box, hall and eye are those of `place` */
+	u32 object;  /* the current one, to which new vertices belong */
+	bool placed; /* `place` has set box, hall and eye */
 	ts_info place;
 	struct {
-		u32 object; /* that it moves */
+		u32 object; /* the object of the motion */
 		ts_motion *frames;
 	} * motions;
 	u32 n_motions, n_frames; /* of each motion */
@@ -27,7 +27,7 @@ struct ts_build {
  * On failure the array is as it was and the build has failed. */
 void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capacity, size_t size, const char *what);
 
-/* The moving objects of the file, which stood at frame 0, go their ways: build_motion.c. */
+/* build_motion.c: sets the moving objects of the file, so far at frame 0, in motion. */
 void ts_build_set_in_motion(ts_build *build);
 void ts_build_motions_free(ts_build *build);
 
@@ -37,14 +37,14 @@ void ts_build_motions_free(ts_build *build);
 	                                       &(build)->capacity.array, sizeof *(build)->scene->array, what), \
 	 !(build)->failed)
 
-/* The box of the triangles of object 0 and the centres of the surfels; where there is neither, of all objects that
- * stand still. Triangles whose corners do not exist are passed over. */
+/* Computes the box of the triangles of object 0 and the centres of the surfels; without either, of all objects at rest.
+ * Triangles whose corners do not exist are ignored. */
 void ts_build_box(ts_scene *scene);
 
-/* Box, hall and, of a scene whose place was chosen, eye. */
+/* Computes box, hall and, of a scene whose place was chosen, the eye. */
 void ts_build_measure(ts_build *build);
 
-/* The hall, from the box and the triangles of object 0. Fails without memory. */
+/* Computes the hall from the box and the triangles of object 0. Out of memory the build fails. */
 void ts_build_walls(ts_build *build);
 
 #endif

@@ -1,5 +1,4 @@
-/* Area lights: the lamp that shadows are shown with, and the views from the samples of lights (iVIR sections 4 and
- * 6). */
+/* Area lights: the lamps of shadow methods, and the views from the samples of lights (iVIR sections 4 and 6). */
 #ifndef TS_SCENE_LAMP_H
 #define TS_SCENE_LAMP_H
 #include "../kernels/base/records.h"
@@ -9,10 +8,10 @@
 /* Between two seeds of a sunflower, in turns (Vogel 1979). */
 #define TS_GOLDEN_TURN 0.61803400516510009765625f
 
-/* Where the two lamps stand by the hall alone, as below. */
+/* The places of both lamps that follow from the hall alone (ts_lamp_spot, ts_lamp_ball). */
 void ts_lamp_stands(ts_stand stands[TS_N_STANDS], const ts_info *info);
 
-/* Both lamps: stands are the scene's, or NULL for a scene without.
+/* For both lamps: `stands` are the scene's, or NULL for a scene without stands.
  *
  * The lamp of soft shadows: a spot light under a corner of the hall, aimed across it at the floor; of a scene without
  * walls, above and beside it. Its cone keeps within the depth maps of all samples, where it is aimed, if lamp.fov is 40
@@ -22,14 +21,14 @@ void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_stand *stands, 
  * it. */
 void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_stand *stands, const ts_params *params);
 
-/* What a depth map shows of a light. */
+/* Size and angle of a light's depth maps. */
 typedef struct {
 	u32 side; /* texels */
 	f32 fov;  /* degrees */
-	bool own; /* spot lights as wide as their cone, instead */
+	bool own; /* of spot lights the angle of their cone instead of `fov` */
 } ts_lens;
 
-/* How far samples lie from the middle of a light: world units; of a sun the tangent of its angular radius. */
+/* The radius of a light, over which its samples are spread: world units; of a sun the tangent of its angular radius. */
 f32 ts_lamp_radius(const ts_light *light, const ts_info *info, const ts_params *params);
 
 /* The depth map of sample k of n of a light, without its offset: on a disc across the light's direction, in the order

@@ -1,5 +1,5 @@
-/* Numbers of a glTF file on their way into the scene's records: rounded once to binary32, then sanitized (CONTRACT rule
- * 10), and the few that need arithmetic. */
+/* Conversion of numbers of a glTF file for the scene's records: rounded once to binary32, then sanitized (CONTRACT rule
+ * 10); and the few values that need arithmetic. */
 #ifndef TS_SCENE_GLTF_NUMBERS_H
 #define TS_SCENE_GLTF_NUMBERS_H
 #include "scene.h"
@@ -7,7 +7,7 @@
 extern "C" {
 #endif
 
-/* A JSON number: NaN gives 0, beyond binary32 gives +-2^62. */
+/* A JSON number: NaN gives 0, a number beyond binary32 gives +-2^62. */
 f32 ts_number(double x);
 
 /* Normalized integers, glTF 2.0 section 3.11. */

@@ -1,6 +1,5 @@
-/* Node transforms of a scene file: where a node stands in the world, and what that does to vertices, surfels, lights
- * and cameras. Only + - * / and the square root on binary32, in the order written (CONTRACT rule 4), so every build
- * gives the same bits. */
+/* Node transforms of a scene file, applied to vertices, surfels, lights and cameras. Only + - * / and the square root
+ * on binary32, in the order written (CONTRACT rule 4), so every build gives the same bits. */
 #ifndef TS_SCENE_PLACE_H
 #define TS_SCENE_PLACE_H
 #include "../kernels/base/vec.h"
@@ -25,7 +24,7 @@ ts_place ts_place_from_trs(const f32 translation[3], const f32 rotation[4], cons
 /* From glTF's 4 by 4 matrix, column by column; the last row is taken to be 0 0 0 1. */
 ts_place ts_place_from_matrix(const f32 matrix[16]);
 
-/* A node below another. */
+/* The place of a node below another, by both their places. */
 ts_place ts_place_compose(const ts_place *parent, const ts_place *local);
 
 /* Whether every element is within +-2^24, which keeps all that follows finite. */
@@ -35,18 +34,18 @@ bool ts_place_is_sane(const ts_place *place);
 ts_v3 ts_place_point(const ts_place *place, ts_v3 point);
 ts_v3 ts_place_direction(const ts_place *place, ts_v3 direction);
 
-/* The same as a record. */
+/* A place as a record of scene.motion. */
 ts_motion ts_place_motion(const ts_place *place);
 
 /* A vertex in world space. Where the node flattens, the normal is zero; where it mirrors, the tangent's handedness
  * flips. */
 ts_vertex ts_place_vertex(const ts_place *place, const ts_vertex *vertex);
 
-/* A surfel in world space: the ellipse that the node makes of it, whatever the node does to angles; where it mirrors,
- * the axes change places, so that the normal stays on its side. False where the node flattens. */
+/* A surfel in world space: the node's image of its ellipse, with half-axes at a right angle; where the node mirrors, u
+ * and v are exchanged, so that the normal stays on its side. False where the node flattens. */
 bool ts_place_surfel(const ts_place *place, const ts_surfel *from, ts_surfel *to);
 
-/* The node's origin, and the unit direction of its -z (a light's way), or zero. */
+/* The node's origin, and the unit direction of its -z, along which a light shines, or zero. */
 void ts_place_aim(const ts_place *place, f32 position[3], f32 direction[3]);
 
 /* The frame of a camera at the node: looks along -z with +y up, made orthonormal. False where the node flattens. */

@@ -1,4 +1,4 @@
-/* Text from files, on its way out as JSON. For a terminal there is ts_line_clean. */
+/* Text of files as JSON. For a terminal use ts_line_clean. */
 #ifndef TS_SCENE_PRINT_H
 #define TS_SCENE_PRINT_H
 #include <jansson.h>
@@ -6,7 +6,8 @@
 extern "C" {
 #endif
 
-/* A JSON string of any bytes: as they are if they are UTF-8, else those above 127 as \xHH. NULL when out of memory. */
+/* A JSON string of any bytes: UTF-8 stays as it is; in other text, bytes above 127 become \xHH. NULL when out of
+ * memory. */
 json_t *ts_text_json(const char *text);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-/* Rays against the triangles of a scene that stand still, while the scene is built: a tree of boxes, no Embree. Plain
- * binary32 arithmetic of the kernels (CONTRACT rule 4), so every build places things alike. */
+/* Ray casts against a scene's triangles at rest, while the scene is built, by a tree of boxes, without Embree. Only the
+ * kernels' binary32 arithmetic (CONTRACT rule 4) is used, so every build places things alike. */
 #ifndef TS_SCENE_RAYS_H
 #define TS_SCENE_RAYS_H
 #include "../kernels/base/vec.h"
@@ -10,9 +10,9 @@ typedef struct ts_rays ts_rays;
 /* Farther than anything in a scene: no vertex lies beyond 2^24. */
 #define TS_RAYS_FAR 134217728.0f
 
-/* Triangles of objects with period 0, without those whose corners do not exist or lie beyond 2^24.
- * Returns: the tree, to be released with ts_rays_free; NULL without memory, with the message set.
- * Args:    scene may be under construction; it must outlive the tree and not change. */
+/* Builds a tree over the triangles of objects with period 0, without those whose corners do not exist or lie beyond
+ * 2^24. Returns: the tree, to be released with ts_rays_free; NULL without memory, with the message set. Args: scene may
+ * be under construction; it must outlive the tree and not change. */
 ts_rays *ts_rays_new(const ts_scene *scene);
 /* NULL is allowed. */
 void ts_rays_free(ts_rays *rays);
@@ -29,7 +29,7 @@ bool ts_rays_is_inside(const ts_rays *rays, ts_v3 p);
 /* Direction i of n that cover the sphere evenly, from the top down. */
 ts_v3 ts_rays_way(u32 i, u32 n);
 
-/* Whether nothing that a ray sees stands between two points; the last 1/256 of the way is left out. */
+/* Whether a ray between two points meets nothing; the last 1/256 of the way is left out. */
 bool ts_rays_free_between(const ts_rays *rays, ts_v3 from, ts_v3 to);
 
 /* Returns: the distance from p to the nearest triangle, whatever its sides and mask; at most `most`. */

@@ -11,7 +11,7 @@ typedef struct {
 	char *name;
 	f32 eye[3], right[3], up[3], back[3]; /* world */
 	f32 yfov;                             /* turns */
-	ts_path_eye *path;                    /* of one that the file moves: where, frame by frame, again and again */
+	ts_path_eye *path;                    /* of a camera that the file moves: its pose in each frame, repeated */
 	u32 n_path;
 } ts_camera;
 
@@ -42,31 +42,31 @@ struct ts_scene {
 	ts_surfel *surfels;
 	u32 n_surfels; /* a scene may have these only, or triangles only, or both */
 	ts_stand *stands;
-	u32 n_stands;         /* TS_N_STANDS, or 0: the lamps of shadows stand as the hall says */
+	u32 n_stands;         /* TS_N_STANDS, or 0: the places of the shadow lamps follow from the hall */
 	ts_path_eye *path;    /* the eye of each frame */
 	u32 n_path;           /* 0: the eye stands still or circles */
-	ts_motion *motion;    /* by frame, then by object; of what follows it the vertices are in object space */
-	u32 n_motion;         /* frames, behind which the motion begins again; 0: the file moves nothing */
-	bool is_checkerboard; /* they are those of builtin/checkerboard.c */
+	ts_motion *motion;    /* by frame, then by object; vertices of objects in motion are in object space */
+	u32 n_motion;         /* frames, after which the motion repeats; 0: the file moves nothing */
+	bool is_checkerboard; /* the surfels are those of builtin/checkerboard.c */
 	ts_info info;
 	ts_camera *cameras;
 	u32 n_cameras;
 	ts_named_node *nodes; /* parents first */
 	u32 n_nodes;
-	u32 camera;           /* the chosen one or TS_NONE: the eye circles */
+	u32 camera;           /* the chosen one; TS_NONE: the eye circles */
 	u64 n_triangles_file; /* triangles drawn before reflectors were added */
 	u64 n_degenerate;     /* zero-area triangles among them */
 	char **notes;
-	u32 n_notes; /* what in the file was not understood, a line each */
+	u32 n_notes; /* lines about parts of the file that are ignored or changed */
 };
 
 /* What ts_scene_open does (open/open.c). */
 ts_status ts_scene_load(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *options);
 
-/* Places in ts_scene.stands. */
+/* Indices into ts_scene.stands. */
 enum { TS_STAND_SPOT, TS_STAND_BALL, TS_N_STANDS };
 
-/* Places in ts_material's slot. Flags, wrap modes and kinds of light: kernels/base/scene.h, texture.h, shade.h. */
+/* Indices into ts_material's slot. Flags, wrap modes and kinds of light: kernels/base/scene.h, texture.h, shade.h. */
 enum { TS_SLOT_BASE, TS_SLOT_METALROUGH, TS_SLOT_NORMAL, TS_SLOT_OCCLUSION, TS_SLOT_EMISSIVE, TS_N_SLOTS };
 
 #endif

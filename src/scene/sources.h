@@ -1,4 +1,4 @@
-/* Where scenes come from: each fills a build. Failures stick to the build, as in build.h. */
+/* Sources of scenes: each fills a build. Failures stick to the build, as in build.h. */
 #ifndef TS_SCENE_SOURCES_H
 #define TS_SCENE_SOURCES_H
 #include "build.h"
@@ -9,11 +9,11 @@ extern "C" {
 
 /* gltf.cc: a .gltf or .glb file. The node called `reflector` (may be NULL) and nodes with {"reflector": true} in their
  * extras become objects of their own, marked as reflectors. So do nodes that the animation of that name moves (NULL:
- * the file's first; TS_ANIMATION_NONE: none), unmarked; reflectors on them move with them. Points without a size are
- * given the mean distance to so many nearest neighbours, 1 to TS_MAX_NEIGHBOURS, of their primitive. */
+ * the file's first; TS_ANIMATION_NONE: none), unmarked; reflectors on them move with them. Points without a size get
+ * the mean distance to `neighbours` nearest points of their primitive, 1 to TS_MAX_NEIGHBOURS. */
 void ts_gltf_load(ts_build *build, const char *path, const char *reflector, const char *animation, u32 neighbours);
 
-/* ply.c: a .ply file of points. `neighbours` as above, of all points; normals that are not there are estimated. */
+/* ply.c: a .ply file of points. `neighbours` as in ts_gltf_load, but of all points; missing normals are estimated. */
 void ts_ply_load(ts_build *build, const char *path, u32 neighbours);
 
 /* builtin.c: whether spec is NAME or NAME:OPTIONS, NAME being one of ts_builtin_at. */
@@ -23,26 +23,26 @@ void ts_builtin_names(char *text, size_t text_bytes);
 /* Fills a build with the scene that spec, for which ts_builtin_is is true, names. Reads params->{seed,
  * surfels.radius}. */
 void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params);
-/* All of opening a built-in scene, with the reflectors that params ask for; needs neither glTF nor JSON. wanted may
- * be NULL. *scene by ts_scene_free; NULL on failure, also where spec is no built-in scene. */
+/* Opens a built-in scene with the reflectors that params ask for; needs neither glTF nor JSON. wanted may be NULL.
+ * *scene by ts_scene_free; NULL on failure, also where spec is no built-in scene. */
 ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *wanted);
 
-/* arrays.c: what ts_scene_make does. */
+/* arrays.c: implements ts_scene_make. */
 ts_status ts_scene_of_arrays(ts_scene **scene, const ts_scene_arrays *arrays, const ts_params *params,
                              const ts_scene_options *options);
 
 /* ground.c: a square under the scene, if the parameter asks for it. */
 void ts_ground_add(ts_build *build, const ts_params *params);
 
-/* reflectors.c: as many reflectors as the parameters say, on periodic paths (METHODS 4); none for surfels. With rays
- * each is at a free place at frame 0; NULL: the hall alone says where they are. */
+/* reflectors.c: as many reflectors as the parameters say, on periodic paths (METHODS 4); none for surfels. With `rays`
+ * each is at a free place at frame 0; NULL: their places follow from the hall alone. */
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera, const ts_rays *rays);
-/* Balls that stand still: x, y, z and radius. */
+/* Adds reflecting balls at rest: x, y, z and radius of each. */
 void ts_reflectors_stand(ts_build *build, const f32 (*mirrors)[4], u32 n);
 
-/* arrange.c: behind the triangles of a scene its eye, mirrors and lamps, as the options say. With `find`, as of files,
- * rays find the places that the options leave open.
- * Returns: the name of the chosen camera, or NULL: none; it belongs to the build. */
+/* arrange.c: adds eye, mirrors and lamps, as the options say, after the triangles of a scene. With `find`, as for
+ * files, rays find the places that the options leave open. Returns: the name of the chosen camera, or NULL: none; it
+ * belongs to the build. */
 const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_options *options, bool find);
 
 #ifdef __cplusplus

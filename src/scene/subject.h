@@ -1,13 +1,11 @@
-/* What the pictures of a file show, found by rays (METHODS 4): a room from inside, or a thing from outside. */
+/* Finds by rays what pictures of a file should show (METHODS 4): a room from inside, or a thing from outside. */
 #ifndef TS_SCENE_SUBJECT_H
 #define TS_SCENE_SUBJECT_H
 #include "../model/param.h"
 #include "rays.h"
 
-/* The box of what stands on a wide and flat ground, where the ground is more than four times as large as the rest; the
- * whole box otherwise.
- * Args: info->box_* is the scene's.
- * Out:  info->box_* */
+/* Crops the box to what stands on a wide and flat ground that is more than four times as large as the rest; otherwise
+ * the box stays. Args: info->box_* is the scene's. Out: info->box_* */
 void ts_subject_crop(ts_info *info, const ts_scene *scene);
 
 /* Chooses room or thing.

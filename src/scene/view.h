@@ -1,10 +1,10 @@
-/* The eye, and where it and the added reflectors move. */
+/* The eye, and the spaces in which the eye and the added reflectors move. */
 #ifndef TS_SCENE_VIEW_H
 #define TS_SCENE_VIEW_H
 #include "../kernels/base/vec.h"
 #include "scene.h"
 
-/* Frames in which the eye, and each added reflector, comes around once. */
+/* Frames in which the eye, and each added reflector, makes one turn. */
 #define TS_FRAMES_A_TURN 240u
 
 /* How the eye moves: ts_info.circles. */
@@ -12,12 +12,12 @@ enum {
 	TS_CIRCLES_NOT,     /* a chosen camera stands still */
 	TS_CIRCLES_HALL,    /* in the hall; with eye.distance=outside as far off as the ball about the box needs */
 	TS_CIRCLES_ROOM,    /* in the hall; with eye.distance=outside as near as the image holds the box */
-	TS_CIRCLES_OUTSIDE, /* likewise, but eye.distance=far is outside, too */
+	TS_CIRCLES_OUTSIDE, /* as TS_CIRCLES_ROOM, but with eye.distance=far outside, too */
 	TS_CIRCLES_PATH,    /* along the scene's path, and then again from its first frame */
 };
 
-/* A box by its middle and half its extents, world units. A flat one counts as 1/32 of its greatest extent thick, and
- * a point as two units wide: no half is 0. */
+/* A box by its middle and half its extents, world units. A flat box counts as 1/32 of its greatest extent thick, and a
+ * point as two units wide, so that no half extent is 0. */
 typedef struct {
 	ts_v3 middle, half;
 } ts_space;
@@ -44,16 +44,16 @@ void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params);
  * ts_view_eye. */
 void ts_view_on_path(ts_view *view, const ts_info *info, const ts_path_eye *path, u32 n, const ts_params *params);
 
-/* Frames after which the eye is where it was: on a path of n frames that does not repeat, once its end is reached. */
+/* Frames after which the eye's motion repeats; on a path of n frames that does not repeat, frames until its end. */
 u32 ts_view_period(const ts_info *info, u32 n);
 
-/* Axes of an eye that looks from one point at another; straight up or down +x is right. */
+/* The axes of an eye that looks from one point at another; for an eye that looks straight up or down, right is +x. */
 void ts_view_aim(f32 right[3], f32 up[3], f32 back[3], ts_v3 eye, ts_v3 target);
 
 /* Whether there are no walls: the hall is as wide as the box, and the scene is a thing seen from outside. */
 bool ts_view_is_open(const ts_info *info);
 
-/* The way, of unit length, from the eye through the point (x, y) of the image, in pixels from the top left. */
+/* The unit direction from the eye through the point (x, y) of the image, in pixels from the top left. */
 ts_v3 ts_view_way(const ts_view *view, f32 x, f32 y);
 /* Where p is seen.
  * Returns: whether p is in front of the eye and in the image, by `margin` pixels or more.

@@ -1,4 +1,4 @@
-/* What is called of OpenMP, where there is none: one thread. */
+/* The OpenMP functions that touchstone calls, for builds without OpenMP: one thread. */
 #ifndef TS_MODEL_SERIAL_OMP_H
 #define TS_MODEL_SERIAL_OMP_H
 

@@ -1,5 +1,5 @@
-/* What a built-in scene is made of: it paints its materials, puts its shapes together, and fills up to an exact count.
- * builtin.c knows them by name. */
+/* A built-in scene: its materials, its shapes, and a rug that makes up the exact number of triangles. builtin.c has the
+ * list of names. */
 #ifndef TS_SCENE_BUILTIN_H
 #define TS_SCENE_BUILTIN_H
 #include "mesh.h"
@@ -13,10 +13,10 @@ typedef struct {
 	u32 n_paints;
 	/* material: indices of the paints in the build. The count must not fall when `detail` rises. */
 	void (*shape)(ts_mesh *mesh, const u32 *material);
-	ts_rug rug; /* made of exactly the triangles that are left; its material is a place in `paints` */
-	/* Of a scene of surfels instead of all that: at most so many, of a radius in spacings. */
+	ts_rug rug; /* made of exactly the triangles that are left; its material is an index into `paints` */
+	/* For a scene of surfels, instead of the members above: makes at most `count` surfels, of a radius in spacings. */
 	void (*surfels)(ts_build *build, u32 count, f32 splat_radius);
-	const char *camera; /* what looks if no camera is named; NULL: the circling eye */
+	const char *camera; /* the camera if none is named; NULL: the circling eye */
 } ts_builtin;
 
 extern const ts_builtin ts_builtin_atrium, ts_builtin_gallery, ts_builtin_dining, ts_builtin_checkerboard;

@@ -1,4 +1,4 @@
-/* What the files of the built-in scene "dining" share. */
+/* Shared by the files of the built-in scene "dining". */
 #ifndef TS_SCENE_BUILTIN_DINING_H
 #define TS_SCENE_BUILTIN_DINING_H
 #include "mesh.h"
@@ -44,7 +44,7 @@ enum {
 void ts_dining_table(ts_mesh *mesh, const u32 *material);
 /* A chair whose sitter looks to -z. */
 void ts_dining_chair(ts_mesh *mesh, const u32 *material);
-/* A candle, its flame and its stick, of this height. */
+/* A candle with its flame and its stick, of this height in metres. */
 void ts_dining_candle(ts_mesh *mesh, const u32 *material, f32 height);
 /* A branched light on a chain from mesh->place down. */
 void ts_dining_chandelier(ts_mesh *mesh, const u32 *material);

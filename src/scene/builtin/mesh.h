@@ -1,6 +1,6 @@
-/* Shapes that the built-in scenes are put together from. The same code counts and builds: with `build` NULL a shape
- * only adds its triangles to `n`. Lengths in metres, angles in turns; y is up; texture coordinates are metres on the
- * surface. Tessellation follows `detail`: numbers of segments go with it, so triangles go with its square. */
+/* Shapes of which the built-in scenes are made. The same code counts and builds: with `build` NULL a shape only adds
+ * its triangles to `n`. Lengths in metres, angles in turns; y is up; texture coordinates are metres on the surface.
+ * Numbers of segments are proportional to `detail`, so numbers of triangles are proportional to its square. */
 #ifndef TS_SCENE_BUILTIN_MESH_H
 #define TS_SCENE_BUILTIN_MESH_H
 #include "../../kernels/base/vec.h"
@@ -26,9 +26,9 @@ typedef struct {
 	ts_v3 p, n;
 	ts_v2 uv;
 } ts_corner;
-/* Where (s, t) of the unit square lies. The front is where ds x dt points. */
+/* Sets *corner to the surface point at (s, t) of the unit square. The front is on the side to which ds x dt points. */
 typedef void ts_mesh_surface(ts_corner *corner, const void *shape, f32 s, f32 t);
-/* Of a grid: closed along s; all of the first or last row in one point; a normal for each cell. */
+/* Flags of a grid: closed along s; the first, or last, row is one point; a normal for each cell. */
 enum { TS_GRID_WRAP_S = 1, TS_GRID_POLE_T0 = 2, TS_GRID_POLE_T1 = 4, TS_GRID_FLAT = 8 };
 
 /* A rectangle cut out of a wall, in metres from its corner. */
@@ -38,7 +38,7 @@ typedef struct {
 
 /* `base` segments at detail 1, never fewer than `least`. */
 u32 ts_mesh_segments(const ts_mesh *mesh, f32 base, u32 least);
-/* Whether a part that is left out below this detail is there. */
+/* Whether mesh->detail is at least `detail`, below which a part is left out. */
 bool ts_mesh_shows(const ts_mesh *mesh, f32 detail);
 /* Uniform in [0,1), by the scene's seed. */
 f32 ts_mesh_random(const ts_mesh *mesh, u32 id);
@@ -74,7 +74,8 @@ void ts_mesh_rod(ts_mesh *mesh, ts_v3 a, ts_v3 b, f32 radius, u32 na);
  * outwards, z) from the outer edge to the inner. `relief` metres of carving, n_along segments a side. */
 void ts_mesh_frame(ts_mesh *mesh, f32 hx, f32 hy, const f32 (*profile)[2], u32 n_points, f32 relief, u32 n_along);
 
-/* Smoothly through n values, `stride` floats apart, and never beyond two neighbours; `at` from 0 to n - 1. */
+/* A smooth curve through n values, `stride` floats apart, that stays between neighbouring values; `at` is 0 to n -
+ * 1. */
 f32 ts_mesh_spline(const f32 *values, u32 stride, u32 n, f32 at);
 
 #endif

@@ -1,5 +1,5 @@
-/* Textures of the built-in scenes: a painter says what one point of a material looks like, and its maps are made from
- * that. Integers and ts_ arithmetic only, so the texels are the same everywhere. */
+/* Textures of the built-in scenes: a painter computes one point of a material, and the material's maps are made of such
+ * points. All arithmetic is of integers and ts_ functions, so the texels are the same everywhere. */
 #ifndef TS_SCENE_BUILTIN_PAINT_H
 #define TS_SCENE_BUILTIN_PAINT_H
 #include "../../kernels/base/scene.h"
@@ -22,7 +22,7 @@ ts_painter ts_paint_weave, ts_paint_carpet, ts_paint_wallpaper, ts_paint_leather
 ts_painter ts_paint_picture;
 enum { TS_N_PICTURES = 8 };
 
-/* The maps that are made beside the base colour. */
+/* Maps beside the base colour. */
 enum { TS_MAP_NORMAL = 1, TS_MAP_SURFACE = 2 /* occlusion, roughness, metallic */, TS_MAP_GLOW = 4 };
 
 typedef struct {
@@ -44,7 +44,7 @@ u32 ts_paint_add(ts_build *build, const ts_paint *paint, u32 seed);
 
 /* Value noise in [0,1] over a lattice that repeats every `period` cells. */
 f32 ts_paint_noise(f32 x, f32 y, u32 period_x, u32 period_y, u32 seed);
-/* Octaves of it, each of twice the frequency and half the weight; (u, v) in [0,1). */
+/* A sum of octaves of ts_paint_noise, each of twice the frequency and half the weight; (u, v) in [0,1). */
 f32 ts_paint_fbm(f32 u, f32 v, u32 period, u32 octaves, u32 seed);
 /* Uniform in [0,1), by cell and seed. */
 f32 ts_paint_hash(i32 x, i32 y, u32 seed);

@@ -1,5 +1,5 @@
-/* Things that more than one built-in scene has. Each stands at mesh->place and leaves it as it was; materials are set
- * for the parts and not restored. */
+/* Things that more than one built-in scene has. Each is placed at mesh->place, which it leaves unchanged;
+ * mesh->material is changed and not restored. */
 #ifndef TS_SCENE_BUILTIN_PARTS_H
 #define TS_SCENE_BUILTIN_PARTS_H
 #include "mesh.h"

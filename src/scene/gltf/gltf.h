@@ -1,5 +1,5 @@
-/* What the gltf_*.cc files share. Internal C++17: every function may throw gltf::error (or std::exception), and only
- * ts_gltf_load in gltf.cc, the one entry from C, catches. */
+/* Shared by the .cc files of this folder. Internal C++17: every function may throw gltf::error (or std::exception), and
+ * only ts_gltf_load in gltf.cc, the one entry from C, catches. */
 #ifndef TS_SCENE_GLTF_H
 #define TS_SCENE_GLTF_H
 #ifndef __clang__
@@ -38,8 +38,8 @@ std::string quoted(const std::string &name);
  * memory. */
 struct extent {
 	uint64_t limit;
-	uint64_t most; /* bytes that are read, if there are more */
-	/* May be null. Where it is false of the first bytes, up to 4096, only those are read: they show what is wrong. */
+	uint64_t most; /* bytes that are read of a longer file */
+	/* May be null. If it is false for the first bytes, up to 4096, only these are read, and show what is wrong. */
 	bool (*is_worth)(const bytes &head);
 };
 bytes file_read(const std::string &path, const extent &wanted);
@@ -49,8 +49,8 @@ bytes file_read_beside(const std::string &base, const std::string &relative, con
 /* The relative path that a URI names; absolute ones, schemes, backslashes, NULs and ways out of the folder are refused.
  */
 std::string path_from_uri(const std::string &uri, const std::string &where);
-/* A data URI (RFC 2397), in base64 or percent-encoded: its media type without parameters, and what it holds, which is
- * not nothing. */
+/* A data URI (RFC 2397), in base64 or percent-encoded: its media type without parameters, and its data, which is not
+ * empty. */
 struct data_uri {
 	std::string type;
 	bytes data;
@@ -66,15 +66,15 @@ struct container {
 	size_t trailing_bytes = 0;
 };
 container container_split(const bytes &file, bool expect_glb);
-/* Whether a file that begins so may be a .glb or a .gltf. */
+/* Whether a file with these first bytes may be a .glb or a .gltf. */
 bool container_is_worth(const bytes &head);
 
-/* guard.cc: the JSON after strict checks, with nothing but what the loader knows in it: every index is in range,
+/* guard.cc: the JSON after strict checks, with only the properties that the loader knows: every index is in range,
  * every type and length is right, every buffer view lies inside its buffer. URIs of buffers are replaced by keys of
  * `buffers`; images and animations are in `images` and `animations` alone. */
 struct source {
 	std::string path; /* of a file */
-	bytes data;       /* of a data URI; without path and data it is the BIN chunk, or of an image a buffer view */
+	bytes data;       /* of a data URI; without path and data: the BIN chunk, or for an image a buffer view */
 	uint64_t byte_length;
 };
 struct picture {
@@ -105,7 +105,7 @@ struct document {
 	std::set<std::string> notes;
 	bool is_quantized = false;  /* by KHR_mesh_quantization */
 	std::string compression;    /* the extension that some of the data may be compressed by, or "" */
-	std::vector<bool> unbacked; /* by accessor: it has no buffer view, whatever `json` says */
+	std::vector<bool> unbacked; /* by accessor: the file gives it no buffer view, whatever `json` says */
 };
 document guard(const char *text, size_t n, const container &parts);
 [[noreturn]] void fail_compressed(const std::string &where, const std::string &extension);
@@ -140,8 +140,8 @@ struct loader {
 	ts_build *build;
 	std::string path;
 	const char *reflector; /* may be NULL */
-	const char *animation; /* likewise: the first one */
-	u32 neighbours;        /* that give points without a size one */
+	const char *animation; /* may be NULL: the first one */
+	u32 neighbours;        /* nearest neighbours by whose distance points without a size get one */
 	bytes file;
 	container parts;
 	document doc;
@@ -149,7 +149,7 @@ struct loader {
 	tinygltf::Model model;
 	std::set<std::string> notes;
 	uint64_t held_bytes = 0;                    /* of the file and its buffers */
-	uint64_t texel_budget = 0;                  /* what the bytes read so far justify */
+	uint64_t texel_budget = 0;                  /* texels that the bytes read so far may still decode to */
 	std::vector<u32> materials;                 /* of the scene, TS_NONE until used */
 	std::map<std::pair<int, bool>, u32> images; /* (image, sRGB) to index in the scene */
 };
@@ -190,34 +190,34 @@ struct piece {
 	u32 material;
 };
 piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
-/* Where a node stands: in the world, at frame 0, and below one that moves also in the space of that one. */
+/* The place of a node: in the world at frame 0, and, below a moving node, also in that node's space. */
 struct spot {
 	ts_place world;
 	bool moves;
 	ts_place own;
-	bool mirrored; /* at frame 0, or when it first has a size */
+	bool mirrored; /* at frame 0, or at the first frame at which it is not flattened */
 };
 void piece_place(ts_build *build, const piece &piece, const spot &at);
 
 /* material.cc: the index in the scene of material `index` (-1: none). */
 u32 material_build(loader &in, int index);
-/* How many texels a file of so many bytes may decode to, in all. */
+/* The most texels that a file of so many bytes may decode to. */
 uint64_t texel_budget(uint64_t file_bytes);
 /* The sets of texture coordinates, TEXCOORD_n, that a vertex of the material has: 0 and 1, or, if its textures use
- * others, the first two that they name (0 for the second, if it is one); and whether they use them. */
+ * other sets, the first two that they name (if they name one, the second is 0); and whether textures use each. */
 struct uv_sets {
 	int set[2];
 	bool used[2];
 };
 uv_sets material_uv_sets(const loader &in, int index);
 
-/* animation.cc: checks the animation that is asked for, or the first one, and holds it. */
+/* animation.cc: checks and keeps the animation that is asked for, or the first one. */
 void animation_open(loader &in);
 bool animation_moves(const loader &in, int node);
 struct trs {
 	f32 translation[3], rotation[4], scale[3];
 };
-/* Sets what is animated of a node that moves. */
+/* Sets the animated parts of a moving node's transform to those of a frame. */
 void animation_set(const loader &in, int node, u32 frame, trs &local);
 
 /* node.cc: walks the scene and builds what it draws. */
@@ -225,7 +225,7 @@ void nodes_walk(loader &in);
 
 /* light.cc: lights and cameras at nodes. */
 void light_build(loader &in, int light, const ts_place &place);
-/* places: by frame, of a camera that moves; otherwise the one. */
+/* places: one a frame for a camera that moves, otherwise one. */
 void camera_build(loader &in, const tinygltf::Node &node, const std::vector<ts_place> &places);
 
 } // namespace gltf

@@ -1,12 +1,12 @@
-/* What of glTF 2.0 the loader knows, as tables: the path of a property, its type and its range; and the extensions that
- * a file may require. guard.cc checks a document against them and removes the rest. */
+/* The part of glTF 2.0 that the loader knows, as tables: the path, type and range of each property, and the extensions
+ * that a file may require. guard.cc checks a document against them and removes the rest. */
 #ifndef TS_SCENE_GLTF_RULES_H
 #define TS_SCENE_GLTF_RULES_H
 
 namespace gltf {
 
 enum kind {
-	EXTRAS, /* an OBJECT, or else ignored */
+	EXTRAS, /* an OBJECT; a value of another type is ignored */
 	OBJECT, /* `of`: the path under which its properties are listed, if not its own */
 	LIST,   /* of objects */
 	TEXT,   /* `of`: the words allowed, if not any */

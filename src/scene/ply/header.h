@@ -1,9 +1,10 @@
-/* The header of a PLY file (Turk 1994): what its points are made of, what stands before them, and where they begin. */
+/* The header of a PLY file (Turk 1994): the properties of its points, the elements before them, and where the points
+ * begin. */
 #ifndef TS_SCENE_PLY_HEADER_H
 #define TS_SCENE_PLY_HEADER_H
 #include "../build.h"
 
-/* Bounds of what is read: elements up to the points, and properties of all of them. */
+/* Bounds of a header: elements up to the points, properties of all of these, lines, and bytes of a name. */
 enum { TS_PLY_ELEMENTS = 64, TS_PLY_PROPERTIES = 1024, TS_PLY_LINES = 100000, TS_PLY_NAME = 64 };
 
 typedef enum { TS_PLY_ASCII, TS_PLY_LITTLE, TS_PLY_BIG } ts_ply_format;
@@ -23,14 +24,14 @@ typedef struct {
 	char name[TS_PLY_NAME];
 	ts_ply_type type;
 	bool is_list;
-	ts_ply_type length; /* a list's type of its length; else as `type` */
+	ts_ply_type length; /* of a list the type of its length; otherwise as `type` */
 } ts_ply_property;
 
 typedef struct {
 	char name[TS_PLY_NAME];
 	u64 n;
 	u32 first, n_properties; /* its part of the header's properties, in the file's order */
-	size_t bytes;            /* that one has at least */
+	size_t bytes;            /* the least that one element takes */
 } ts_ply_element;
 
 typedef struct {
