@@ -18,7 +18,7 @@ struct ts_probe {
 	ts_sizes sizes;            /* of records.def: counted, and what the parameters give */
 	void *whole[TS_N_BUFFERS]; /* buffers that ts_probe_whole read; else NULL */
 	ts_view view;              /* the eye, after ts_probe_scene */
-	ts_arrays scene;           /* after ts_probe_scene; this frame's vertices; where there are lamps, lights are these */
+	ts_arrays scene;           /* after ts_probe_scene; this frame's vertices; lights are the lamps, if any */
 	u64 *texels;               /* of images that ts_probe_textures read */
 	u8 *image_read;
 	ts_load *load; /* what ts_probe_load_for loaded; NULL: nothing yet */

@@ -10,7 +10,7 @@ enum { TS_PATH_MAX_BYTES = 1 << 22, TS_PATH_MAX_FRAMES = 65536 };
  * blank lines and what follows '#' count for nothing. Makes the eye of every frame, and a camera of that of frame 0.
  * Failures are the build's, with the number of the line.
  * Returns: the camera's name, or NULL if the build has failed.
-Args:    own_fov  use the parameter eye.fov, whatever the file says. */
+ * Args:    own_fov  use the parameter eye.fov, whatever the file says. */
 const char *ts_path_add(ts_build *build, const char *file, bool own_fov);
 
 #endif

@@ -12,8 +12,8 @@ extern "C" {
 /* Axes of at most this length, and coordinates, as of vertices. */
 #define TS_SURFEL_LIMIT 16777216.0f
 
-/* Both functions return NULL, or what is wrong with the surfel: part of a message, to follow the surfel's name. A
- * circle of `radius` in the plane of `normal`, which may be of any length above 0: sets u and v. */
+/* Both functions return NULL, or what is wrong with the surfel: part of a message, to follow the surfel's name.
+ * Sets u and v to a circle of `radius` in the plane of `normal`, which may be of any length above 0. */
 const char *ts_surfel_circle(ts_surfel *surfel, const f32 normal[3], f32 radius);
 /* Checks u and v, and exchanges them if u x v points against `normal` (NULL: u x v is the normal). Angles count as
  * right to a cosine of 1/256. */

@@ -9,7 +9,7 @@ typedef struct {
 } ts_ply_body;
 
 /* Both functions return NULL, or what is wrong with the value: part of a message, to follow the value's name.
-Reads the next number, which in a text file may be beyond the range of its type. */
+ * Reads the next number, which in a text file may be beyond the range of its type. */
 const char *ts_ply_number(ts_ply_body *body, ts_ply_type type, double *value);
 /* Skips the next value of a property: a number or a list of numbers. */
 const char *ts_ply_skip(ts_ply_body *body, const ts_ply_property *property);
