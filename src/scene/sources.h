@@ -41,8 +41,8 @@ void ts_reflectors_add(ts_build *build, const ts_params *params, const char *cam
 void ts_reflectors_stand(ts_build *build, const f32 (*mirrors)[4], u32 n);
 
 /* arrange.c: adds eye, mirrors and lamps, as the options say, after the triangles of a scene. With `find`, as for
- * files, rays find the places that the options leave open. Returns: the name of the chosen camera, or NULL: none; it
- * belongs to the build. */
+ * files, rays find the places that the options leave open.
+ * Returns: the name of the chosen camera, which belongs to the build; NULL: none. */
 const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_options *options, bool find);
 
 #ifdef __cplusplus

@@ -5,7 +5,9 @@
 #include "rays.h"
 
 /* Crops the box to what stands on a wide and flat ground that is more than four times as large as the rest; otherwise
- * the box stays. Args: info->box_* is the scene's. Out: info->box_* */
+ * the box stays.
+ * Args: info->box_* is the scene's.
+ * Out:  info->box_* */
 void ts_subject_crop(ts_info *info, const ts_scene *scene);
 
 /* Chooses room or thing.
