@@ -1,4 +1,4 @@
-/* One scene with one number of mirrors or lights, by several methods that take turns. */
+/* A case: one scene with one number of mirrors or lights, run by several methods in turn. */
 #ifndef TS_CLI_BENCH_CASE_H
 #define TS_CLI_BENCH_CASE_H
 #include "job.h"
@@ -9,12 +9,12 @@ enum { TS_BENCH_VARIANTS = 24 }; /* at most */
 typedef enum {
 	TS_TIMED,
 	TS_ONCE,  /* one run */
-	TS_FIRST, /* one run of the first frame, which stands for all; not seen */
-	TS_ALONE, /* timed, of one thread */
+	TS_FIRST, /* one run, at the first frame, which stands for all frames; no image */
+	TS_ALONE, /* timed, with one thread */
 	TS_LONG,  /* one run, left out where methods that take long are */
 } ts_bench_runs;
 
-/* A method with what is set for it, beside what was typed. */
+/* A method with parameters of its own, beside the typed ones. */
 typedef struct {
 	const char *method;
 	const char *set; /* "NAME=VALUE,..." */
@@ -28,7 +28,7 @@ typedef struct {
 	const ts_bench_variant *variants; /* ended by one without a method */
 	u32 n_variants;
 	const ts_truth_kind *judge; /* the truth that images are compared with; NULL: none */
-	bool rays;                  /* count what rays say of texels and shadows, in runs whose image is kept */
+	bool rays;                  /* in runs whose image is kept, judge texels and shadows by rays */
 	const char *spec;           /* of the scene */
 	ts_scene *scene;
 	ts_params params;
@@ -36,23 +36,23 @@ typedef struct {
 	ts_measure measures[TS_BENCH_VARIANTS];        /* of the last run */
 	ts_history histories[TS_BENCH_VARIANTS];       /* of the frames before */
 	ts_picture images[TS_BENCH_VARIANTS], truth;   /* of the first run of the frame */
-	u32 sampled;                                   /* surfels that scenes without some are sampled to; 0: none */
+	u32 sampled;                                   /* surfels to sample from scenes without surfels; 0: none */
 	bool begun;                                    /* a frame was run */
 	bool hurried;                                  /* methods that take long are left out, as if there were none */
-	double (*look)(const ts_run *run);             /* what the table asks of buffers; NULL: nothing */
-	double looked[TS_BENCH_VARIANTS];              /* its answers, of the first run of variants whose image is kept */
+	double (*look)(const ts_run *run);             /* a figure that the table computes of buffers; NULL: none */
+	double looked[TS_BENCH_VARIANTS];              /* its results, in the first run of variants whose image is kept */
 } ts_bench_case;
 
-/* Opens the scene, and refuses what would need too much memory. A case whose first members, up to `rays`, are set and
- * the others zero may be closed whether or not it was opened. */
+/* Opens the scene; refuses a case that would need too much memory. Before, the members up to `rays` must be set and all
+ * others zero. The case may be closed whether or not it was opened. */
 ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params);
-/* Run 0, 1, ... of every variant; run 0 also makes the truth, and gives the pictures of the frame before back. The
- * parameter `frame` may be set before: frames that follow each other go on from the one before. */
+/* Does run 0, 1, ... of every variant. Run 0 also makes the truth, and releases the pictures of the frame before. The
+ * parameter `frame` may be set before the call; successive frames keep their history. */
 ts_status ts_bench_case_run(ts_bench_case *c, u32 run);
 void ts_bench_case_close(ts_bench_case *c);
 /* The parameters of a variant. */
 ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 variant);
-/* Sets "NAME=VALUE,...": all, or those parameters that have their defaults. */
+/* ts_bench_set sets all parameters of "NAME=VALUE,..."; the other function only those that have their defaults. */
 ts_status ts_bench_set(ts_params *params, const char *set);
 ts_status ts_bench_set_defaults(ts_params *params, const char *set);
 

@@ -1,4 +1,4 @@
-/* A table of a paper as data: whom to run on what, which figures to show, what the paper has there, and what must
+/* A table of a paper as data: methods and scenes to run, figures to show, the paper's values, and relations that must
  * hold. */
 #ifndef TS_CLI_BENCH_PAPER_H
 #define TS_CLI_BENCH_PAPER_H
@@ -13,12 +13,12 @@ enum { TS_NO_FIGURE = 255 };
 typedef struct {
 	const char *name;                 /* of the paper's scene */
 	const char *builtin;              /* our scene of its kind */
-	const char *file;                 /* what the name of a file of it begins with */
+	const char *file;                 /* beginning of the name of a file of the paper's scene */
 	u32 objects;                      /* or pixels */
 	double figures[TS_BENCH_FIGURES]; /* 0: not printed, or derived here */
 } ts_paper_row;
 
-/* Some of the figures, beside each other. */
+/* A part of a table: some of its figures as columns. */
 typedef struct {
 	const char *key, *title;
 	u8 figures[TS_MAX_COLUMNS - 2];
@@ -26,10 +26,10 @@ typedef struct {
 
 typedef enum { TS_AT_MOST, TS_AT_LEAST, TS_BETWEEN, TS_OF_PAPER, TS_RISES_WITH, TS_GROWS, TS_STEADY } ts_relation_kind;
 
-/* What a figure must be, in rows whose figure `given` is at least `least` and at most `most`; bounds of TS_OF_PAPER are
- * of the figure by the paper's, in rows that the paper has; TS_RISES_WITH is over all rows at once, in nine pairs out
- * of ten; bounds of TS_GROWS are of the least of a row by the one before, those of TS_STEADY of the greatest by the
- * least, in the rows of a scene. */
+/* A bound on a figure, in rows whose figure `given` is at least `least` and at most `most`. TS_OF_PAPER bounds the
+ * figure divided by the paper's, in rows that the paper has. TS_RISES_WITH must hold in nine out of ten pairs of all
+ * rows. TS_GROWS bounds the least quotient of a row by the row before, TS_STEADY the quotient of the greatest by the
+ * least, both in the rows of one scene. */
 typedef struct {
 	const char *text;
 	u32 figure;
@@ -37,12 +37,12 @@ typedef struct {
 	double low, high; /* bounds; TS_RISES_WITH: low is the other figure */
 	u32 given;        /* TS_NO_FIGURE: all rows */
 	double least, most;
-	const char *because; /* said with figure `cause` where it does not hold */
+	const char *because; /* printed with figure `cause` where the relation does not hold */
 	u32 cause;
 } ts_paper_relation;
 #define TS_ANY TS_NO_FIGURE, 0, 0 /* `given`, `least` and `most`: all rows */
 
-/* A plot of a scene's rows, with a curve a figure. */
+/* A plot of a scene's rows, one curve for each figure. */
 typedef struct {
 	const char *x_axis, *y_axis;
 	u32 x;
@@ -60,20 +60,20 @@ typedef struct ts_paper_table {
 	const char *name, *title;
 	const char *effect;
 	const char *scenes;                /* unless --scene says otherwise */
-	const char *models;                /* files of the folder TS_SCENES, as far as there are any; or NULL */
+	const char *models;                /* files of the folder TS_SCENES, of which missing ones are left out; or NULL */
 	const char *objects_head;          /* "mirrors", "lights", "pixels"; NULL: a row a scene */
 	const char *objects_param;         /* NULL: objects are sizes, WxH */
 	const char *objects;               /* unless --objects says otherwise */
-	u32 most;                          /* of them; 0: TS_BENCH_OBJECTS */
-	u32 sampled;                       /* surfels that scenes without some are sampled to; 0: none */
-	u32 most_long;                     /* methods that take long are left out where there are more; 0: never */
+	u32 most;                          /* bound of objects; 0: TS_BENCH_OBJECTS */
+	u32 sampled;                       /* surfels to make of the triangles of scenes without surfels; 0: none */
+	u32 most_long;                     /* methods that take long are left out at more objects; 0: never */
 	const char *set;                   /* for all rows */
-	const char *defaults;              /* for all rows, of parameters that have their defaults */
+	const char *defaults;              /* for all rows, only for parameters that have their defaults */
 	const char *size;                  /* unless --size says otherwise; NULL: 1920 x 1080 */
 	const char *note;                  /* a line above the table, or NULL */
 	bool timed;                        /* --runs; else one run, of counts */
-	const char *judge;                 /* the truth that errors are to, unless --truth says otherwise; NULL: none */
-	bool rays;                         /* count what rays say of off-screen texels and of shadows, once */
+	const char *judge;                 /* the truth to which errors are, unless --truth says otherwise; NULL: none */
+	bool rays;                         /* judge off-screen texels and shadows by rays, once */
 	bool by_triangles;                 /* the paper's row is the one nearest in triangles, figure 0 */
 	double (*look)(const ts_run *run); /* for figures of TS_FIGURE_LOOKED; or NULL */
 	const ts_bench_variant *variants;
@@ -85,30 +85,31 @@ typedef struct ts_paper_table {
 	const ts_paper_row *rows;           /* ended by one without a name */
 } ts_paper_table;
 
-/* A row of ours, and the paper's beside it. */
+/* One of our rows, with the paper's row beside it. */
 typedef struct {
 	char scene[96];
 	u32 objects;
 	double here[TS_BENCH_FIGURES];
 	ts_frame_spread over[TS_BENCH_FIGURES]; /* the frames */
-	double others;                          /* processors that others used meanwhile; NAN: not known */
+	double others;                          /* processors that other processes used meanwhile; NAN: not known */
 	const ts_paper_row *row;                /* NULL: none */
 	double paper[TS_BENCH_FIGURES];
 } ts_paper_line;
 
-/* The paper's line for ours, if it has one. */
+/* Finds the paper's row for a line of ours, if there is one. */
 void ts_paper_compare(ts_paper_line *line, const ts_paper_table *table, const char *spec);
-/* What each figure is over the frames, for programs: tables "over_frames" and, of times, "milliseconds_over_frames".
- * Least and greatest are of the first run. */
+/* Reports the spread of each figure over the frames, in JSON and CSV: tables "over_frames" and, for times,
+ * "milliseconds_over_frames". Least and greatest are of the first run. */
 void ts_paper_report_frames(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n);
-/* The parts and the relations; a time is not judged in rows in which others used more than ts_busy_limit. */
+/* Reports the parts and the relations; a time is not judged in rows in which other processes used more than
+ * ts_busy_limit. */
 void ts_paper_report(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n);
 /* Writes a plot a scene, PART_1.svg and so on, named after the first part. */
 ts_status ts_paper_plots(const ts_paper_table *table, const ts_paper_line *lines, u32 n);
 /* Writes the pictures of a case as ROW-SCENE-NAME.png, those of the truth and of differences as well, with the number
  * of objects behind the scene if rows have one. Differences are as of `render`. */
 ts_status ts_paper_pictures(const ts_paper_table *table, const ts_bench_case *c, const ts_paper_line *line, u32 row);
-/* Measures and prints it all. */
+/* Measures and prints a table. */
 ts_status ts_paper_bench(const ts_job *job, const ts_paper_table *table);
 
 #endif

@@ -1,5 +1,5 @@
-/* What the papers' tables, figures, algorithms and slides show, which table of `bench` asks whether it is so here, and
- * what was found when that was last asked (verdicts.def). */
+/* Claims: what the papers' tables, figures, algorithms and slides show, which table of `bench` tests it here, and the
+ * result of the last test (verdicts.def). */
 #ifndef TS_CLI_CLAIMS_H
 #define TS_CLI_CLAIMS_H
 #include "bench.h"
@@ -9,9 +9,9 @@ typedef struct {
 	const char *paper;  /* by its name in reference/PAPERS.md */
 	const char *place;  /* "table 1", "figure 2"; of slides the title */
 	const char *shows;  /* in a few words */
-	const char *bench;  /* the name of the table that asks it */
-	const char *rows;   /* by those of its relations whose text begins with one of these, parted by "|"; NULL: all */
-	const char *cannot; /* why none can */
+	const char *bench;  /* the name of the table that tests it */
+	const char *rows;   /* the relations that count, by beginnings of their texts, separated by "|"; NULL: all */
+	const char *cannot; /* why no table can test it */
 } ts_claim;
 
 /* Takes the claims of all families: lists ended by NULL, each ended by a row without a paper. They must stay. */

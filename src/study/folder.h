@@ -1,4 +1,4 @@
-/* The folder of results: with report.json, or another file that lists what is in it. */
+/* The folder of results, with report.json or another file that lists its files. */
 #ifndef TS_STUDY_FOLDER_H
 #define TS_STUDY_FOLDER_H
 #include "../output/folder.h"
@@ -9,8 +9,8 @@
 ts_status ts_results_begin(const char *dir, bool force);
 /* The names of all files so far; a new reference, or NULL with the message set. */
 json_t *ts_results_list(void);
-/* Writes times.json, what of the report differs from run to run, if there is any; and report.json, the rest, with the
- * names of all files, which a later --force goes by. */
+/* Writes times.json, with the figures of the report that differ from run to run, if there are any; and report.json,
+ * with the other figures and the names of all files. A later --force replaces only files named there. */
 ts_status ts_results_report(ts_report *report);
 
 #endif

@@ -4,10 +4,10 @@
 #include <stdbool.h>
 #include <touchstone/status.h>
 
-/* Fails, and says why, if DIR holds anything that no report.json or vectors.json in it lists, or no such file. */
+/* Fails, and says why, if DIR has neither report.json nor vectors.json, or holds anything that they do not list. */
 ts_status ts_ours_judge(const char *dir);
 
-/* "name" or "sub/name", none of them hidden: no name that leads out of the folder. */
+/* Whether a name is "name" or "sub/name" without hidden parts, and so does not lead out of the folder. */
 bool ts_ours_is_name(const char *name);
 
 #endif

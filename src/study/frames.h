@@ -1,25 +1,25 @@
-/* Frames of the animation one after the other, and what figures are over them. */
+/* A sequence of frames of the animation, and the spread of figures over it. */
 #ifndef TS_CLI_FRAMES_H
 #define TS_CLI_FRAMES_H
 #include "job.h"
 #include "table.h"
 
-/* How many there are: 1 where none were said. */
+/* The number of frames; 1 without --frames. */
 u32 ts_frames_count(const ts_frames *frames);
-/* Sets the k-th frame; the parameters keep theirs where none were said. */
+/* Sets the parameter `frame` to the k-th frame; without --frames does nothing. */
 void ts_frames_set(ts_params *params, const ts_frames *frames, u32 k);
 
-/* Least, mean and greatest of a figure. Zero at first. */
+/* Least, mean and greatest of a figure. To be zero before the first value. */
 typedef struct {
 	double sum, least, most;
 	u32 n, least_at, most_at; /* values; frames of the least and the greatest */
 } ts_frame_spread;
-/* NaN is no value. */
+/* Adds a value of a frame; NaN is ignored. */
 void ts_frame_spread_add(ts_frame_spread *spread, double value, u32 frame);
-/* NaN of no values. */
+/* The mean; NaN if there are no values. */
 double ts_frame_spread_mean(const ts_frame_spread *spread);
 
-/* Its columns of a table and, of a spread that has values, their cells. */
+/* The columns of a spread in a table, and their cells for a spread that has values. */
 #define TS_SPREAD_COLUMNS \
 	{"mean", "mean", true}, {"least", "least", true}, {"least_at", "at frame", true}, {"most", "greatest", true}, \
 	{ \

@@ -1,4 +1,4 @@
-/* Running a method and keeping what is worth telling: pictures, times, counters, sizes. */
+/* Runs a method and keeps pictures, times, counters and sizes. */
 #ifndef TS_CLI_MEASURE_H
 #define TS_CLI_MEASURE_H
 #include "../methods/pipeline.h"
@@ -12,7 +12,7 @@
  * stay. */
 void ts_measure_keeps_use(const ts_buffer_id *const *ids);
 
-/* A parameter that alone sets how much memory methods that make a buffer take for something. */
+/* A parameter to lower where a run would need too much memory, for methods that make a buffer. */
 typedef struct {
 	ts_buffer_id buffer;
 	const char *param;
@@ -22,7 +22,7 @@ typedef struct {
 /* Takes the rules of all families: lists ended by NULL, each ended by a row without `param`. They must stay. */
 void ts_measure_lowers_use(const ts_lower_rule *const *rules);
 
-/* What a run told. */
+/* The measurements of a run. */
 typedef struct {
 	const ts_pipeline *method;
 	double seconds;
@@ -30,7 +30,7 @@ typedef struct {
 	u32 n_counters;
 	ts_timing timings[TS_MAX_TIMINGS];
 	u32 n_timings;
-	u64 moved[TS_MAX_TIMINGS];  /* bytes of what each stage read, but for textures, and wrote, once each */
+	u64 moved[TS_MAX_TIMINGS];  /* bytes of buffers that each stage read, without textures, and wrote, once each */
 	u64 elements[TS_N_BUFFERS]; /* made in all batches together */
 	u64 bytes[TS_N_BUFFERS];    /* at once, the largest batch */
 	u64 peak_bytes;
@@ -39,17 +39,17 @@ typedef struct {
 	ts_stage_pictures *pictures;   /* NULL: none are taken */
 	const ts_trace_options *trace; /* NULL: none is written */
 	const char *viewer;            /* folder of the output for copies for viewers; NULL: none */
-	bool rays;                     /* count what rays through the off-screen texels say of them */
-	ts_truth *tree;                /* of those rays, while the run lasts */
+	bool rays;                     /* judge off-screen texels by rays */
+	ts_truth *tree;                /* for these rays, during the run */
 	ts_texel_counts texels;
-	bool whole;               /* also make what nobody reads, and count it */
-	ts_history *history;      /* of the frames before; NULL: none */
+	bool whole;               /* also make and count buffers that no stage reads */
+	ts_history *history;      /* of earlier frames; NULL: none */
 	bool notes;               /* take the notes of families */
 	char note[TS_NOTE_CHARS]; /* "": nothing */
 	ts_trace_writer *writer;
 } ts_measure;
 
-/* Truths are made of what a run left: called with the run still open. */
+/* Makes truths from the buffers of a run, which is still open. */
 typedef ts_status (*ts_measure_after)(ts_run *run, void *user);
 
 /* Runs `method` and measures it into *measure, of which only `pictures`, `trace`, `viewer`, `rays`, `history`,
@@ -57,29 +57,30 @@ typedef ts_status (*ts_measure_after)(ts_run *run, void *user);
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          const ts_how *how, ts_measure_after after, void *user);
 
-/* From then on freed memory serves what comes next, as a renderer's buffers do: what reading a scene leaves the first
- * frame, and what that leaves the others, whichever thread freed it. Fresh pages cost up to a third of a large frame to
- * touch. */
+/* Makes the process keep freed memory from now on, whichever thread freed it, as a renderer keeps its buffers: memory
+ * from reading the scene serves the first frame, and that of a frame the next. Touching fresh pages costs up to a third
+ * of the time of a large frame. */
 void ts_measure_keep_memory(void);
-/* Touches so many bytes of what is free, so that the next frame has no fresh pages though others had its memory. */
+/* Touches so many bytes of free memory, so that the next frame meets no fresh pages although others used its memory
+ * meanwhile. */
 void ts_measure_touch_memory(u64 bytes);
-/* Returns what is free to the system, for the price of fresh pages in the next frame. What Embree leaves lies between
- * the frames' buffers, and would grow for dozens of frames. */
+/* Returns free memory to the system; the next frame meets fresh pages. Without this, memory that Embree freed stays
+ * between the frames' buffers and grows for dozens of frames. */
 void ts_measure_return_memory(void);
 
-/* NULL if that was not counted, or that stage did not run. */
+/* The counter of that name; NULL if it was not counted, or its stage did not run. */
 const ts_counter *ts_measure_counter(const ts_measure *measure, const char *name);
 const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage);
 /* Shading operations, the paper's measure of work. */
 i64 ts_measure_shading(const ts_measure *measure);
 
-/* Bytes that the process holds, the scene's arrays among them, and that a run is estimated to need at its peak
- * beside. */
+/* Bytes that the process holds, with the scene's arrays, and bytes that a run is estimated to need at its peak beside
+ * them. */
 typedef struct {
 	u64 held, run;
 } ts_estimate;
-/* Of a run of these methods with the truths of `truths` (bits of rows of ts_truths), after the scene was opened;
- * refused with one line beyond three quarters of the machine's memory. */
+/* Estimates a run of these methods with the truths `truths` (bits of rows of ts_truths), after the scene was opened.
+ * Refuses with one line a run beyond three quarters of the machine's memory. */
 ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
                               const ts_scene *scene, const ts_params *params);
 

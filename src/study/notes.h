@@ -1,14 +1,14 @@
-/* Notes of a family to the user of a run that went well: on a setting that does harm. */
+/* Notes of a family to the user of a successful run, about a setting that does harm. */
 #ifndef TS_CLI_NOTES_H
 #define TS_CLI_NOTES_H
 #include "../methods/stage.h"
 
 enum { TS_NOTE_CHARS = 256 };
 
-/* The buffer whose stage has just run, and who looks at it. */
+/* A buffer, and the function that is called when its stage has run. */
 typedef struct {
 	ts_buffer_id buffer;
-	ts_status (*take)(char note[TS_NOTE_CHARS], const ts_run *run); /* leaves it alone if there is nothing to say */
+	ts_status (*take)(char note[TS_NOTE_CHARS], const ts_run *run); /* leaves `note` as it is if there is none */
 } ts_note_rule;
 
 /* Takes the rules of all families: lists ended by NULL, each ended by a row without `take`. They must stay. */

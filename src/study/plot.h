@@ -8,9 +8,9 @@ enum { TS_PLOT_CURVES = 5 }; /* at most */
 
 typedef struct {
 	u32 curve;
-	const char *label; /* of its dot; NULL: no dot */
+	const char *label; /* of the point's dot; NULL: no dot */
 	double x, y;       /* positive where axes are logarithmic */
-	bool apart;        /* joined to nothing */
+	bool apart;        /* not joined to other points */
 } ts_plot_point;
 
 /* The other points of a curve are joined in their order. Texts may hold any UTF-8. */
@@ -24,7 +24,7 @@ typedef struct {
 	bool rises;   /* the legend stands below, not above */
 } ts_plot;
 
-/* Writes it with axes, a legend and a label at every dot. Whether all was written is the stream's to say. */
+/* Writes the plot with axes, a legend and a label at every dot. The caller checks the stream for errors. */
 void ts_plot_svg(const ts_plot *plot, FILE *out);
 
 #endif

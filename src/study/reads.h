@@ -3,15 +3,15 @@
 #define TS_STUDY_READS_H
 #include "../methods/pipeline.h"
 
-/* A row of reads.def: a stage, a method by its effect, a size, a truth or a kind of scene reads the parameter.
- * Name NULL: one of that kind. */
+/* Whether reads.def has such a row: a stage, a method by its effect, a size, a truth or a kind of scene reads the
+ * parameter. Name NULL: any of that kind. */
 bool ts_reads(const char *kind, const char *name, const char *param);
-/* Scenes of some kind read it. */
+/* Whether some kind of scene reads the parameter. */
 bool ts_reads_scene(const char *param);
-/* The method reads it, or a stage that it takes with these parameters, NULL: any stage, or the size of what that makes;
- * but for what the method sets itself. */
+/* Whether the method reads the parameter, or a stage that the method runs with these parameters (NULL: any of its
+ * stages), or the size of a buffer of such a stage. Parameters that the method sets itself do not count. */
 bool ts_reads_method(const ts_pipeline *method, const ts_params *params, const char *param);
-/* What the method does to make the buffers, ended by TS_N_BUFFERS, reads it. */
+/* Whether the method reads the parameter to make the buffers `ids`, ended by TS_N_BUFFERS. */
 bool ts_reads_making(const ts_pipeline *method, const ts_buffer_id *ids, const char *param);
 
 #endif

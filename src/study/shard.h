@@ -12,11 +12,11 @@ typedef struct {
 
 /* Reads "I/N", with I from 1 to N. */
 ts_status ts_shard_read(ts_shard *shard, const char *text);
-/* Whether case `place`, from 0, is in it: every N-th from the I-th on is. */
+/* Whether case `place`, from 0, is in the part: every N-th case from the I-th on is. */
 bool ts_shard_has(ts_shard shard, u64 place);
-/* The same of cases of which each needs the one before: parts of n cases that follow one another. */
+/* As ts_shard_has, for cases of which each needs the one before: parts are ranges of the n cases. */
 bool ts_shard_has_block(ts_shard shard, u64 place, u64 n);
-/* Says that none of so many cases is in it, and that it passes. */
+/* Says that the part has none of so many cases, and passes. */
 void ts_shard_say_empty(ts_shard shard, u64 n_cases);
 
 #endif

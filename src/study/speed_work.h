@@ -1,5 +1,5 @@
-/* `bench speed`: what its files share. A row is one thing that is timed, run after run, between two looks at whether
- * the machine is quiet. */
+/* Shared by the files of `bench speed`. A row is one timed thing, measured run after run; before and after each run it
+ * is checked whether the machine is quiet. */
 #ifndef TS_STUDY_SPEED_WORK_H
 #define TS_STUDY_SPEED_WORK_H
 #include "../truth/bare.h"
@@ -8,24 +8,25 @@
 #include "speed.h"
 #include "speed_limits.h"
 
-/* Whether the machine is quiet: others leave the processors alone, and a fixed loop takes as long as it did at best
- * (speed_quiet.c). */
+/* Whether the machine is quiet: other processes leave the processors idle, and a fixed loop takes no longer than its
+ * best time (speed_quiet.c). */
 typedef struct {
 	u32 threads;
 	double best;    /* seconds of the loop */
-	ts_busy before; /* the row */
-	bool slow;      /* the loop was, before it */
-	u32 n_busy;     /* rows that were not quiet, with those that were measured again */
+	ts_busy before; /* reading before the row */
+	bool slow;      /* the loop was slow before the row */
+	u32 n_busy;     /* rows that were not quiet, counting those measured again */
 	bool anyway;    /* nothing counts as quiet, and nothing is measured again */
 } ts_quiet;
 
-/* Calibrates, prints the limits, and refuses a busy machine, unless `anyway`. */
+/* Calibrates, prints the limits, and fails on a busy machine, unless `anyway`. */
 ts_status ts_quiet_begin(ts_quiet *quiet, ts_report *report, u32 threads, bool anyway);
 void ts_quiet_before(ts_quiet *quiet);
-/* Whether it was quiet since then. */
+/* Whether the machine was quiet since the reading before the row. */
 bool ts_quiet_after(ts_quiet *quiet);
 
-/* Of a frame: its timings, the whole, and what a truth took to cast rays for its views; the last is 0 if none did. */
+/* Values of a frame: its timings, the whole frame, and the time of a truth's rays for its views, 0 if there were
+ * none. */
 enum { TS_SPEED_WHOLE = TS_MAX_TIMINGS, TS_SPEED_CASTS, TS_SPEED_VALUES };
 
 typedef struct {
@@ -38,21 +39,21 @@ typedef struct {
 } ts_speed_row;
 
 ts_status ts_speed_row_begin(ts_speed_row *row, u32 n_values, u32 runs);
-/* Measures it for a run, at most three times until it is quiet; or, where it took long already, has the run before
- * stand for this one. */
+/* Measures a row for a run, again until the machine is quiet, at most three times; a row that took long already repeats
+ * the values of the run before instead. */
 ts_status ts_speed_row_run(ts_speed_row *row, u32 run, ts_quiet *quiet);
 void ts_speed_row_end(ts_speed_row *row);
 
-/* A figure's values over the runs: the median of those that are quiet, or of all if none is; and how far these are
- * apart, in % of it. NAN: there are none. */
+/* A figure over the runs: the median of the quiet runs, or of all if none was quiet; and the spread of these runs, in %
+ * of the median. NAN: there are none. */
 typedef struct {
 	double median, spread;
 	bool quiet;
 } ts_speed_value;
-/* Of a column: "busy", or "". */
+/* The text of a column: "busy", or "". */
 const char *ts_speed_state(const ts_speed_value *value);
 ts_speed_value ts_speed_sum(const double *values, const bool *quiet, u32 runs);
-/* The same of one value of a row. */
+/* The ts_speed_value of one value of a row. */
 ts_speed_value ts_speed_row_value(const ts_speed_row *row, u32 value, u32 runs);
 
 typedef struct ts_speed_set ts_speed_set;
@@ -68,7 +69,7 @@ typedef struct {
 
 enum { TS_SPEED_METHODS = 4 };
 
-/* A scene with its methods, and what they are compared with: open (speed_set.c). */
+/* An open scene with its methods, and the rays and points that they are compared with (speed_set.c). */
 struct ts_speed_set {
 	char name[48];
 	ts_scene *scene;
@@ -79,7 +80,7 @@ struct ts_speed_set {
 	bool wants_rays, wants_points;
 	ts_bare *bare; /* NULL before the first frame, or if no rays are wanted */
 	ts_limit_points points;
-	u64 face_bytes; /* of an off-screen view, of the mean side */
+	u64 face_bytes; /* of an off-screen view of the mean side */
 	ts_speed_row rays, drawn, minima;
 };
 
@@ -88,10 +89,10 @@ struct ts_speed_set {
 ts_status ts_speed_set_open(ts_speed_set *set, const char *spec, const ts_speed_scene *of, const ts_job *job, u32 runs);
 ts_status ts_speed_set_run(ts_speed_set *set, u32 run, ts_quiet *quiet);
 void ts_speed_set_close(ts_speed_set *set);
-/* A method is to be measured. */
+/* Whether a method is to be measured. */
 bool ts_speed_has_method(const ts_job *job, const char *method);
 
-/* The machine's limits, rows too. */
+/* The rows of the machine's limits. */
 enum { TS_SPEED_SIZES = 3 };
 extern const u32 ts_speed_mib[TS_SPEED_SIZES];
 typedef struct {
@@ -118,9 +119,9 @@ void ts_speed_machine_end(ts_speed_machine *machine);
 void ts_speed_print_limits(const ts_speed *speed);
 void ts_speed_print_stages(const ts_speed *speed);
 void ts_speed_print_figures(const ts_speed *speed, const ts_speed_of *const *lists);
-/* speed_growth.c: measures too. */
+/* speed_growth.c: measures and prints. */
 ts_status ts_speed_print_growths(ts_speed *speed, const ts_speed_of *const *lists);
-/* A name is among those of --scene, or that was not said. */
+/* Whether --scene has the name, or was not typed. */
 bool ts_speed_wants(const ts_job *job, const char *name);
 
 #endif

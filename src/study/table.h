@@ -11,7 +11,7 @@ enum { TS_MAX_COLUMNS = 16 };
 typedef struct {
 	const char *key;  /* in JSON */
 	const char *head; /* in text */
-	bool right;       /* figures stand to the right */
+	bool right;       /* figures are aligned to the right */
 } ts_column;
 
 typedef struct {
@@ -25,8 +25,8 @@ typedef struct {
 	u32 n_columns;
 	ts_cell *cells;
 	size_t n_cells, capacity;
-	bool timed;  /* holds what a clock or the system said: two runs differ */
-	bool silent; /* a report has it in JSON and CSV, not in its text */
+	bool timed;  /* holds times or figures of the system, which differ between runs */
+	bool silent; /* the report has the table in JSON and CSV only */
 	bool failed; /* out of memory */
 } ts_table;
 
@@ -38,9 +38,9 @@ void ts_table_count(ts_table *table, i64 value);
 void ts_table_bytes(ts_table *table, u64 bytes);
 void ts_table_real(ts_table *table, double value, int decimals);
 void ts_table_none(ts_table *table);
-/* A real, or none where the value is NaN. */
+/* Appends a real; where the value is NaN, an empty cell. */
 void ts_table_known(ts_table *table, double value, int decimals);
-/* Says the last row, which must be complete, on standard error: what comes of a long work. */
+/* Prints the last row, which must be complete, on standard error, as progress of long work. */
 void ts_table_say(const ts_table *table);
 /* Rows must be complete. Beyond 120 columns texts are wrapped within their columns. */
 void ts_table_print(const ts_table *table, FILE *out);
@@ -48,7 +48,7 @@ void ts_table_print(const ts_table *table, FILE *out);
 json_t *ts_table_json(const ts_table *table);
 void ts_table_end(ts_table *table);
 
-/* What a command prints: tables and single figures as text, or one JSON object, kept until they are asked for. */
+/* The output of a command, kept until it is printed: tables and single figures as text, or one JSON object. */
 typedef struct {
 	json_t *root;
 	json_t *timed; /* keys of root whose values differ from run to run */
@@ -60,29 +60,30 @@ typedef struct {
 
 /* A report may not be moved. */
 void ts_report_begin(ts_report *report, bool json);
-/* Takes the table over, keeps what it says, and releases it. */
+/* Adds the table's content to the report, and releases the table. */
 void ts_report_table(ts_report *report, ts_table *table);
-/* A line of text only; control characters become '?'. */
+/* Adds a line to the text only; control characters become '?'. */
 void ts_report_line(ts_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* The same of a failure, which is told in any case. */
+/* As ts_report_line, for a failure, which `quiet` does not suppress. */
 void ts_report_failure(ts_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* A figure of the JSON object only; takes the value over. */
+/* Adds a figure to the JSON object only; takes the value over. */
 void ts_report_value(ts_report *report, const char *key, json_t *value);
-/* The same of what a clock or the system said. */
+/* As ts_report_value, for a time or a figure of the system. */
 void ts_report_timed(ts_report *report, const char *key, json_t *value);
-/* Whether that was said of the key. */
+/* Whether ts_report_timed added the key. */
 bool ts_report_is_timed(const ts_report *report, const char *key);
-/* Program, version, backend, threads and parameters as figures of the JSON object (run_report.c). */
+/* Adds program, version, backend, threads and parameters to the JSON object (run_report.c). */
 void ts_report_run(ts_report *report, const ts_job *job);
-/* Fails if the report is not whole. */
+/* Fails if the report is incomplete. */
 ts_status ts_report_check(ts_report *report);
-/* Prints the text so far, of which nothing is printed again. */
+/* Prints the text so far, which is not printed again later. */
 ts_status ts_report_print(ts_report *report);
-/* Prints the rest, or the JSON object if that is wanted, and releases all, also on failure. */
+/* Prints the rest of the text, or the JSON object if report->json, and releases the report, also on failure. */
 ts_status ts_report_end(ts_report *report);
-/* Writes a JSON object as reports are written. What fails there is memory, which the end of a ts_file_text notes. */
+/* Writes a JSON object in the format of reports. Only memory can run out here, which the end of a ts_file_text
+ * finds. */
 void ts_report_write(const json_t *root, FILE *out);
-/* Releases all and prints nothing. */
+/* Releases the report and prints nothing. */
 void ts_report_discard(ts_report *report);
 
 #endif

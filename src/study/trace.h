@@ -1,4 +1,4 @@
-/* What --trace, --trace-only and --crop ask for. */
+/* The traces that --trace, --trace-only and --crop ask for. */
 #ifndef TS_CLI_TRACE_H
 #define TS_CLI_TRACE_H
 #include "../trace/write.h"
@@ -7,12 +7,12 @@
 /* A method's trace in the output folder, under trace-METHOD. */
 typedef struct {
 	ts_trace_options options;
-	char folder[32], viewer[32]; /* of the output: the trace, and copies for viewers */
+	char folder[32], viewer[32]; /* folders of the output: of the trace, and of copies for viewers */
 } ts_tracing;
 
-/* Reads the options into *tracing, whose address must then stay. The message names what was typed. */
+/* Reads the options into *tracing, which must not be moved afterwards. The message names the typed text. */
 ts_status ts_tracing_make(ts_tracing *tracing, const ts_job *job, const ts_pipeline *method);
-/* Refuses traces that the disk which holds `dir`, or the folder it is to be made in, has no room for. */
+/* Refuses traces for which the disk that holds `dir`, or the folder in which `dir` is to be made, has no room. */
 ts_status ts_tracing_check(const ts_tracing *tracings, const ts_pipeline *const *methods, u32 n, const ts_scene *scene,
                            const ts_params *params, const char *dir);
 

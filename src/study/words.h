@@ -1,4 +1,4 @@
-/* Reading words that were typed. */
+/* Reads typed words. */
 #ifndef TS_CLI_WORDS_H
 #define TS_CLI_WORDS_H
 #include "../model/core.h"
@@ -11,19 +11,19 @@ ts_status ts_words_count(u32 *value, const char *text, u32 min, u32 max, const c
 ts_status ts_words_size(ts_params *params, const char *text, const char *what);
 /* Reads "A..B" or "A..B:STEP" of the option --frames. */
 ts_status ts_words_frames(ts_frames *frames, const char *text);
-/* Copies the next item of a comma-separated list to `item` and moves *list behind it: false at the end. An item that
- * does not fit is cut, and so matches no name. */
+/* Copies the next item of a comma-separated list to `item` and moves *list behind it: false at the end. An item that is
+ * too long is cut, and so matches no name. */
 bool ts_words_item(const char **list, char *item, size_t item_bytes);
 
-/* Whether it is an item of a comma-separated list. */
+/* Whether `item` is an item of a comma-separated list. */
 bool ts_words_listed(const char *list, const char *item);
 
-/* Whether it is one of the words of a text, which blanks separate. */
+/* Whether `word` is one of the words of a text, which blanks separate. */
 bool ts_words_have(const char *text, const char *word);
 
 /* The nearest of the names offered so far to what was typed, for "did you mean" (nearest.c). */
 typedef struct {
-	const char *typed, *best, *mark; /* what stands before names, "" at first */
+	const char *typed, *best, *mark; /* mark: text before the name in the message, "" at first */
 	u32 distance;                    /* edits; 0: it is the name */
 	char hint[160];
 } ts_nearest;

@@ -1,4 +1,4 @@
-/* The engines and the families' rows for them brought together. */
+/* Connects the engines with the families' rows. */
 #ifndef TS_TOOLS_TOOLS_H
 #define TS_TOOLS_TOOLS_H
 

@@ -1,12 +1,12 @@
-/* trace.json: what a trace is of, and what made it. */
+/* trace.json: the description of a trace, its run and its producer. */
 #ifndef TS_TRACE_DESCRIBE_H
 #define TS_TRACE_DESCRIBE_H
 #include <jansson.h>
 #include "../model/digest.h"
 #include "emit.h"
 
-/* Files of a trace of version 1 are plain .npy files of its folder. In version 2 they may also be those of the scene
- * that the traces of one run share, or compressed. */
+/* Files of a trace of version 1 are plain .npy files of its folder. In version 2 they may also be compressed, or files
+ * of the scene that the traces of one run share. */
 enum { TS_TRACE_VERSION = 1, TS_TRACE_VERSION_SHARED = 2 };
 
 /* The folder of the shared files, as traces name it. */
@@ -17,7 +17,7 @@ enum { TS_TRACE_NAME = TS_EMIT_NAME + 16 };
 /* A buffer of a trace. */
 typedef struct {
 	bool made;
-	bool has_file; /* else it is digested only */
+	bool has_file; /* false: the trace has only its digest */
 	bool shared;   /* the file is in TS_TRACE_SCENE */
 	char name[TS_TRACE_NAME];
 	char descr[TS_NPY_DESCR];
@@ -37,7 +37,7 @@ typedef struct {
 
 /* A new reference, or NULL without memory. The same run gives the same text. */
 json_t *ts_trace_describe(const ts_trace_description *about);
-/* Writes trace.json, and gives back `root`. */
+/* Writes trace.json, and releases `root`. */
 ts_status ts_trace_write_json(const char *path, json_t *root);
 
 /* The parameters as trace.json holds them: an object of texts. A new reference, or NULL without memory. */

@@ -1,5 +1,5 @@
-/* What a traced run makes, as files: names, headers, and data in the order of the file. A reflector at a time makes a
- * buffer over cubes in parts; here they are one file. */
+/* The buffers of a traced run as files: names, headers, and data in the order of the file. A run by batches makes some
+ * buffers in parts, which become one file here. */
 #ifndef TS_TRACE_EMIT_H
 #define TS_TRACE_EMIT_H
 #include "../methods/pipeline.h"
@@ -12,16 +12,16 @@ typedef struct {
 	ts_buffer_id id;
 	u32 n_dims;
 	u64 shape[TS_MAX_DIMS]; /* of the whole file */
-	bool first;             /* begins the file: its header comes before */
+	bool first;             /* the first part, before which the file's header is written */
 	const void *data;       /* in the byte order of files */
 	u64 bytes;
 } ts_chunk;
 
 typedef ts_status ts_take_chunk(void *user, const ts_chunk *chunk);
 
-/* Offers the buffers of the scene that the run began with. */
+/* Passes the scene's buffers, which the run began with, to `take`. */
 ts_status ts_emit_scene(const ts_run *run, ts_take_chunk *take, void *user);
-/* Offers what a stage has just written; for a hook of the run. */
+/* Passes the buffers that a stage has just written to `take`; for a hook of the run. */
 ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk *take, void *user);
 
 /* True of the buffers that the run began with. */
@@ -31,10 +31,11 @@ bool ts_emit_is_batched(ts_buffer_id id);
 
 /* The stage that makes a buffer, or "scene". */
 const char *ts_emit_maker(const ts_pipeline *pipeline, ts_buffer_id id);
-/* Place of the step that makes a buffer, from 1; margins and what is unnumbered have that of the step
- * before. 0: the scene. */
+/* The number of the step that makes a buffer, from 1; margins and unnumbered steps have the number of the step before.
+ * 0: the scene. */
 u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id);
-/* All buffers: those that no step makes, in the order of records.def, then as the steps make them. */
+/* Writes all buffers: those that no step makes, in the order of records.def, then the others in the order in which
+ * steps make them. */
 void ts_emit_order(ts_buffer_id ids[TS_N_BUFFERS], const ts_pipeline *pipeline);
 /* "04-eye.depth_triangle.npy". */
 void ts_emit_name(char name[TS_EMIT_NAME], const ts_pipeline *pipeline, ts_buffer_id id);

@@ -1,4 +1,4 @@
-/* Elements of buffers, field by field, and how their values are told apart and shown. */
+/* Fields of the elements of buffers: comparing and printing their values. */
 #ifndef TS_TRACE_FIELD_H
 #define TS_TRACE_FIELD_H
 #include "../model/frame.h"
@@ -15,9 +15,9 @@ typedef struct {
 	u32 count;         /* components */
 	u32 bytes;         /* of one component */
 	u32 offset;        /* in the element */
-	const ts_axis *of; /* how many things there are that it names one of; NULL: it is no index */
+	const ts_axis *of; /* of an index: the size that bounds it; NULL: the field is no index */
 	bool none;         /* the index may also be 0xffffffff */
-	bool distance;     /* of 64 bits: over the index stand the bits of a float, which orders them */
+	bool distance;     /* of 64 bits: the upper half has the bits of a distance, the lower half an index */
 } ts_field;
 
 typedef struct {
@@ -26,13 +26,13 @@ typedef struct {
 } ts_fields;
 
 ts_fields ts_fields_of(ts_buffer_id id);
-/* True of indices of such things. */
+/* True if the field is an index below size `dim`. */
 bool ts_field_names(const ts_field *field, ts_dim dim);
 
 /* The bits of a component of the element at `data`. */
 u64 ts_field_bits(const ts_field *field, const void *data, u32 component);
 
-/* Floats from the first to the second, -0 and +0 one apart; INT64_MAX if either is a NaN. */
+/* Steps between floats from the first to the second, with -0 and +0 one step apart; INT64_MAX if either is a NaN. */
 i64 ts_field_ulps(u64 from, u64 to);
 bool ts_field_is_nan(u64 bits);
 

@@ -1,6 +1,6 @@
-/* Opening a trace, ours or a port's. Everything in it is untrusted: names, counts, types and sizes are checked before
- * anything is read, and no file is opened but those of the folder and, where trace.json is of version 2, of the folder
- * "scene" beside it. */
+/* Opening a trace, ours or a port's. Its content is untrusted: names, counts, types and sizes are checked before data
+ * is read, and only files of the folder are opened, and for trace.json of version 2 also those of the folder "scene"
+ * beside it. */
 #ifndef TS_TRACE_READ_H
 #define TS_TRACE_READ_H
 #include "../methods/pipeline.h"
@@ -8,7 +8,7 @@
 #include "npy.h"
 #include "reader.h"
 
-/* All elements of a compressed file, once they were asked for. */
+/* All elements of a compressed file, unpacked at the first use. */
 typedef struct {
 	void *data; /* NULL: not yet */
 } ts_unpacked;
@@ -16,8 +16,8 @@ typedef struct {
 /* A buffer's file. */
 typedef struct {
 	char *path;            /* NULL: the trace has no such file */
-	const void *memory;    /* where the elements are if not in that file, which may not be there then */
-	void *owned;           /* the same, if the trace releases it */
+	const void *memory;    /* the elements, if they are in memory; then the file need not exist */
+	void *owned;           /* the same memory, if the trace must release it */
 	ts_unpacked *unpacked; /* of a compressed file; else NULL. Copies of the item share it */
 	ts_npy npy;
 	bool cropped;
@@ -28,20 +28,20 @@ struct ts_trace {
 	char *dir;
 	const ts_pipeline *pipeline;
 	bool arrival;             /* points stand in any order */
-	bool old_names;           /* some of its names are of renamed.def */
+	bool old_names;           /* some of its names are old ones of renamed.def */
 	bool open;                /* a candidate that ts_trace_put fills */
-	const ts_stage *replayed; /* a stage that was replayed, whose outputs these are; NULL: it is of none */
+	const ts_stage *replayed; /* the replayed stage whose outputs the trace holds; NULL: none */
 	bool has_params;
-	ts_params params;   /* if it has them */
-	char producer[128]; /* its name and version, clean */
+	ts_params params;   /* if the trace has them */
+	char producer[128]; /* name and version of the producer, by ts_line_clean */
 	ts_trace_item item[TS_N_BUFFERS];
-	ts_buffer_view view[TS_N_BUFFERS];    /* as ts_trace_buffer handed them out */
-	ts_trace_info info;                   /* as ts_trace_about did */
+	ts_buffer_view view[TS_N_BUFFERS];    /* results of ts_trace_buffer */
+	ts_trace_info info;                   /* result of ts_trace_about */
 	ts_counter counters[TS_MAX_COUNTERS]; /* of the run that made it */
 	u32 n_counters;
 };
 
-/* A trace without buffers, whose messages call it `dir`; NULL with the message set. */
+/* Makes a trace without buffers; messages call it `dir`. NULL with the message set on failure. */
 ts_trace *ts_trace_new(const char *dir);
 
 /* Opens the trace in folder `dir` by its trace.json. The message says what is wrong, in which file, and what would be
@@ -54,16 +54,16 @@ ts_status ts_trace_open_folder(ts_trace **trace, const char *dir);
 ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *layout, bool arrival,
                                const ts_trace *like);
 
-/* Opens one .npy file as a trace of nothing else. Which buffer it holds, its name says: "NAME.npy" or "NN-NAME.npy". */
+/* Opens one .npy file as a trace of one buffer. The file's name tells the buffer: "NAME.npy" or "NN-NAME.npy". */
 ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *id);
 
-/* A reader of the elements of a buffer that is there; NULL with the message set. */
+/* Opens a reader of the elements of a buffer that the trace has; NULL with the message set on failure. */
 ts_reader *ts_trace_read(const ts_trace_item *item, ts_buffer_id id);
 
-/* Copies all elements of a buffer that is there; TS_ERROR: its file cannot be read. */
+/* Copies all elements of a buffer that the trace has; TS_ERROR: its file cannot be read. */
 ts_status ts_trace_copy(void *to, const ts_trace_item *item, ts_buffer_id id);
 
-/* The buffer of that name, or of that old name; false if there is none. */
+/* Finds the buffer of a name, present or old; false if there is none. */
 bool ts_trace_find(ts_buffer_id *id, const char *name);
 
 #endif

@@ -7,21 +7,20 @@
 
 enum { TS_WHERE_TEXT = 128 };
 
-/* How a family says where a row of what it counts lies; false: it cannot. */
+/* Describes the place of an element of a size that a family counts; false: it cannot. */
 typedef struct {
 	ts_dim of;
 	bool (*where)(char *text, const ts_trace *reference, ts_buffer_id id, u64 index);
-	void (*key)(char *text, u64 key); /* the same of the records of a set, by their keys; NULL: it is none */
+	void (*key)(char *text, u64 key); /* describes a record of a set by its key; NULL: the elements are no set */
 } ts_where_rule;
 
 /* Takes the rules of all families: lists ended by NULL, each ended by a row without `where`. They must stay. */
 void ts_where_use(const ts_where_rule *const *rules);
-/* For rules. Copies element `index` of a buffer of the reference; false if it is not there or cannot be
- * read. */
+/* For rules. Copies element `index` of a buffer of the reference; false if the element is missing or cannot be read. */
 bool ts_where_fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void *to);
 
-/* Says where an element of the reference lies, as far as the reference has the buffers that tell. TS_ERROR with the
- * message set: such a buffer cannot be read. */
+/* Describes where an element of the reference lies, as far as the reference has the buffers that are needed. TS_ERROR
+ * with the message set: such a buffer cannot be read. */
 ts_status ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element);
 /* "key (piece 812, x 5, y 3)" of a record of a set, by its key. */
 void ts_where_key(char text[TS_WHERE_TEXT], ts_buffer_id id, u64 key);

@@ -1,4 +1,4 @@
-/* The first of several failures, which may come from any thread at once: the others follow from it. */
+/* Keeps the first of several failures, which may come from several threads at once. */
 #ifndef TS_TRUTH_FIRST_ERROR_H
 #define TS_TRUTH_FIRST_ERROR_H
 #include <pthread.h>

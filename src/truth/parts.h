@@ -1,10 +1,10 @@
-/* A truth's insides: the triangles behind Embree's primitives, and who lets them pass. */
+/* Inside a truth: the scene's triangles of Embree's primitives, and the filters that let rays pass them. */
 #ifndef TS_TRUTH_PARTS_H
 #define TS_TRUTH_PARTS_H
 #include "query.h"
 #include "tree.h"
 
-/* What facing needs of a triangle: ts_corners' n and a. */
+/* The facing of a triangle: n and a of ts_corners. */
 typedef struct {
 	f32 normal[3], corner[3];
 	u32 reflector;
@@ -13,8 +13,8 @@ typedef struct {
 
 enum { TS_OF_REFLECTOR = 128, TS_MIXED = 256 };
 
-/* A geometry of Embree and the scene's triangle behind each of its primitives. Long runs of one kind are parts of their
- * own, so that filters know the kind of most triangles without looking them up. */
+/* A geometry of Embree, and the scene's triangle of each of its primitives. A long run of triangles of one kind is a
+ * part of its own, so that filters know the kind of most triangles without a look-up. */
 typedef struct {
 	const ts_truth *truth;
 	const u32 *triangle;
@@ -26,7 +26,7 @@ typedef struct {
 enum { TS_MOST_PARTS = 1024 };
 enum { TS_TRUTH_PACKET = 16 };
 
-/* What all threads have cast so far, and how long that took. */
+/* The number of rays that all threads have cast so far, and the time that took. */
 typedef struct {
 	u64 rays, nanoseconds;
 } ts_truth_costs;
@@ -43,23 +43,23 @@ struct ts_truth {
 	u32 n_parts;
 };
 
-/* Rays as filters find them: Embree hands on the address of `base`. */
+/* The context of rays in filters: Embree passes on the address of `base`. */
 typedef struct {
 	ts_tree_context base;
 	const ts_truth_query *queries; /* by the rays' ids */
 	void *packet;                  /* packet.c's; NULL: a single ray, and the geometries' own filter decides */
 } ts_truth_request;
 
-/* Deals the triangles out to parts. What it makes is released by ts_truth_parts_free, also on failure: no memory. */
+/* Divides the triangles into parts, to be released by ts_truth_parts_free, also on failure: no memory. */
 ts_status ts_truth_parts_make(ts_truth *truth);
 void ts_truth_parts_free(ts_truth *truth);
 
 ts_truth_hit ts_truth_measure(const ts_truth *truth, const ts_truth_query *query, u32 triangle);
-/* Alpha cuts out what the ray meets of a masked triangle with this normal. */
+/* Whether alpha cuts out the point at which the ray meets a masked triangle with this normal. */
 bool ts_truth_is_cut(const ts_truth *truth, const ts_truth_query *query, u32 triangle, ts_v3 normal);
-/* The nearest triangle that passes, or TS_NONE. */
+/* The nearest triangle that no filter rejects, or TS_NONE. */
 u32 ts_truth_find(const ts_truth *truth, const ts_truth_query *query);
-/* The same of n queries, at most TS_TRUTH_PACKET: `triangle` has room for a whole packet (packet.c). */
+/* As ts_truth_find, for n queries, at most TS_TRUTH_PACKET; `triangle` must have room for a whole packet (packet.c). */
 void ts_truth_find_all(u32 *triangle, const ts_truth *truth, const ts_truth_query *queries, u32 n);
 
 #endif

@@ -1,4 +1,4 @@
-/* One ray into Embree's tree: what truths ask of embree.c. */
+/* Rays into Embree's tree, as truths cast them. */
 #ifndef TS_TRUTH_QUERY_H
 #define TS_TRUTH_QUERY_H
 #include "../kernels/base/hit.h"
@@ -9,10 +9,10 @@ typedef struct {
 	ts_v3 origin, direction; /* world; the direction is unit, or zero: nothing is hit */
 	f32 near;                /* no hit before this, world units */
 	u32 masked;              /* reflector whose triangles let the ray pass, or TS_NONE */
-	ts_v3 from;              /* surface point at which this leg leaves, even if the ray starts at a cube's centre */
+	ts_v3 from;              /* surface point at which this leg begins, even if the ray starts at a cube's centre */
 	f32 path;                /* length of the legs before it */
 	f32 spread;              /* footprint of one unit of length: 1 / focal length in pixels; 0: finest level */
-	bool whole;              /* holes that alpha cuts out stop the ray, too */
+	bool whole;              /* holes that alpha cuts out also stop the ray */
 } ts_truth_query;
 
 typedef struct {
@@ -28,14 +28,15 @@ const ts_arrays *ts_truth_scene(const ts_truth *truth);
 /* The nearest hit that no filter rejects. Safe to call from any number of threads. */
 ts_truth_hit ts_truth_cast(const ts_truth *truth, const ts_truth_query *query);
 
-/* The same of n queries at once, 16 a packet: those that are beside each other should go much the same way. */
+/* As ts_truth_cast, for n queries, in packets of 16; neighbouring queries should have similar directions. */
 void ts_truth_cast_all(ts_truth_hit *hits, const ts_truth *truth, const ts_truth_query *queries, u32 n);
 
-/* How far off a surface at p rays begin that should not meet it: 2^-12 of the greatest coordinate (sees.c). */
+/* The distance from a surface at p at which rays begin that must not meet that surface: 2^-12 of the greatest
+ * coordinate (sees.c). */
 f32 ts_truth_skip(ts_v3 p);
-/* Nothing between two points, but within `reach` of the second, stops a ray that leaves the first. */
+/* Whether nothing stops a ray from the first point to the second, apart from the last `reach` of its way. */
 bool ts_truth_sees(const ts_truth *truth, ts_v3 from, ts_v3 to, f32 reach);
-/* The same of n pairs at once. */
+/* As ts_truth_sees, for n pairs at once. */
 enum { TS_TRUTH_PAIRS = 64 }; /* at most */
 typedef struct {
 	ts_v3 from, to;
@@ -43,10 +44,10 @@ typedef struct {
 } ts_truth_pair;
 void ts_truth_sees_all(bool *sees, const ts_truth *truth, const ts_truth_pair *pairs, u32 n);
 
-/* Runs, in a run that has just begun, the first method of the effect, NULL: of any, that makes all of the buffers
- * `needs`, ended by TS_N_BUFFERS, until they are there (begin.c). */
+/* Runs, in a run that has just begun, the first method of the effect (NULL: of any effect) that makes all buffers
+ * `needs`, ended by TS_N_BUFFERS, until these exist (begin.c). */
 ts_status ts_truth_begin(ts_run *run, const char *effect, const ts_buffer_id *needs);
-/* Runs the stage by which the first method that makes a buffer makes it. */
+/* Runs the stage that makes a buffer, of the first method that has one. */
 ts_status ts_truth_make(ts_run *run, ts_buffer_id id);
 
 #endif

@@ -1,4 +1,4 @@
-/* Embree, version 3 or 4, which is opened with the first tree: what needs no truth does without its 40 MB. */
+/* Embree, version 3 or 4, opened with the first tree, so that a process without truths does not load its 40 MB. */
 #ifndef TS_TRUTH_RTC_H
 #define TS_TRUTH_RTC_H
 #include "../kernels/base/num.h"
@@ -9,7 +9,7 @@
 #include <embree3/rtcore.h>
 #endif
 
-/* What is called. */
+/* The functions of Embree that are called. */
 /* clang-format off */
 #define TS_RTC_CALLS(CALL) \
 	CALL(NewDevice) CALL(ReleaseDevice) CALL(GetDeviceError) CALL(SetDeviceErrorFunction) \

@@ -1,4 +1,4 @@
-/* What rays say of the texels that a method looked things up in: rules of families. */
+/* Judges by rays the texels in which a method looks things up, by rules of families. */
 #ifndef TS_TRUTH_TEXELS_H
 #define TS_TRUTH_TEXELS_H
 #include "truth.h"
@@ -7,21 +7,22 @@ enum { TS_MOST_REASONS = 10 };
 
 typedef struct {
 	u64 covered; /* texels whose ray hits what the view may show */
-	u64 holes;   /* of these, those that hold nothing */
-	u64 leaks;   /* of these, those that hold what is farther than the hit by more than the rule allows: something shows
+	u64 holes;   /* of `covered`, those that hold nothing */
+	u64 leaks;   /* of `covered`, those whose depth lies farther than the hit by more than the rule allows: something shows
 	              * through */
-	u64 apart;  /* of these, those whose depth is not the hit's within as much, nor, where the rule asks more rays, that
-	            * of any other place of the texel: leaks, and what reaches into texels */
-	u32 one_of; /* of this many texels one, by a hash, was sent a ray; 0: they all were */
-	u64 asked;  /* places whose shadows were asked for */
-	u64 lit;    /* of these, those that the texels let through, and something stops: light leaks */
-	u64 dark;   /* of these, those that the texels stop, and nothing does */
+	u64 apart;  /* of `covered`, those whose depth is, within the same tolerance, neither the hit's nor, where the rule casts more
+	            * rays, that of another place of the texel: leaks, and surfaces that reach into texels */
+	u32 one_of; /* a ray was cast for one texel in so many, chosen by a hash; 0: for all */
+	u64 asked;  /* places whose shadows were judged */
+	u64 lit;    /* of `asked`, those lit by the texels although something stops the ray: light leaks */
+	u64 dark;   /* of `asked`, those in shadow by the texels although nothing stops the ray */
 
-	const char *const *reasons; /* why, ended by NULL: of `lit` and `dark` each counts once. NULL: none are told */
+	const char *const *reasons; /* reasons, ended by NULL; each of `lit` and `dark` counts for one. NULL: none are told */
 	u64 because[TS_MOST_REASONS];
 } ts_texel_counts;
 
-/* `judge` adds to *counts what a buffer of the run's batch is like, when the stage that wrote it has run. */
+/* A rule: `judge` adds the counts of a buffer of the run's batch to *counts, when the stage that wrote the buffer has
+ * run. */
 typedef struct {
 	ts_buffer_id buffer;
 	ts_status (*judge)(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id buffer);

@@ -1,4 +1,4 @@
-/* Embree, version 3 or 4: a device and a scene in it, what failed in them, and how much memory they may take. */
+/* A device of Embree, version 3 or 4, and a scene in it, with their first error and their limit of memory. */
 #ifndef TS_TRUTH_TREE_H
 #define TS_TRUTH_TREE_H
 #include "../methods/stages.h"
@@ -20,17 +20,18 @@ typedef struct {
 /* Starts an empty tree; `tree` must stay where it is. Released by ts_tree_end, also on failure: Embree's own error. */
 ts_status ts_tree_begin(ts_tree *tree, u32 threads);
 void ts_tree_end(ts_tree *tree);
-/* Builds it over the geometries that were attached. Fails with Embree, and where that broke the contract's
+/* Builds the tree over the attached geometries. Fails if Embree fails, or if Embree's threads break the contract's
  * arithmetic. */
 ts_status ts_tree_build(ts_tree *tree);
-/* Fails if Embree has, while `doing`. */
+/* Fails if Embree has failed; `doing` is for the message. */
 ts_status ts_tree_check(ts_tree *tree, const char *doing);
-/* Fails, with Embree's reason if it gives one: it made nothing. */
+/* Fails with Embree's reason, if Embree gives one, where Embree made nothing; `doing` is for the message. */
 ts_status ts_tree_fail(ts_tree *tree, const char *doing);
-/* The nearest hit, into *ray. Functions of geometries are handed the address of the context. From any thread. */
+/* Finds the nearest hit, in *ray. Filters of geometries get the address of the context. From any thread. */
 void ts_tree_cast(const ts_tree *tree, struct RTCRayHit *ray, ts_tree_context *context);
-/* The same of 16 rays, of those that `valid` has as -1. The filter, NULL: none, is called behind the geometries' own,
- * with one triangle and some of the rays: by what it leaves of their tfar, where it accepts, the traversal goes on. */
+/* As ts_tree_cast, for those of 16 rays whose `valid` is -1. The filter (NULL: none) is called after the geometries'
+ * own filters, with one triangle and some of the rays; where it accepts, the traversal continues up to the tfar that it
+ * leaves. */
 void ts_tree_cast_16(const ts_tree *tree, const int *valid, struct RTCRayHit16 *rays, ts_tree_context *context,
                      RTCFilterFunctionN filter);
 

@@ -1,18 +1,18 @@
-/* Work of rays that may take long: its progress, and, said once, how long it will take by what the first rays took. The
- * clock changes nothing that is computed. */
+/* Progress of work by rays that may take long, and once an estimate of its duration, by the time of the first rays. The
+ * clock has no effect on results. */
 #ifndef TS_TRUTH_WORK_H
 #define TS_TRUTH_WORK_H
 #include "../kernels/base/compat.h"
 
 typedef struct {
 	const char *label;
-	u64 rays; /* of all of it; 0: it has none */
+	u64 rays; /* of the whole work; 0: it casts none */
 	double begin;
 	bool said;
 } ts_work;
 
 ts_work ts_work_begin(const char *label, u64 rays);
-/* `done` of `all` is done. Says on standard error how long all of it takes, if that is at least 10 s. */
+/* Notes that `done` of `all` is done. Prints on standard error an estimated duration of at least 10 s. */
 void ts_work_at(ts_work *work, u64 done, u64 all);
 void ts_work_end(const ts_work *work);
 

@@ -1,11 +1,11 @@
-/* What brings the rows of composites into the domain of their functions: shares, directions, frames, triangles without
- * area, and edges where a function changes its mind. Everything is stored as kernels store, so that ranges hold. */
+/* Brings the rows of composites into the domain of their functions: shares, directions, frames, triangles without area,
+ * and values at which a function branches. Values are stored as kernels store them, so that ranges hold. */
 #ifndef TS_VECTORS_RELATE_H
 #define TS_VECTORS_RELATE_H
 #include "../kernels/raster/rsm.h"
 #include "row.h"
 
-/* Columns: places and lengths near each other; what is divided or multiplied alone; parts of 1; directions. */
+/* Columns: places and lengths near each other; values that are only divided or multiplied; parts of 1; directions. */
 /* clang-format off */
 #define NEAR(name, count) { name, TS_VECTOR_F32, count, 119, 131, true }
 #define LENGTH(name, count) { name, TS_VECTOR_F32, count, 119, 131, false }
@@ -14,7 +14,7 @@
 /* clang-format on */
 #define FLAG(name) UNSIGNED(name, 1, 0, 1)
 #define ZERO(name, count) UNSIGNED(name, count, 0, 0)
-#define ANY_INDEX(name, count) UNSIGNED(name, count, 0, UINT32_MAX) /* of no effect */
+#define ANY_INDEX(name, count) UNSIGNED(name, count, 0, UINT32_MAX) /* without effect on the result */
 
 /* One more random number. */
 static inline u32 ts_more(u32 *random) { return *random = ts_pcg(*random + 1); }
@@ -27,26 +27,26 @@ static inline void ts_relate_v3(u32 *at, ts_v3 a)
 	ts_relate_f32(at + 1, a.y);
 	ts_relate_f32(at + 2, a.z);
 }
-/* The same in the range of NEAR, for what is computed from there on. */
+/* Stores a vector clamped to the range of NEAR, for values computed from other columns. */
 static inline void ts_relate_near(u32 *at, ts_v3 a)
 {
 	const f32 of[3] = {a.x, a.y, a.z};
 	for (u32 k = 0; k < 3; k++) at[k] = ts_f2u(ts_abs(of[k]) < 0.00390625f ? 0 : ts_clamp(of[k], -31, 31));
 }
 
-/* From [0, 2) to [0, 1], whose end is there too. */
+/* Maps n numbers from [0, 2) to [0, 1], with 1 among the results. */
 static inline void ts_relate_shares(u32 *at, u32 n)
 {
 	for (u32 k = 0; k < n; k++) ts_relate_f32(at + k, ts_min(ts_u2f(at[k]), 1.0f));
 }
 
-/* Not below 0 and of sum 1. */
+/* Makes three weights, none below 0, of sum 1. */
 static inline void ts_relate_weights(u32 *at)
 {
 	ts_relate_v3(at, ts_k_hit_weights(ts_u2f(at[0]), ts_u2f(at[1]), ts_u2f(at[2])));
 }
 
-/* A unit vector; none is +z. */
+/* Makes a vector unit length; a zero vector becomes +z. */
 static inline ts_v3 ts_relate_unit(u32 *at)
 {
 	ts_v3 n = ts_normalize(ts_row_v3(at, 0));
@@ -55,7 +55,7 @@ static inline ts_v3 ts_relate_unit(u32 *at)
 	return ts_row_v3(at, 0);
 }
 
-/* Unit and across n, which is unit too. */
+/* Makes a unit vector at a right angle to n, which is unit length. */
 static inline ts_v3 ts_relate_across(u32 *at, ts_v3 n)
 {
 	ts_v3 v = ts_row_v3(at, 0);
@@ -82,7 +82,7 @@ enum {
 	TS_VIEW_WORDS = 16,
 };
 
-/* Axes that are at right angles, a focal length and a near plane that are not 0. */
+/* Makes the axes of a view orthogonal, and its focal length and near plane not 0. */
 static inline void ts_relate_view(u32 *view)
 {
 	ts_v3 back = ts_relate_unit(view + TS_VIEW_BACK);
@@ -92,7 +92,8 @@ static inline void ts_relate_view(u32 *view)
 	if (view[TS_VIEW_NEAR] == 0) ts_relate_f32(view + TS_VIEW_NEAR, 0.0009765625f);
 }
 
-/* Three corners in a row: now and then two in one place, all on a line, or two edges of the same length. */
+/* Relates the three corners of a triangle: now and then two in one place, all on a line, or two edges of the same
+ * length. */
 static inline void ts_relate_triangle(u32 *a, u32 *b, u32 *c, u32 *random)
 {
 	ts_v3 pa = ts_row_v3(a, 0), ab = ts_sub(ts_row_v3(b, 0), pa);
@@ -105,7 +106,7 @@ static inline void ts_relate_triangle(u32 *a, u32 *b, u32 *c, u32 *random)
 	if (k == 5) memcpy(b, a, 3 * sizeof *a), memcpy(c, a, 3 * sizeof *a);
 }
 
-/* Without area no more: beside a, along two axes. */
+/* Gives a triangle an area: corners b and c beside a, along two axes. */
 static inline void ts_relate_area(u32 *a, u32 *b, u32 *c)
 {
 	ts_v3 pa = ts_row_v3(a, 0), n = ts_cross(ts_sub(ts_row_v3(b, 0), pa), ts_sub(ts_row_v3(c, 0), pa));
@@ -130,7 +131,7 @@ static inline void ts_relate_piece(u32 *piece, u32 *random) { ts_relate_triangle
 /* clang-format on */
 enum { TS_LIGHT_DIRECTION = 4, TS_LIGHT_RANGE = 7, TS_LIGHT_SCALE = 11, TS_LIGHT_OFFSET = 12, TS_LIGHT_WORDS = 16 };
 
-/* As often as not without a range, and turned to p. */
+/* Relates a light: in half of the rows without a range, and in half turned to p. */
 static inline void ts_relate_light(u32 *light, ts_v3 p, u32 *random)
 {
 	ts_v3 way = ts_sub(p, ts_row_v3(light, 0)), d = ts_relate_unit(light + TS_LIGHT_DIRECTION);

@@ -1,11 +1,11 @@
-/* What the tables of primitives share: models of faults, ranges of arguments. */
+/* Shared by the tables of primitives: models of faults, ranges of arguments. */
 #ifndef TS_TRACE_VECTORS_ROW_H
 #define TS_TRACE_VECTORS_ROW_H
 #include "../kernels/vectors/composites.h"
 #include "../kernels/vectors/vectors.h"
 #include "vectors.h"
 
-/* The tables of what all methods share, each ended by a row without a name. */
+/* The tables of the primitives that all methods share, each ended by a row without a name. */
 extern const ts_vector ts_vectors_arithmetic[], ts_vectors_number[], ts_vectors_vector[], ts_vectors_raster[],
 	ts_vectors_cube[], ts_vectors_texture[];
 extern const ts_vector ts_composites_geometry[], ts_composites_shade[], ts_composites_lattice[];
@@ -24,17 +24,18 @@ extern const ts_vector ts_composites_geometry[], ts_composites_shade[], ts_compo
 #define B TS_B
 #define C TS_C
 
-/* What a processor that flushes makes of a denormal. */
+/* A value on a processor that flushes denormals to 0. */
 static inline f32 flushed(f32 x) { return ts_abs(x) < FLT_MIN ? copysignf(0.0f, x) : x; }
 
-/* What it makes of an exact or nearly exact result: tiny is what rounds to less than the smallest normal number where
- * denormals are none. */
+/* The result of such a processor for an exact or nearly exact value: 0 if the value, rounded as if exponents had no
+ * lower bound, is below the smallest normal number. */
 static inline f32 flushed_result(double x)
 {
 	return fabs(x) < FLT_MIN * (1 - 0x1p-25) ? copysignf(0.0f, (f32)x) : (f32)x;
 }
 
-/* Columns. ANY holds every pattern of bits; SANE what ts_san lets through (rule 10); WORLD coordinates (rule 11). */
+/* Columns. ANY: every pattern of bits; SANE: values that ts_san leaves unchanged (rule 10); WORLD: coordinates (rule
+ * 11). */
 /* clang-format off */
 #define ANY(name, count) { name, TS_VECTOR_F32, count, 0, 255, true }
 #define FINITE(name, count) { name, TS_VECTOR_F32, count, 0, 254, true }
@@ -46,7 +47,7 @@ static inline f32 flushed_result(double x)
 /* clang-format on */
 #define ALL_U32(name, count) UNSIGNED(name, count, 0, UINT32_MAX)
 
-/* What comes out: elements of one type, or several columns with names. */
+/* Outputs: elements of one type, or several columns with names. */
 /* clang-format off */
 #define GIVES(type, count) { COLUMN("", type, count) }
 #define COLUMN(name, type, count) { name, TS_VECTOR_##type, count, 0, 0, false }

@@ -1,6 +1,6 @@
-/* Arithmetic vectors: inputs and outputs of every primitive that a port must compute with the same bits (CONTRACT
- * rule 32), and the judgement of what a port computed from these inputs. A row holds the columns of one item as
- * little-endian words of 32 bits without padding, 64-bit values low word first: as a structured dtype of numpy. */
+/* Arithmetic vectors: inputs and outputs of every primitive that a port must compute with the same bits (CONTRACT rule
+ * 32), and the check of a port's outputs for these inputs. A row holds the columns of one item as little-endian words
+ * of 32 bits without padding, 64-bit values low word first: as a structured dtype of numpy. */
 #ifndef TS_TRACE_VECTORS_H
 #define TS_TRACE_VECTORS_H
 #include "../backends/backend.h"
@@ -22,10 +22,10 @@ typedef struct {
 	bool is_signed; /* floats */
 } ts_vector_column;
 
-/* Computes one item from its row. Results of 64 bits are at a multiple of 8 bytes. */
+/* Computes one item from its row. Results of 64 bits are aligned to 8 bytes. */
 typedef void ts_vector_item(u32 *out, const u32 *in);
 
-/* What ports get wrong, in the order of ts_vector_fault_table. */
+/* Usual faults of ports, in the order of ts_vector_fault_table. */
 typedef enum {
 	TS_FAULT_FMA,
 	TS_FAULT_FLUSH,
@@ -63,30 +63,30 @@ typedef struct {
 	ts_vector_column in[TS_VECTOR_COLUMNS + 1];
 	ts_vector_column out[TS_VECTOR_COLUMNS + 1];        /* one without a name: an array; with names: a record */
 	ts_vector_variant variants[TS_VECTOR_VARIANTS + 1]; /* ended by one without an item */
-	const f32 *edges;                                   /* values at which the primitive changes its mind */
+	const f32 *edges;                                   /* values at which the primitive branches */
 	u32 n_edges;
-	/* Brings the arguments of a row into a relation, with random bits; NULL: they have none. Integers keep their
-	 * ranges; floats are brought back into theirs. */
+	/* Brings the arguments of a row into the relation that the primitive needs, with random bits; NULL: arguments are
+	 * independent. Integers keep their ranges; floats are brought back into theirs. */
 	void (*relate)(u32 *in, u32 random);
 } ts_vector;
 
 /* The primitives of one kernel, in the order of its list. */
 typedef struct {
 	const ts_launch *launch;
-	bool composed; /* composites: functions made of primitives, which no backend is asked for before it runs */
+	bool composed; /* composites: functions made of primitives, which a backend need not compute before it runs */
 	const ts_vector *tables[TS_VECTOR_TABLES + 1]; /* each ended by a row without a name; all by NULL */
 } ts_vector_set;
 
-/* Those of the families, behind what all methods share; the list, ended by NULL, is kept. */
+/* Takes the sets of the families, which follow those that all methods share; the list, ended by NULL, must stay. */
 void ts_vectors_use(const ts_vector_set *const *sets);
 
-/* The primitives, in the order in which a porter meets them: each relies on those before it. */
+/* The number of primitives. They are in the order in which to port them: each relies on those before it. */
 u32 ts_vectors_count(void);
 const ts_vector *ts_vectors_at(u32 index);
-/* NULL: no such primitive. */
+/* The primitive of that name; NULL: there is none. */
 const ts_vector *ts_vectors_find(const char *name);
 
-/* Where a primitive is computed: its kernel, and its place in the kernel's list. */
+/* The kernel that computes a primitive, and the primitive's index in the kernel's list. */
 typedef struct {
 	const ts_vector *vector; /* NULL: there is none of that index */
 	const ts_launch *launch;
@@ -95,52 +95,53 @@ typedef struct {
 } ts_vector_place;
 ts_vector_place ts_vectors_place(u32 index);
 
-/* Words of a row of inputs, of outputs, of a value. */
+/* 32-bit words of a row of inputs, of a row of outputs, of one value. */
 u32 ts_vector_in_words(const ts_vector *vector);
 u32 ts_vector_out_words(const ts_vector *vector);
 u32 ts_vector_type_words(ts_vector_type type);
 
-/* Where in the outputs an element is, counted through all columns. */
+/* The place in the outputs of an element, counted through all columns. */
 typedef struct {
 	const ts_vector_column *column;
 	u32 element, word; /* of the column; of the row */
 } ts_vector_spot;
 ts_vector_spot ts_vector_out_spot(const ts_vector *vector, u32 element);
 
-/* Whether what comes out is a record. */
+/* Whether the output is a record. */
 bool ts_vector_gives_record(const ts_vector *vector);
 /* The dtypes of the two files as numpy writes them. */
 void ts_vector_in_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector);
 void ts_vector_out_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector);
-/* The shape of the file of outputs: items, and elements if there are several that are no record. Returns the
- * dimensions. */
+/* Writes the shape of the file of outputs: items, and elements of an item if there are several and the output is no
+ * record. Returns the number of dimensions. */
 u32 ts_vector_out_shape(u64 shape[TS_MAX_DIMS], const ts_vector *vector);
 /* Bytes of one element of that shape. */
 u32 ts_vector_out_bytes(const ts_vector *vector);
 
-/* Fills TS_VECTOR_ITEMS rows of inputs and of outputs, always the same: special values first, then random ones over
- * the whole range, then ones for which each of the primitive's faults gives another result. No float that comes
- * out is infinite or NaN. */
+/* Fills TS_VECTOR_ITEMS rows of inputs and of outputs, always the same: special values first, then random ones over the
+ * whole range, then rows for which each of the primitive's faults gives another result. No float of the outputs is
+ * infinite or NaN. */
 void ts_vector_make(const ts_vector *vector, u32 *in, u32 *out);
 
-/* What a port's outputs are worth. */
+/* The judgement of a port's outputs. */
 typedef struct {
 	u32 n_wrong, first;           /* items; the first wrong one */
-	u32 first_element;            /* of its output */
+	u32 first_element;            /* wrong element of the first wrong item */
 	u32 n_explained[TS_N_FAULTS]; /* wrong items that the fault reproduces */
 	u32 first_faults;             /* faults that reproduce the first, as bits */
-	ts_vector_fault fault;        /* the one that reproduces most; TS_N_FAULTS: none reproduces any */
+	ts_vector_fault fault;        /* the fault that reproduces most; TS_N_FAULTS: none reproduces any */
 } ts_vector_verdict;
 ts_vector_verdict ts_vector_judge(const ts_vector *vector, const u32 *in, const u32 *out, const u32 *found);
 
-/* Runs every primitive on a backend, or every composite, and keeps what that told in backend->arithmetic. A backend
- * that computes one of them otherwise is refused with a message that names it, unless `inexact`; flushed denormals are
- * no such difference. What takes the primitives needs not take the composites before it runs, since these are made of
- * them: kernels of their own compute them, which a device would have to build first. */
+/* Run every primitive, or every composite, on a backend, and keep the results in backend->arithmetic. A backend whose
+ * bits differ is refused with a message that names the function, unless `inexact`; flushed denormals do not count as a
+ * difference. Only the primitives are checked before a backend runs: composites are made of primitives, and a device
+ * would have to build kernels of their own for them. */
 ts_status ts_vectors_verify(ts_backend *backend, bool inexact);
 ts_status ts_vectors_verify_composites(ts_backend *backend);
 
-/* Steps between two floats on the line of all floats, on which -0 lies one below +0; NaN is as far as its bits say. */
+/* Steps between two floats in the order of all floats, in which -0 is one step below +0; a NaN has the place of its
+ * bits. */
 i64 ts_vector_ulps(u32 from, u32 to);
 
 #endif

@@ -120,7 +120,7 @@ static void phong_expect(ts_expected *expected, const ts_scene *scene, const ts_
 
 static const ts_effect surfels = {
 	.name = "surfels",
-	.doc = "elliptical splats of a file, or of triangles (surfels.from_mesh); eye.distance=outside shows the whole scene",
+	.doc = "elliptical splats of a file, or of triangles (surfels.from_mesh); eye.distance=outside shows all",
 	.seen = TS_B_surfel_blend_heaviest,
 	.difference_scale = 8,
 	.lower = "depth_map.px or surfels.from_mesh",
