@@ -60,7 +60,7 @@ typedef struct {
 	const char *build; /* more options for the driver's compiler, or a folder of kernels (--build); or "" */
 	bool inexact;      /* also a device that cannot keep the contract */
 	bool copies;       /* a memory of its own, even where the device has the host's */
-	u64 part_bytes; /* of parts of arrays that grow with points and cubes, a power of two; 0: only where needed */
+	u64 part_bytes;    /* of parts of arrays that grow with points and cubes, a power of two; 0: only where needed */
 } ts_backend_options;
 
 typedef struct {

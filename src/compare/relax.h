@@ -6,10 +6,10 @@
 
 /* All zero: everything must be exact. */
 typedef struct {
-	u64 ulp; /* floats, also depths of maps and of keys with the same index, may be this many floats apart, */
-	double abs, rel;    /* or this far, or this share of the reference's; never a number from an infinity */
-	bool decided;       /* only elements that the reference decides are judged (decided.h) */
-	u64 allow;          /* this many elements of a buffer may differ */
+	u64 ulp;         /* floats, also depths of maps and of keys with the same index, may be this many floats apart, */
+	double abs, rel; /* or this far, or this share of the reference's; never a number from an infinity */
+	bool decided;    /* only elements that the reference decides are judged (decided.h) */
+	u64 allow;       /* this many elements of a buffer may differ */
 	const char *ignore; /* "BUFFER,BUFFER.field,...": not judged; NULL: none */
 	const u8 *mask;     /* H W: pixel buffers are judged only where it is not 0; NULL: everywhere */
 	u32 mask_width, mask_height;

@@ -8,8 +8,7 @@ enum { TS_JUDGED_TEXT = 480 };
 
 typedef struct {
 	ts_buffer_id id;
-	const ts_trace_item
-		*item;          /* the file judged: the candidate's, else the reference's; NULL: there is none */
+	const ts_trace_item *item; /* the file judged: the candidate's, else the reference's; NULL: there is none */
 	bool not_given;     /* the candidate lacks the buffer: the reference's was judged, given the candidate's inputs */
 	bool shape_differs; /* in more than a size that the stage counts; nothing was compared */
 	ts_verdict verdict; /* its reference is the replayed output */

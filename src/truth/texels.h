@@ -10,12 +10,12 @@ typedef struct {
 	u64 holes;   /* of `covered`, those that hold nothing */
 	u64 leaks;   /* of `covered`, those whose depth is farther than the hit by more than the rule allows: something
 	              * shows through */
-	u64 apart;  /* of `covered`, those whose depth is, within the same tolerance, neither the hit's nor, where the rule casts
-	            * more rays, that of another place of the texel: leaks, and surfaces that reach into texels */
-	u32 one_of; /* a ray was cast for one texel in so many, chosen by a hash; 0: for all */
-	u64 asked;  /* places whose shadows were judged */
-	u64 lit;    /* of `asked`, those lit by the texels although something stops the ray: light leaks */
-	u64 dark;   /* of `asked`, those in shadow by the texels although nothing stops the ray */
+	u64 apart;   /* of `covered`, those whose depth is, within the same tolerance, neither the hit's nor, where the rule
+	              * casts more rays, that of another place of the texel: leaks, and surfaces that reach into texels */
+	u32 one_of;  /* a ray was cast for one texel in so many, chosen by a hash; 0: for all */
+	u64 asked;   /* places whose shadows were judged */
+	u64 lit;     /* of `asked`, those lit by the texels although something stops the ray: light leaks */
+	u64 dark;    /* of `asked`, those in shadow by the texels although nothing stops the ray */
 
 	const char *const *reasons; /* ended by NULL; each of `lit` and `dark` counts for one. NULL: none are told */
 	u64 because[TS_MOST_REASONS];

@@ -130,8 +130,7 @@ TS_FN void ts_k_deferred_item(const ts_deferred_args *args, u64 i)
 }
 
 #define TS_ROWS_ts_deferred_lit_args(ARG) \
-	ARG(INNER, ts_shadow_test_args, of, \
-	    none) /* without the eye's triangles; cubes are those of point lights */ \
+	ARG(INNER, ts_shadow_test_args, of, none) /* without the eye's triangles; cubes are those of point lights */ \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
 	ARG(IN, ts_light, lights, lamp_light) /* each with a view in order, or the six of a cube */
 TS_ARGS(ts_deferred_lit_args);
