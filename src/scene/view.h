@@ -44,7 +44,7 @@ void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params);
  * ts_view_eye. */
 void ts_view_on_path(ts_view *view, const ts_info *info, const ts_path_eye *path, u32 n, const ts_params *params);
 
-/* Frames after which the eye's motion repeats; on a path of n frames that does not repeat, frames until its end. */
+/* Frames after which the eye's motion repeats; 1 on a path of n frames that does not repeat and ends at rest. */
 u32 ts_view_period(const ts_info *info, u32 n);
 
 /* The axes of an eye that looks from one point at another; for an eye that looks straight up or down, right is +x. */

@@ -7,7 +7,7 @@
 /* One frame by some methods. */
 typedef struct {
 	const char *name;    /* as in --scene */
-	const char *spec;    /* a built-in scene, or options for the file `model` of the folder TS_SCENES */
+	const char *spec;    /* a built-in scene; "" for the file `model` of the folder TS_SCENES, which may be missing */
 	const char *model;   /* NULL: a built-in scene */
 	const char *effect;  /* of the methods */
 	const char *methods; /* names, separated by commas */
