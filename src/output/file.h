@@ -45,7 +45,7 @@ typedef struct {
 } ts_file_text;
 /* Opens the stream; `what` names the text in messages. After a failure there is nothing to release. */
 ts_status ts_file_text_begin(ts_file_text *text, const char *what);
-/* Flushes the stream, so that its memory and length are current; the caller may then take them and set them to 0. */
+/* Flushes the stream: `text` and `bytes` then hold all that was written. With `bytes` set to 0 the text begins anew. */
 ts_status ts_file_text_flush(ts_file_text *text, const char *what);
 /* Closes the stream and checks that all output, that of libraries too, was stored. Frees the text on failure. */
 ts_status ts_file_text_close(ts_file_text *text, const char *what);
