@@ -107,7 +107,7 @@ static void test_one(void **state)
 	question = (ts_question){.subject = TS_EXPLAIN_ELEMENT, .buffer = TS_B_points_key, .element = 1};
 	one.telling.stores = 3;
 	one.telling.n_more = 12;
-	PRINTS(HEAD, "line 4 stores points.key:1", LAUNCH, ALL, "12 more lines; --lines N keeps more");
+	PRINTS(HEAD, "line 4 stores points.key:1", LAUNCH, ALL, "12 more lines; a larger number of lines keeps them");
 }
 
 /* Nothing was asked about: all launches. */
