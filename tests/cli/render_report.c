@@ -1,4 +1,4 @@
-/* What a render reports of figures that are planted: each row has its names, and the figures that belong to them. */
+/* A render reports planted figures: each row has the names of its pictures and their figures. */
 #include "../../src/cli/render.h"
 #include "../model/test.h"
 #include <math.h>

@@ -36,7 +36,7 @@ static u64 put(const char *primitive, size_t width, u64 now)
 	return before;
 }
 
-/* What is said of how far the only wrong item is off; by json_decref. */
+/* The distance that the report gives of the only wrong item; the caller releases it by json_decref. */
 static json_t *apart_now(const char *primitive)
 {
 	char line[TYPED_LINE];

@@ -22,7 +22,7 @@ static ts_status judge(const ts_relaxations *relaxations)
 	return ts_compare_forced(&c, &trace, &candidate, relaxations, 2);
 }
 
-/* What the run made is right given what it made before. */
+/* A run compared with itself: each stage is right, given the inputs of that run. */
 static void test_same(void **state)
 {
 	(void)state;
