@@ -1,5 +1,5 @@
 /* What one item of a stage computes, line by line: each parameter, variable, decision, result and store of its kernel,
- * with values and bits. Of two traces, the first line that differs. */
+ * with values and bits. Two traces can be compared: then the answer also names the first line that differs. */
 #ifndef TOUCHSTONE_EXPLAIN_H
 #define TOUCHSTONE_EXPLAIN_H
 #include <stddef.h>
@@ -12,24 +12,26 @@
 extern "C" {
 #endif
 
-/* The question; all but `bytes` and `stage` may be 0: then only the launches of the stage are listed. */
+/* The question. All members but `bytes` and `stage` may be 0: then the answer only lists the launches of the stage. */
 typedef struct {
 	size_t bytes; /* sizeof(ts_explain_options) */
 	const char *stage;
-	const char *buffer; /* the item that gave an element of this buffer, which the stage makes, its value; */
-	uint64_t element;   /* this one */
-	int item_said;      /* without a buffer: not 0: */
-	uint64_t item;      /* this item of each launch, */
-	const char *kernel; /* of launches of this kernel; NULL: of all */
-	int primitives;     /* not 0: also what functions do that are no kernel's own */
-	uint64_t lines;     /* that are told, at most; 0: 20000 */
-	int as_text;        /* not 0: as lines for people */
+	const char *buffer; /* a buffer that the stage makes: explains the item that gave `element` its value */
+	uint64_t element;   /* its index in `buffer` */
+	int item_said;      /* not 0, without a buffer: explains `item` of each launch */
+	uint64_t item;
+	const char *kernel; /* only launches of this kernel; NULL: all launches */
+	int primitives;     /* not 0: also the lines of functions that all kernels share */
+	uint64_t lines;     /* the answer has at most this many lines; 0: 20000 */
+	int as_text;        /* not 0: the answer is text for people */
 } ts_explain_options;
 
-/* Answers of `trace`. inputs: its stage is given these buffers first, as ts_replay gives a candidate's; NULL: its own.
- * other: the same of a second trace, given its buffers, beside the first; NULL: none. One of the two at most.
- * TS_OK: told; of two traces all lines are the same. TS_DIFFERENT: they are not. *answer is an object as
- * `explain --json` has it, or, as_text, a list of texts, one a line. Release by ts_tree_free; NULL on failure. */
+/* Runs the stage of `trace` once more and explains what the options ask for.
+ * In: inputs: the stage reads these buffers where they exist, as in ts_replay; NULL: the trace's own. other: a second
+ *   trace, whose lines stand beside those of the first; NULL: none. At most one of `inputs` and `other` is given.
+ * Out: *answer is an object, as `explain --json` prints it, or with as_text a list of texts, one per line. Release it
+ *   by ts_tree_free; NULL on failure.
+ * Returns: TS_OK; TS_DIFFERENT if a line of the two traces differs. */
 TS_API ts_status ts_explain_item(ts_context *context, ts_tree **answer, const ts_explain_options *options,
                                  const ts_trace *trace, const ts_trace *inputs, const ts_trace *other);
 

@@ -1,5 +1,5 @@
-/* Goldens: what a method made of a scene when somebody looked at it and accepted it. A folder holds the digests of all
- * buffers, the small ones as they are, the parameters, a picture, and the reasons (CONTRIBUTING, Goldens). */
+/* Goldens: results of a method on a scene that a person looked at and accepted. A golden is a folder of the digests of
+ * all buffers, the small buffers themselves, the parameters, a picture, and the reasons (CONTRIBUTING, Goldens). */
 #ifndef TOUCHSTONE_GOLDEN_H
 #define TOUCHSTONE_GOLDEN_H
 #include <stddef.h>
@@ -9,16 +9,16 @@
 extern "C" {
 #endif
 
-/* How a golden was found. Only `bytes` must be set before; strings are empty where there is nothing to say. */
+/* The verdict on a golden. Only `bytes` must be set before; strings without content are "". */
 typedef struct {
 	size_t bytes; /* sizeof(ts_golden_judged) */
 	char effect[64], method[64], scene[64];
-	char stage[64], buffer[64]; /* the first that differs; both "" where none does, or the picture does */
+	char stage[64], buffer[64]; /* the first that differs; both "" if none does, or only the picture */
 	char text[512];             /* what differs: file, element, both values */
 } ts_golden_judged;
 
-/* Runs again what a golden is of, which its params.txt says, and compares all that it holds. TS_OK: all is the same.
- * TS_DIFFERENT. TS_ERROR: a file is missing or is none of a golden. Files are untrusted. */
+/* Runs the method of a golden again, by its params.txt, and compares the results with its files, which are untrusted.
+ * Returns: TS_OK if all are the same; TS_DIFFERENT; TS_ERROR if a file is missing, or is no file of a golden. */
 TS_API ts_status ts_golden_check(ts_context *context, ts_golden_judged *judged, const char *folder);
 
 #ifdef __cplusplus

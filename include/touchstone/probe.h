@@ -28,13 +28,13 @@ TS_API ts_status ts_probe_point(ts_context *context, ts_tree **answer, const ts_
 /* A point, by its key: piece, x and y. */
 TS_API ts_status ts_probe_point_key(ts_context *context, ts_tree **answer, const ts_trace *trace, const int64_t key[3]);
 
-/* What is told of a kind of thing in the traces of some methods. */
+/* What a probe answers on a kind of thing in the traces of some methods. */
 typedef struct {
 	const char
 		*option; /* how the command asks: "--pixel X,Y", "--pixel X,Y --view VIEW", "--triangle T", "--point P" */
 	const char *methods; /* "reflections by epr, mvr; ..." */
-	const char *view;    /* of texels, how their views are named; else "" */
-	const char *tells;
+	const char *view;    /* texels: how their views are named; otherwise "" */
+	const char *answer;  /* what the answer says */
 } ts_probe_info;
 
 /* Row i of all, from 0; NULL behind the last. */

@@ -29,7 +29,7 @@ typedef struct {
 	const char *buffers; /* "image.srgb,image.radiance": these alone, by a run that leaves out the stages which only a
 	                      * whole trace needs; NULL: all */
 	int margins;         /* not 0: also the margins: how near each decision was to another */
-	int arrival;         /* not 0: points in the order of their arrival, which is another each time */
+	int arrival;         /* not 0: points in the order of their arrival, which differs from run to run */
 } ts_run_options;
 
 /* Runs `method` of `effect`, a row of ts_method_at, and keeps its buffers in memory. The scene's own buffers are not
@@ -43,9 +43,9 @@ TS_API ts_status ts_trace_run(ts_context *context, ts_trace **trace, const ts_sc
 /* How a trace is written; all but `bytes` may be 0. */
 typedef struct {
 	size_t bytes; /* sizeof(ts_write_options) */
-	int margins;  /* not 0: also how near each decision was to another */
-	int arrival;  /* not 0: points in the order of their arrival */
-	int compress; /* not 0: by zstd, a file each */
+	int margins;  /* not 0: also the margins: how near each decision was to another */
+	int arrival;  /* not 0: points in the order of their arrival, which differs from run to run */
+	int compress; /* not 0: each file is compressed by zstd */
 } ts_write_options;
 
 /* Runs a method and writes its trace to a folder, which must be absent or empty, a buffer at a time while the run goes
@@ -59,13 +59,13 @@ TS_API ts_status ts_trace_write(ts_context *context, const char *folder, const t
  * folder is opened but files of the folder "scene" beside it. The files must not change until ts_trace_close. */
 TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folder);
 
-/* Opens one .npy file as a trace of nothing else, of whatever method: its name, "BUFFER.npy" or "NN-BUFFER.npy", says
- * which buffer it holds. */
+/* Opens one .npy file as a trace of one buffer, of any method that has the buffer. The file's name, "BUFFER.npy" or
+ * "NN-BUFFER.npy", names the buffer. */
 TS_API ts_status ts_trace_open_npy(ts_context *context, ts_trace **trace, const char *path);
 
-/* Opens a folder without trace.json as a candidate of the reference's method. list: "BUFFER=FILE,...", files of that
- * folder: .npy, or else raw little-endian elements, whose first dimension follows from the size and whose others are
- * the reference's. arrival not 0: points stand in any order. */
+/* Opens a folder without trace.json as a candidate of the reference's method.
+ * In: list: "BUFFER=FILE,...", files of that folder. A file that is no .npy holds raw little-endian elements; the first
+ *   dimension follows from its size, and the others are the reference's. arrival not 0: points stand in any order. */
 TS_API ts_status ts_trace_open_list(ts_context *context, ts_trace **trace, const char *folder, const char *list,
                                     int arrival, const ts_trace *reference);
 
@@ -81,15 +81,15 @@ TS_API ts_status ts_trace_put(ts_trace *trace, const char *buffer, uint32_t n_di
                               const void *data, size_t bytes);
 
 /* Writes the buffers that a trace has, a candidate's or what ts_trace_replay made for instance, and a trace.json to a
- * folder, which must be absent or empty, and which appears as a whole or not at all. producer: who made them, which
- * comparisons tell; NULL: this library. */
+ * folder, which must be absent or empty, and which appears as a whole or not at all.
+ * In: producer: who made the buffers, for comparisons to print; NULL: this library. */
 TS_API ts_status ts_trace_save(ts_context *context, const ts_trace *trace, const char *folder, const char *producer);
 
-/* Fails unless a reference can be replayed: it is canonical and tells its parameters; and, unless that is NULL, the
- * candidate beside it: it is of the same method, and of the same parameters if it tells any. */
+/* Fails unless a reference can be replayed: it must be canonical and name its parameters. The candidate, unless NULL,
+ * must be of the same method, and of the same parameters if it names any. */
 TS_API ts_status ts_trace_match(const ts_trace *reference, const ts_trace *candidate);
 
-/* Not 0 if the run that a trace is of took the stage: parameters leave some out. */
+/* Not 0 if the run of a trace had this stage: some parameters leave stages out. */
 TS_API int ts_trace_takes(const ts_trace *trace, const char *stage);
 
 /* A buffer of a trace. */
@@ -102,16 +102,16 @@ typedef struct {
 	uint64_t shape[4];
 } ts_buffer_view;
 
-/* The run that a trace is of. */
+/* The run of a trace. */
 typedef struct {
-	const char *folder;          /* or the file; of a trace in memory what messages call it */
-	const char *effect, *method; /* of one file, which many methods may have, any of those */
-	const char *producer;        /* its name and version; "" if it was not said */
+	const char *folder;          /* or the file; for a trace in memory, its name in messages */
+	const char *effect, *method; /* for a single file: any method that has its buffer */
+	const char *producer;        /* name and version; "" if not known */
 	int arrival;                 /* not 0: points may stand in any order */
-	int has_params;              /* not 0: it says with which parameters it was made */
+	int has_params;              /* not 0: the trace names the parameters of its run */
 } ts_trace_info;
 
-/* Belongs to the trace. */
+/* Describes the run; the result belongs to the trace. */
 TS_API const ts_trace_info *ts_trace_about(ts_trace *trace);
 
 /* Not 0 if the trace has the buffer of that name. */
@@ -121,10 +121,10 @@ TS_API int ts_trace_has(const ts_trace *trace, const char *name);
  * message set if there is no such buffer, the trace lacks it, or its file cannot be read. */
 TS_API const ts_buffer_view *ts_trace_buffer(ts_trace *trace, const char *name);
 
-/* The same without reading: data is NULL while the buffer is in a file alone. */
+/* The same without reading: data is NULL while the buffer is only in a file. */
 TS_API const ts_buffer_view *ts_trace_look(ts_trace *trace, const char *name);
 
-/* SHA-256 of the .npy file that a trace in a folder has of a buffer: 64 hexadecimal digits and a 0. */
+/* SHA-256 of the .npy file of a buffer, as a trace in a folder has it: 64 hexadecimal digits and a 0. */
 TS_API ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65]);
 
 /* Runs a method and calls `each` with the digest of every buffer, in the order of the stages, without keeping any

@@ -17,7 +17,8 @@ typedef struct {
 	const char *name;
 	const char *effects; /* that the truth judges, separated by blanks */
 	const char *doc;
-	const char *share, *against, *against_share; /* what its distance from a picture, and from that truth's, tells */
+	const char *share;                   /* the kind of error that a picture's distance from this truth is */
+	const char *against, *against_share; /* another truth, "": none; the error that separates both */
 } ts_truth_info;
 
 /* Truth i, from 0; NULL behind the last. */

@@ -61,7 +61,7 @@ static void make(void)
 	size_t n = 0;
 	ts_api_ready();
 	while (ts_probe_part_at((u32)n) != NULL) n++;
-	rows = ts_alloc(n, sizeof *rows, "the table of what probe tells");
+	rows = ts_alloc(n, sizeof *rows, "the table of probes");
 	for (u32 subject = 0; rows != NULL && subject < TS_N_PROBE_SUBJECTS; subject++) {
 		for (u32 i = 0; (part = ts_probe_part_at(i)) != NULL; i++) {
 			if (part->subject != subject) continue;

@@ -119,7 +119,7 @@ ts_status ts_verdicts_add(ts_verdicts *v, const ts_trace *reference, ts_buffer_i
 	                          .line = "",
 	                          .note = "",
 	                          .file = "",
-	                          .told = ""};
+	                          .text = ""};
 	if (judged->judgement == TS_UNLIKE) {
 		ts_told *told = v->told[v->n] = tell(v, info, reference, id);
 		if (told == NULL) return TS_ERROR;
@@ -140,7 +140,7 @@ ts_status ts_verdicts_tell(ts_verdicts *v, const ts_judged *judged)
 	v->text[b] = strdup(judged->text);
 	if (v->file[b] == NULL || v->text[b] == NULL) return ts_fail("verdicts: out of memory");
 	v->info[b].file = v->file[b];
-	v->info[b].told = v->text[b];
+	v->info[b].text = v->text[b];
 	v->info[b].cropped = judged->item->cropped;
 	return TS_OK;
 }
@@ -186,7 +186,7 @@ int ts_float_passes(const ts_compare_options *options, float reference, float ca
 	return ts_relax_close(&relaxations, ts_f2u(reference), ts_f2u(candidate));
 }
 
-void ts_float_tell(char text[TS_FLOAT_TEXT], float value)
+void ts_float_text(char text[TS_FLOAT_TEXT], float value)
 {
 	static const ts_field field = {.name = "", .kind = 'f', .count = 1, .bytes = 4};
 	if (text != NULL) ts_field_show(text, &field, ts_f2u(value));

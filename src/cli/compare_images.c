@@ -152,8 +152,8 @@ static void show(char text[SHOWN], const images *s, u64 value)
 {
 	char ref[TS_FLOAT_TEXT], cand[TS_FLOAT_TEXT];
 	u64 pixel = value / s->p[0].channels;
-	ts_float_tell(ref, s->p[0].pixels[value]);
-	ts_float_tell(cand, s->p[1].pixels[value]);
+	ts_float_text(ref, s->p[0].pixels[value]);
+	ts_float_text(cand, s->p[1].pixels[value]);
 	snprintf(text, SHOWN, "pixel (%" PRIu64 ", %" PRIu64 "), channel %" PRIu64 ": ref %s candidate %s",
 	         pixel % s->p[0].width, pixel / s->p[0].width, value % s->p[0].channels, ref, cand);
 }

@@ -200,7 +200,7 @@ void ts_probe_help(void)
 	for (size_t i = 0; (row = ts_probe_at(i)) != NULL; option = row->option, i++) {
 		if (strcmp(row->option, option) != 0) printf("\nWhat %s also shows:\n", row->option);
 		snprintf(tells, sizeof tells, "%s%s%s%s", row->view[0] != 0 ? "VIEW " : "", row->view,
-		         row->view[0] != 0 ? ": " : "", row->tells);
+		         row->view[0] != 0 ? ": " : "", row->answer);
 		ts_help_item(row->methods, tells);
 	}
 }

@@ -26,10 +26,10 @@ static void describe(char text[LINE], const ts_verdict_info *v)
 	if (is_absent(v)) {
 		snprintf(text, LINE, "not compared, because there is no file of it");
 	} else if (v->why[0] != 0) {
-		snprintf(text, LINE, "different, %s in %s", v->told, v->file);
+		snprintf(text, LINE, "different, %s in %s", v->text, v->file);
 	} else if (v->n_different > 0) {
 		snprintf(text, LINE, "different in %" PRIu64 " of %" PRIu64 " elements, first %s in %s", v->n_different,
-		         v->n_reference, v->told, v->file);
+		         v->n_reference, v->text, v->file);
 	} else {
 		snprintf(text, LINE, "same, %" PRIu64 " elements%s", v->n_reference, v->cropped ? " of a crop" : "");
 	}
@@ -51,7 +51,7 @@ static json_t *verdict_json(const ts_verdicts *verdicts, size_t b)
 	const char *verdict = is_absent(v) ? "not compared" : differs(v) ? "different" : "same";
 	json_t *root = json_pack("{s:s, s:s, s:o, s:I, s:I, s:s}", "buffer", v->buffer, "verdict", verdict, "file",
 	                         is_absent(v) ? json_null() : ts_text_json(v->file), "elements", (json_int_t)v->n_reference,
-	                         "different", (json_int_t)v->n_different, "text", v->told);
+	                         "different", (json_int_t)v->n_different, "text", v->text);
 	const ts_divergence *d = first_of(verdicts, b);
 	if (d == NULL) return root;
 	json_t *first = json_pack("{s:I, s:s, s:i, s:s, s:s}", "element", (json_int_t)d->element, "field", d->field,

@@ -105,7 +105,7 @@ static void test_replay(void **state)
 	put(bare, view, moved);
 	assert_int_equal(ts_replay(context, &verdicts, "eye", reference, bare, &lent), TS_DIFFERENT);
 	const ts_verdict_info *info = ts_verdicts_at(verdicts, 0);
-	assert_non_null(strstr(info->told, "the candidate's inputs give"));
+	assert_non_null(strstr(info->text, "the candidate's inputs give"));
 	assert_string_equal(info->file, "eye.depth_triangle");
 	ts_verdicts_free(verdicts);
 	ts_trace_close(bare);

@@ -200,8 +200,8 @@ static void test_explained(void **state)
 	done(ts_trace_match(reference, NULL));
 	assert_int_equal(ts_trace_takes(NULL, "eye") + ts_trace_takes(reference, NULL), 0);
 	char text[TS_FLOAT_TEXT];
-	ts_float_tell(NULL, 1);
-	ts_float_tell(text, 1);
+	ts_float_text(NULL, 1);
+	ts_float_text(text, 1);
 	assert_string_equal(text, "1 = 0x1p+0 (3f800000)");
 	assert_int_equal(ts_float_passes(NULL, 1, 1) + 2 * ts_float_passes(NULL, 1, 1.0000001f), 1);
 	REFUSED(ts_trace_write(NULL, "/tmp/none", scene, params, "reflections", "epr", NULL), "context");

@@ -54,7 +54,7 @@ static void test_table(void **state)
 	size_t n = 0, option = 0;
 	for (; (row = ts_probe_at(n)) != NULL; n++) {
 		while (option < 4 && strcmp(row->option, options[option]) != 0) option++;
-		assert_true(option < 4 && row->tells[0] != 0 && strstr(row->methods, " by ") != NULL);
+		assert_true(option < 4 && row->answer[0] != 0 && strstr(row->methods, " by ") != NULL);
 		assert_int_equal(row->view[0] != 0, option == 1);
 	}
 	assert_int_equal(option, 3);

@@ -45,7 +45,8 @@ TS_FN ts_v3 ts_k_hit_barycentrics(ts_v3 p, const ts_corners *t)
 	                        ts_k_hit_share(ts_k_hit_area(p, t->a, t->b, axis), whole));
 }
 
-/* t = n.(a - o) / n.d, then the barycentrics of o + t d. A ray within the plane is measured to the centroid instead. */
+/* t = n.(a - o) / n.d, then the barycentrics of o + t d. For a ray within the plane, t leads to
+ * the centroid instead. */
 TS_FN ts_hit ts_k_hit(ts_v3 o, ts_v3 d, const ts_corners *t)
 {
 	f32 slope = ts_flush(ts_dot(t->n, d));

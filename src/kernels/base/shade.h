@@ -14,7 +14,7 @@ TS_FN ts_v3 ts_k_background(void)
 	return ts_v3_make(0.20000000298023223876953125f, 0.300000011920928955078125f, 0.5f);
 }
 
-/* KHR_lights_punctual: *l is the unit vector to the light. Returns the factor by which its intensity arrives. */
+/* KHR_lights_punctual: *l is the unit vector to the light. Returns the attenuation of its intensity at p. */
 TS_FN f32 ts_k_light(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 *l)
 {
 	if (light->kind == TS_LIGHT_KIND_DIRECTIONAL) {
@@ -38,7 +38,7 @@ TS_FN f32 ts_k_light(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 *l)
 	return ts_flush(arrives);
 }
 
-/* The light shines in all directions, so its maps are the faces of a cube. */
+/* Whether the maps of a light are the faces of a cube: a point light shines in all directions. */
 TS_FN bool ts_k_has_cube(TS_GLOBAL const ts_light *light) { return light->kind == TS_LIGHT_KIND_POINT; }
 
 /* GGX's alpha squared; alpha is the roughness squared, at least 2^-9. */

@@ -63,8 +63,8 @@ TS_FN ts_shaded ts_k_shaded(const ts_shadow_test_args *args, TS_GLOBAL const ts_
 	return r;
 }
 
-/* The depth up to which a place of the map must be free: that of the receiver's plane; or the receiver's own, if that
- * is nearer or the plane is not met there. */
+/* A surface in the map blocks the light if its depth is less than this: the depth of the receiver's plane at (x, y),
+ * and at most the receiver's own depth, which also stands in where the plane is not met. */
 TS_FN f32 ts_k_free_depth(const ts_shaded *r, f32 x, f32 y)
 {
 	return ts_min(ts_k_plane_depth(&r->view, &r->plane, x, y, r->z), r->z);
@@ -97,7 +97,8 @@ TS_FN f32 ts_k_blocker_depth(const ts_shaded *r, f32 radius)
 	return n != 0u ? sum / (f32)n : 0.0f;
 }
 
-/* Radii in texels: a width on the plane at depth near is focal / near texels, of parallel light focal. */
+/* The radius of the search in texels: the light's radius as seen from the receiver, at depth near. One world unit is
+ * focal / near texels there, and focal texels in an orthographic view. */
 TS_FN f32 ts_k_search_radius(const ts_shaded *r, f32 light, f32 near)
 {
 	if (r->view.orthographic != 0u) return (light * (r->z - near)) * r->view.focal;

@@ -1,7 +1,7 @@
 /* Margins of shadow_test.h, for ports that round or snap otherwise (PORTING 7): a second pass, which changes no
- * decision. One step is 1/256 texel of the map plus the way that 1/256 pixel of the eye moves the receiver there.
- * Depths of maps are taken to change as the receiver's surface does; margin.h judges the maps themselves and the eye's
- * triangle. */
+ * decision. One step is 1/256 texel of the map, plus the distance that the receiver moves in the map if the
+ * eye's pixel moves by 1/256. The margins assume that depths of the map change as the receiver's surface does. margin.h
+ * judges the maps themselves and the eye's triangle. */
 #ifndef TS_KERNELS_SHADOW_TEST_MARGIN_H
 #define TS_KERNELS_SHADOW_TEST_MARGIN_H
 #include "../base/args.h"
@@ -15,7 +15,7 @@
 	ARG(MIN, u64, margin, shadow_test_margin) /* [2] per pixel and light */
 TS_ARGS(ts_shadow_test_margin_args);
 
-/* Greatest way of the receiver on its surface from pixel to pixel of the eye, in world units. */
+/* The greatest distance, in world units, of the receivers of two neighbouring pixels of the eye. */
 TS_FN f32 ts_k_receiver_step(const ts_camera_k *eye, const ts_receiver *at)
 {
 	ts_v3 way = ts_sub(at->p, eye->eye);
