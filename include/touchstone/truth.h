@@ -17,8 +17,9 @@ typedef struct {
 	const char *name;
 	const char *effects; /* that the truth judges, separated by blanks */
 	const char *doc;
-	const char *share;                   /* the kind of error that a picture's distance from this truth is */
-	const char *against, *against_share; /* another truth, "": none; the error that separates both */
+	const char *share;         /* whose error separates a picture from this truth: "method", "sampling", "both" or "" */
+	const char *against;       /* another truth, to compare this one with; "": none */
+	const char *against_share; /* whose error separates the two truths */
 } ts_truth_info;
 
 /* Truth i, from 0; NULL behind the last. */
