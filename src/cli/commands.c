@@ -1,5 +1,5 @@
 /* The command `touchstone`: its table of commands. */
-#include <touchstone/image.h>
+#include "../image/optional.h"
 #include "golden.h"
 
 #define WHERE \
@@ -10,7 +10,7 @@
 #define BACKEND TS_OPT(BACKEND), TS_OPT(DEVICE), TS_OPT(WORK_GROUP), TS_OPT(BUILD), TS_OPT(INEXACT), TS_OPT(REQUIRE)
 
 const char *const ts_program = "touchstone";
-const ts_preview ts_golden_preview = {ts_image_write_png, ts_image_decode};
+const ts_preview ts_golden_preview = {ts_image_write_png, ts_image_decode_optional};
 
 const ts_command ts_command_table[] = {
 	{"render",

@@ -13,6 +13,7 @@
 #include "codec.h"
 #include "encode.h"
 #include "format.h"
+#include "optional.h"
 #include "png.h"
 
 static const ts_image_codec *codec;
@@ -108,6 +109,13 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 	if (status == TS_OK) status = decode(rgba, size, "png", clean, clean_bytes, what);
 	free(clean);
 	return status;
+}
+
+ts_status ts_image_decode_optional(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file,
+                                   size_t file_bytes, uint64_t max_texels, const char *what)
+{
+	if (require_codec(what) != TS_OK) return TS_SKIPPED;
+	return ts_image_decode(rgba, width, height, file, file_bytes, max_texels, what);
 }
 
 /* Puts an encoded file, which is freed, in its place. */

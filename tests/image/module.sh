@@ -16,6 +16,10 @@ run render "${small[@]}" -o "$scratch/image"
 	grep -q 'images need a module .*the package touchstone-image: libtouchstone-image.so: cannot open' "$scratch/stderr"
 verdict $? 'no image without the module'
 
+run golden check small-epr
+[ "$status" -eq 0 ] && grep -q '^same  *small-epr  not compared: .*/preview.png: images need a module ' "$scratch/stdout"
+verdict $? 'a golden without the module, but for its preview'
+
 case ${BUILD:-} in
 *asan | *tsan)
 	echo "ok $((tests += 1)) - a program of the shared library # SKIP it would have to begin with the sanitizer's library"

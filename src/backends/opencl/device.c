@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -113,6 +114,17 @@ u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES])
 	return n;
 }
 
+/* PoCL 6.0 ends the process as it compiles some kernels (its issue 1608), but not if it makes work-groups in another of
+ * its ways. PoCL reads the variable with each kernel; the user's own stays. */
+static void choose_pocl_method(cl_device_id device)
+{
+	char version[256] = "";
+	cl_platform_id platform = NULL;
+	ts_cl_call.GetDeviceInfo(device, CL_DEVICE_PLATFORM, sizeof platform, &platform, NULL);
+	ts_cl_call.GetPlatformInfo(platform, CL_PLATFORM_VERSION, sizeof version - 1, version, NULL);
+	if (strstr(version, "PoCL 6.0") != NULL) setenv("POCL_WORK_GROUP_METHOD", "cbs", 0);
+}
+
 ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index)
 {
 	cl_device_id ids[TS_MAX_DEVICES];
@@ -128,5 +140,6 @@ ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index)
 	}
 	*device = ids[index];
 	*about = describe(ids[index]);
+	choose_pocl_method(*device);
 	return TS_OK;
 }

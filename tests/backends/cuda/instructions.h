@@ -86,6 +86,14 @@ static inline u32 bfe_u32(u32 a, u32 from, u32 n)
 	return from < 32 ? (u32)((a >> from) & ((1ull << (n < 32 ? n : 32)) - 1)) : 0;
 }
 
+static inline u32 bfi_b32(u32 a, u32 b, u32 to, u32 n)
+{
+	u64 mask = (1ull << (n < 32 ? n : 32)) - 1;
+	return to < 32 ? (u32)((b & ~(mask << to)) | (a & mask) << to) : b;
+}
+static inline u32 popc_b64(u64 a) { return (u32)__builtin_popcountll(a); }
+static inline u32 mov_high_b64(u64 a) { return (u32)(a >> 32); } /* of mov.b64 into two halves */
+
 /* Predicates, of which -1 is true. */
 static inline bool and_pred(bool a, bool b) { return a && b; }
 static inline bool or_pred(bool a, bool b) { return a || b; }
@@ -129,6 +137,7 @@ COMPARED(ge, >=)
 static inline f32 cvt_rmi_f32_f32(f32 a) { return made(floorf(a)); }
 static inline f32 cvt_rn_f32_s32(s32 a) { return (f32)a; }
 static inline f32 cvt_rn_f32_u32(u32 a) { return (f32)a; }
+static inline f32 cvt_rn_f32_u64(u64 a) { return (f32)a; }
 static inline f32 cvt_rn_f32_s64(s64 a) { return (f32)a; }
 static inline u32 cvt_rzi_s32_f32(f32 a)
 {

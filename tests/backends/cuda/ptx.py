@@ -6,6 +6,7 @@ import sys
 OPERAND = re.compile(r"\{[^}]*\}|\[[^\]]*\]|\([^)]*\)|[^\s,{}\[\]()]+")
 REGISTERS = {"p": "bool", "rs": "u16", "r": "u32", "rd": "u64", "f": "f32", "SP": "u64", "SPL": "u64"}
 SPECIAL = {"%ctaid.x": "ctaid", "%ntid.x": "ntid", "%tid.x": "tid"}
+HIGH = re.compile(r"\{ \.reg \.b32 tmp; mov\.b64 \{tmp, (%r\d+)\}, (%rd\d+); \}")  # by newer clangs
 BYTES = {"8": 1, "16": 2, "32": 4, "64": 8}
 
 
@@ -110,7 +111,7 @@ def body(text):
 	"""What stands between the braces of a function."""
 	registers = sorted(set(re.findall(r"%((?:p|rs|rd|r|f)\d+|SPL?)\b", text)))
 	yield "".join(f"{REGISTERS[re.sub(r'[0-9]', '', name)]} _{name}; " for name in registers)
-	for part in re.findall(r"\s*([{}]|\w+:|[^{};]+(?:\{[^{};]*\}[^{};]*)*;)", text[: text.rindex("}")]):
+	for part in re.findall(r"\s*([{}]|[$\w]+:|[^{};]+(?:\{[^{};]*\}[^{};]*)*;)", text[: text.rindex("}")]):
 		part = " ".join(part.rstrip(";").split())
 		if part in "{}" or part.endswith(":"):
 			yield part + (";" if part.endswith(":") else "")
@@ -145,7 +146,7 @@ def parameter_sizes(part):
 
 
 def main():
-	text = re.sub(r"//.*", "", sys.stdin.read())
+	text = HIGH.sub(r"mov.high.b64 \1, \2;", re.sub(r"//.*", "", sys.stdin.read()))
 	head, *parts = re.split(r"^(?=\.(?:func|visible|const)\b)", text, flags=re.M)
 	if re.search(r"^\.target sm_\d+$", head, re.M) is None or re.search(r"^\.address_size 64$", head, re.M) is None:
 		raise Refused(head)

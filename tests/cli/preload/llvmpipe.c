@@ -11,15 +11,17 @@ typedef struct value value;
 typedef struct type type;
 typedef struct builder builder;
 
-static void *library(void)
+/* The library that holds the place of a call: a name is looked up there and in what that library is linked with. */
+static void *library(const void *call)
 {
 	static void *found;
-	if (found == NULL) found = dlopen("libLLVM-15.so.1", RTLD_NOW | RTLD_NOLOAD);
+	Dl_info info;
+	if (found == NULL && dladdr(call, &info) != 0) found = dlopen(info.dli_fname, RTLD_NOW | RTLD_NOLOAD);
 	return found;
 }
 
 /* From LLVM's C interface. */
-#define FIND(name) ((__typeof__(&name))dlsym(library(), #name))
+#define FIND(name) ((__typeof__(&name))dlsym(library(__builtin_return_address(0)), #name))
 const char *LLVMGetValueName2(value *v, size_t *length);
 value *LLVMIsAConstantInt(value *v);
 unsigned long long LLVMConstIntGetZExtValue(value *v);
