@@ -1,21 +1,11 @@
 /* What a golden has beside its buffers: pictures that differ in one pixel, reasons that say nothing. */
-#include "../model/test.h"
-#include "../scratch.h"
+#include "dir.h"
 #include "../../src/golden/beside.h"
 
 enum { WIDTH = 5, HEIGHT = 4 };
 
-static ts_golden_dir dir;
 static u8 stored[4 * WIDTH * HEIGHT];
 static u32 stored_width = WIDTH;
-
-static void write_file(const char *name, const char *data, size_t n)
-{
-	FILE *file = fopen(scratch_path("%s", name), "wb");
-	assert_non_null(file);
-	assert_int_equal(fwrite(data, 1, n, file), n);
-	assert_int_equal(fclose(file), 0);
-}
 
 /* The picture that is stored is ours, of whatever the file is. */
 static ts_status decode(u8 **rgba, u32 *width, u32 *height, const void *file, size_t bytes, u64 most_pixels,
@@ -109,17 +99,6 @@ static void test_changes(void **state)
 	changes_say("one\ntwo\nth\x7free\n", 15, "CHANGES: line 3: a reason is one line");
 }
 
-static int begin(void **state)
-{
-	return scratch_begin(state) == 0 && ts_golden_dir_open(&dir, NULL, scratch_root) == TS_OK ? 0 : -1;
-}
-
-static int end(void **state)
-{
-	ts_golden_dir_close(&dir);
-	return scratch_remove(state);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -127,5 +106,5 @@ int main(void)
 		cmocka_unit_test(test_reason),
 		cmocka_unit_test(test_changes),
 	};
-	return cmocka_run_group_tests(tests, begin, end);
+	return cmocka_run_group_tests(tests, dir_begin, dir_end);
 }
