@@ -1,8 +1,8 @@
 /* What the tests of a golden's files share: an open folder, and files in it. */
 #ifndef TS_TESTS_GOLDEN_DIR_H
 #define TS_TESTS_GOLDEN_DIR_H
-#include "../model/test.h"
 #include "../scratch.h"
+#include "../status.h"
 #include "../../src/golden/file.h"
 
 static ts_golden_dir dir;

@@ -57,7 +57,7 @@ static void refuses(const char *name, const int *script, size_t most, const char
 	answers = NULL;
 	assert_int_equal(status, TS_ERROR);
 	assert_null(text);
-	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
+	says(words);
 }
 
 static void test_pieces(void **state)

@@ -1,6 +1,7 @@
 /* Tables: as text they are aligned and at most 120 columns wide, as JSON they have a row an object; and lines that only
  * some want. */
 #include "../../src/study/table.h"
+#include "../lcg.h"
 #include "../model/test.h"
 #include <math.h>
 
@@ -77,8 +78,7 @@ static void test_wrapped(void **state)
 		for (u32 i = 0; i < 8; i++) {
 			char cell[400] = "";
 			for (u32 k = 0; k < 1 + (round + i) % 9; k++) {
-				seed = seed * 1664525u + 1013904223u;
-				snprintf(cell + strlen(cell), 20, "%sw%0*u", k > 0 ? " " : "", 2 + (int)(seed >> 16) % 9,
+				snprintf(cell + strlen(cell), 20, "%sw%0*u", k > 0 ? " " : "", 2 + (int)(lcg_next(&seed) >> 16) % 9,
 				         (unsigned)n_words++);
 			}
 			ts_table_text(&table, cell);
