@@ -29,7 +29,8 @@ typedef struct {
 /* Answers of `trace`. inputs: its stage is given these buffers first, as ts_replay gives a candidate's; NULL: its own.
  * other: the same of a second trace, given its buffers, beside the first; NULL: none. One of the two at most.
  * TS_OK: told; of two traces all lines are the same. TS_DIFFERENT: they are not. *answer is an object as
- * `explain --json` has it, or, as_text, a list of texts, one a line. Release by ts_tree_free; NULL on failure. */
+ * `explain --json` has it, or, as_text, a list of texts, one a line; where lines are left out, the last text, and no
+ * other, begins with a digit: their number. Release by ts_tree_free; NULL on failure. */
 TS_API ts_status ts_explain_item(ts_context *context, ts_tree **answer, const ts_explain_options *options,
                                  const ts_trace *trace, const ts_trace *inputs, const ts_trace *other);
 
