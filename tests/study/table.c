@@ -113,7 +113,8 @@ static size_t widest_of(u32 n, const char *cell, bool right)
 	return widest;
 }
 
-/* Nine columns of 13 characters are 133 wide: text is wrapped down to 12, figures to 10; only text takes what is left. */
+/* Nine columns of 13 characters are 133 wide: text is wrapped down to 12, figures to 10; text alone takes what is
+ * left. */
 static void test_narrow(void **state)
 {
 	(void)state;
