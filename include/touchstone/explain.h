@@ -29,8 +29,9 @@ typedef struct {
 /* Runs the stage of `trace` once more and explains what the options ask for.
  * In: inputs: the stage reads these buffers where they exist, as in ts_replay; NULL: the trace's own. other: a second
  *   trace, whose lines stand beside those of the first; NULL: none. At most one of `inputs` and `other` is given.
- * Out: *answer is an object, as `explain --json` prints it, or with as_text a list of texts, one per line. Release it
- *   by ts_tree_free; NULL on failure.
+ * Out: *answer is an object, as `explain --json` prints it, or with as_text a list of texts, one per line. If lines
+ *   are left out, the last text begins with their number; no other text begins with a digit. Release *answer by
+ *   ts_tree_free; NULL on failure.
  * Returns: TS_OK; TS_DIFFERENT if a line of the two traces differs. */
 TS_API ts_status ts_explain_item(ts_context *context, ts_tree **answer, const ts_explain_options *options,
                                  const ts_trace *trace, const ts_trace *inputs, const ts_trace *other);

@@ -14,10 +14,11 @@ ts_status ts_client_open(ts_context **context, const ts_cli *cli)
 
 json_t *ts_client_json(ts_tree *tree)
 {
-	char *text = tree != NULL ? ts_tree_json(tree) : NULL;
+	if (tree == NULL) return NULL;
+	char *text = ts_tree_json(tree);
+	ts_tree_free(tree); /* before there is another */
 	json_t *json = text != NULL ? json_loads(text, JSON_DECODE_ANY, NULL) : NULL;
-	if (tree != NULL && json == NULL) ts_fail("an answer: out of memory");
 	free(text);
-	ts_tree_free(tree);
+	if (json == NULL) ts_fail("an answer: out of memory");
 	return json;
 }

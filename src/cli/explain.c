@@ -39,6 +39,12 @@ static ts_status ask(ts_explain_options *o, char name[NAME], const ts_cli *cli)
 	return take_element(o, name, cli->place.element);
 }
 
+/* How many lines are left out is the one line that begins with a digit. */
+static void tell_line(ts_report *report, const char *line)
+{
+	ts_report_line(report, "%s%s", line, line[0] >= '0' && line[0] <= '9' ? ": --lines" : "");
+}
+
 static ts_status tell(ts_tree *tree, bool json)
 {
 	ts_report report;
@@ -47,7 +53,7 @@ static ts_status tell(ts_tree *tree, bool json)
 	size_t i;
 	if (answer == NULL) return TS_ERROR;
 	ts_report_begin(&report, json);
-	json_array_foreach (answer, i, value) ts_report_line(&report, "%s", json_string_value(value));
+	json_array_foreach (answer, i, value) tell_line(&report, json_string_value(value));
 	json_object_foreach (answer, key, value) ts_report_value(&report, key, json_incref(value));
 	json_decref(answer);
 	return ts_report_end(&report);

@@ -1,5 +1,6 @@
 /* All that verdicts say: bits planted at random places of several buffers are listed, counted by field and marked there
  * and nowhere else; and a part of a comparison says what the whole does. */
+#include "../lcg.h"
 #include "run.h"
 
 enum { PLANTED = 7 };
@@ -19,12 +20,6 @@ static int end(void **state)
 	return run_end(state);
 }
 
-static uint32_t random_below(uint32_t *seed, size_t n)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return (uint32_t)(((uint64_t)*seed * n) >> 32);
-}
-
 /* A copy of a buffer with the bit `bit` of each of at most n elements the other way, which `wrong` marks. */
 static uint8_t *plant(const ts_buffer_view *v, size_t bit, uint32_t n, uint8_t *wrong, uint32_t *seed)
 {
@@ -32,7 +27,7 @@ static uint8_t *plant(const ts_buffer_view *v, size_t bit, uint32_t n, uint8_t *
 	assert_non_null(copy);
 	memcpy(copy, v->data, bytes_of(v));
 	for (uint32_t i = 0; i < n; i++) {
-		size_t e = random_below(seed, count_of(v));
+		size_t e = lcg_below(seed, (uint32_t)count_of(v));
 		if (wrong[e] != 0) continue;
 		copy[e * v->element_bytes + bit / 8] ^= (uint8_t)(1 << bit % 8);
 		wrong[e] = 1;

@@ -2,7 +2,7 @@
 #ifndef TS_TESTS_BACKENDS_DEVICE_H
 #define TS_TESTS_BACKENDS_DEVICE_H
 #include <dlfcn.h>
-#include "../model/test.h"
+#include "../status.h"
 #include "../../src/backends/backend.h"
 
 static const ts_backend_kind *const device_kinds[] = {&ts_opencl_kind, &ts_vulkan_kind, &ts_cuda_kind};

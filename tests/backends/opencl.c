@@ -7,7 +7,7 @@ static void refuses(const char *words, ts_backend_options options)
 	ts_backend *backend = (ts_backend *)&options;
 	assert_int_equal(ts_opencl_kind.open(&backend, &options), TS_ERROR);
 	assert_null(backend);
-	if (strstr(ts_error_message(), words) == NULL) fail_msg("%s", ts_error_message());
+	says(words);
 }
 
 static void test_refused(void **state)

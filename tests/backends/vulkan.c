@@ -15,7 +15,7 @@ static void refuses(const char *words, ts_backend_options options)
 	if (options.build == NULL) options.build = "";
 	assert_int_equal(ts_vulkan_kind.open(&backend, &options), TS_ERROR);
 	assert_null(backend);
-	if (strstr(ts_error_message(), words) == NULL) fail_msg("%s", ts_error_message());
+	says(words);
 }
 
 static void test_refused(void **state)

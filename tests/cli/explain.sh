@@ -15,7 +15,9 @@ verdict $? 'the item of each launch'
 run explain $epr --stage split --item 0 --kernel split
 [ "$status" -eq 0 ] && ! grep -q split_count stdout
 verdict $? 'of one kernel'
-prints '^more\|^[0-9]* more lines; a larger number of lines keeps them$' explain $epr --stage split --item 0 --lines 3
+prints '^[0-9]* more lines; a larger number of lines keeps them: --lines$' explain $epr --stage split --item 0 --lines 3
+[ "$(grep -c -- --lines stdout)" -eq 1 ]
+verdict $? 'the option is named once'
 
 # Every pixel's radiance is the number that its explanation ends with; the JSON says what the text says.
 run explain $epr --stage image --element image.radiance:7000 --json

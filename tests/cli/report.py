@@ -54,6 +54,14 @@ def pixels_of(png):
 	return width, height, n, unfiltered(zlib.decompress(packed), width, height, n)
 
 
+def png_of(width, height, rows, depth):
+	"""A PNG of three channels, by its rows, each behind its filter; not packed."""
+	def chunk(kind, content):
+		return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+	head = struct.pack(">IIBBBBB", width, height, depth, 2, 0, 0, 0)
+	return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows, 0)) + chunk(b"IEND", b"")
+
+
 def npy(folder, name):
 	name, = [n for n in os.listdir(folder) if n.endswith(f"-{name}.npy")]
 	with open(os.path.join(folder, name), "rb") as file:
@@ -86,6 +94,24 @@ def folder(path, where):
 	shown = data["folders"][0]
 	assert shown["report"]["counters"] == report["counters"] and shown["times"] == json.loads(read(where + "/times.json"))
 	assert [p["trace"] for p in data["pictures"] if "trace" in p] == [f"{where}/trace-epr", f"{where}/trace-mvr"]
+
+
+RAMP = [i * 6553 % 65536 for i in range(3 * 16 * 16)]
+
+
+def ramp(path):
+	"""A PNG of 16 bits a channel."""
+	rows = b"".join(b"\0" + struct.pack(">48H", *RAMP[48 * y:48 * (y + 1)]) for y in range(16))
+	with open(path, "wb") as file:
+		file.write(png_of(16, 16, rows, 16))
+
+
+def codes(path):
+	"""All pictures of the page are the ramp in the nearest codes of 8 bits."""
+	pictures = data_of(path)["pictures"]
+	assert len(pictures) == 2
+	for picture in pictures:
+		assert pixels_of(picture["png"]) == (16, 16, 3, bytes((code + 128) // 257 for code in RAMP))
 
 
 def flip(path, *pairs):
@@ -154,12 +180,9 @@ def noise(path, side):
 	"""A PNG of side x side pixels that no packing makes smaller."""
 	side = int(side)
 	row = bytes(1) + os.urandom(3 * side)
-	def chunk(kind, content):
-		return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
-	head = struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)
 	with open(path, "wb") as file:
-		file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(row * side, 0)) + chunk(b"IEND", b""))
+		file.write(png_of(side, side, row * side, 8))
 
 
 if __name__ == "__main__":
-	{f.__name__: f for f in (folder, flip, spoil, comparison, names, noise)}[sys.argv[1]](*sys.argv[2:])
+	{f.__name__: f for f in (folder, ramp, codes, flip, spoil, comparison, names, noise)}[sys.argv[1]](*sys.argv[2:])

@@ -45,6 +45,9 @@ run compare r/epr.png r/mvr.png --report images.html
 [ "$status" -eq 1 ]
 verdict $? 'compare --report of images'
 holds 'FLIP of images' flip images.html r/epr.png:r/mvr.png
+"${judge[@]}" ramp ramp.png
+run compare ramp.png ramp.png --report ramp.html
+holds 'codes of 16 bits are rounded' codes ramp.html
 run report r/trace-epr r/trace-mvr -o two.html
 holds 'FLIP of traces of two methods' flip two.html epr:mvr
 rm c/*-image.srgb.npy

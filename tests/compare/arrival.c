@@ -2,6 +2,7 @@
  * index or a key is; and the memory that this takes. */
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include "../lcg.h"
 #include "../model/test.h"
 #include "../trace/small.h"
 #include "../../src/kernels/base/num.h"
@@ -13,17 +14,11 @@ static u32 *place; /* of the reference's points among the candidate's */
 static u64 n_points;
 static u32 seed = 17;
 
-static u32 draw(u32 n)
-{
-	seed = seed * 1664525u + 1013904223u;
-	return (u32)(((u64)seed * n) >> 32);
-}
-
 static void shuffle(u32 *items, u64 n)
 {
 	for (u64 i = 0; i < n; i++) items[i] = (u32)i;
 	for (u64 i = n; i > 1; i--) {
-		u32 j = draw((u32)i), kept = items[i - 1];
+		u32 j = lcg_below(&seed, (u32)i), kept = items[i - 1];
 		items[i - 1] = items[j];
 		items[j] = kept;
 	}

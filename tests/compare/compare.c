@@ -1,5 +1,6 @@
 /* Comparing a traced frame with copies of it that differ in one place, everywhere, and in what may differ. */
 #include <math.h>
+#include "../lcg.h"
 #include "../trace/small.h"
 #include "../../src/kernels/base/num.h"
 #include "../../src/compare/compare.h"
@@ -71,9 +72,8 @@ static void test_every_field(void **state)
 		for (u32 f = 0; f < fields.n && elements > 0; f++) {
 			const ts_field *field = &fields.field[f];
 			u8 old, new;
-			seed = seed * 1664525u + 1013904223u;
+			u64 element = lcg_below(&seed, (u32)elements);
 			u32 component = (seed >> 8) % field->count, offset = field->offset + component * field->bytes;
-			u64 element = (u64)seed * elements >> 32;
 			poke(cand, (ts_buffer_id)id, element, offset, "", 1, &old);
 			new = old ^ 1;
 			poke(cand, (ts_buffer_id)id, element, offset, &new, 1, NULL);
@@ -286,8 +286,7 @@ static void test_sums(void **state)
 		u64 first = n, n_wrong = 0;
 		u32 moved = round % 3 == 0 ? 7 : 0;
 		for (u64 k = 0; k < n; k++) {
-			seed = seed * 1664525u + 1013904223u;
-			if (seed >> 8 < 1u << 24 >> round / 2) moved += (seed & 3) - 1;
+			if (lcg_next(&seed) >> 8 < 1u << 24 >> round / 2) moved += (seed & 3) - 1;
 			wrong[k] = right[k] + moved;
 			u32 ours = k > 0 ? right[k] - right[k - 1] : right[k], theirs = k > 0 ? wrong[k] - wrong[k - 1] : wrong[k];
 			if (ours != theirs && n_wrong++ == 0) first = k;

@@ -1,4 +1,5 @@
 /* Keys that meet in any order against a plain search, window by window; and what is missing, extra or repeated. */
+#include "../lcg.h"
 #include "../trace/folder.h"
 #include "../../src/kernels/base/num.h"
 #include "../../src/compare/gather.h"
@@ -7,11 +8,6 @@
 enum { MOST = 3000 };
 
 static u32 seed = 17;
-static u32 draw(u32 n)
-{
-	seed = seed * 1664525u + 1013904223u;
-	return (u32)(((u64)seed * n) >> 32);
-}
 
 static ts_buffer_id keys_of = TS_B_points_key;
 
@@ -44,9 +40,11 @@ static ts_status make(ts_order *order, const u64 *ref, u64 n_ref, const u64 *can
 /* Ascending keys: of points, or with every bit in use. */
 static u64 make_keys(u64 *keys, bool wide)
 {
-	u64 n = draw(MOST), key = wide ? 0 : 5;
+	u64 n = lcg_below(&seed, MOST), key = wide ? 0 : 5;
 	for (u64 i = 0; i < n; i++) {
-		key += 1 + (wide ? (u64)draw(UINT32_MAX) << 20 : draw(9) == 0 ? (u64)draw(7) << 32 : draw(3));
+		key += 1 + (wide                       ? (u64)lcg_below(&seed, UINT32_MAX) << 20
+		            : lcg_below(&seed, 9) == 0 ? (u64)lcg_below(&seed, 7) << 32
+		                                       : lcg_below(&seed, 3));
 		keys[i] = key;
 	}
 	if (wide && n > 0) keys[n - 1] = UINT64_MAX;
@@ -64,7 +62,7 @@ static u64 place_of(const u64 *keys, u64 n, u64 key)
 static void shuffle(u64 *keys, u64 n)
 {
 	for (u64 i = n; i > 1; i--) {
-		u64 j = draw((u32)i), kept = keys[i - 1];
+		u64 j = lcg_below(&seed, (u32)i), kept = keys[i - 1];
 		keys[i - 1] = keys[j];
 		keys[j] = kept;
 	}
@@ -122,7 +120,7 @@ static void test_unlike(void **state)
 		ts_order order;
 		u64 n = make_keys(ref, round % 2 == 1), m = 0, missing;
 		for (u64 i = 0; i < n; i++) {
-			u32 fate = draw(8);
+			u32 fate = lcg_below(&seed, 8);
 			if (fate > 0) cand[m++] = ref[i];
 			if (fate == 1) cand[m++] = ref[i];
 			if (fate == 2) cand[m++] = ref[i] + 1;

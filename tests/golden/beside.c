@@ -1,21 +1,11 @@
 /* What a golden has beside its buffers: pictures that differ in one pixel, reasons that say nothing. */
-#include "../model/test.h"
-#include "../scratch.h"
+#include "dir.h"
 #include "../../src/golden/beside.h"
 
 enum { WIDTH = 5, HEIGHT = 4 };
 
-static ts_golden_dir dir;
 static u8 stored[4 * WIDTH * HEIGHT];
 static u32 stored_width = WIDTH;
-
-static void write_file(const char *name, const char *data, size_t n)
-{
-	FILE *file = fopen(scratch_path("%s", name), "wb");
-	assert_non_null(file);
-	assert_int_equal(fwrite(data, 1, n, file), n);
-	assert_int_equal(fclose(file), 0);
-}
 
 /* The picture that is stored is ours, of whatever the file is. */
 static ts_status decode(u8 **rgba, u32 *width, u32 *height, const void *file, size_t bytes, u64 most_pixels,
@@ -32,12 +22,6 @@ static ts_status decode(u8 **rgba, u32 *width, u32 *height, const void *file, si
 	return TS_OK;
 }
 
-static void says(ts_status status, const char *words)
-{
-	assert_int_equal(status, TS_ERROR);
-	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
-}
-
 /* Each channel of each pixel; alpha is nothing. */
 static void test_preview(void **state)
 {
@@ -50,7 +34,7 @@ static void test_preview(void **state)
 		for (u32 k = 0; k < 3; k++) pixels[3 * i + k] = (char)(stored[4 * i + k] = (u8)(7 * i + 50 * k));
 		stored[4 * i + 3] = (u8)i;
 	}
-	says(ts_golden_check_preview(text, &dir, &golden, decode), "preview.png: cannot open");
+	refused(ts_golden_check_preview(text, &dir, &golden, decode), "preview.png: cannot open");
 	write_file("preview.png", "png", 3);
 	assert_int_equal(ts_golden_check_preview(text, &dir, &golden, decode), TS_OK);
 	for (u32 i = 0; i < WIDTH * HEIGHT; i++) {
@@ -69,7 +53,7 @@ static void test_preview(void **state)
 	assert_int_equal(ts_golden_check_preview(text, &dir, &golden, decode), TS_DIFFERENT);
 	assert_string_equal(text, "preview.png: golden 4 by 4 pixels here 5 by 4");
 	stored_width = 0;
-	says(ts_golden_check_preview(text, &dir, &golden, decode), "preview.png: not a picture");
+	refused(ts_golden_check_preview(text, &dir, &golden, decode), "preview.png: not a picture");
 }
 
 static void test_reason(void **state)
@@ -78,46 +62,35 @@ static void test_reason(void **state)
 	char reason[TS_REASON_BYTES + 2];
 	assert_int_equal(ts_reason_check("why"), TS_OK);
 	assert_int_equal(ts_reason_check(" \u00e4 reason, of words "), TS_OK);
-	says(ts_reason_check(""), "no reason");
-	says(ts_reason_check(" \t "), "no reason");
-	says(ts_reason_check("two\nlines"), "a reason is one line");
-	says(ts_reason_check("a\x01"), "a reason is one line");
+	refused(ts_reason_check(""), "no reason");
+	refused(ts_reason_check(" \t "), "no reason");
+	refused(ts_reason_check("two\nlines"), "a reason is one line");
+	refused(ts_reason_check("a\x01"), "a reason is one line");
 	memset(reason, 'x', sizeof reason);
 	reason[TS_REASON_BYTES] = 0;
 	assert_int_equal(ts_reason_check(reason), TS_OK);
 	reason[TS_REASON_BYTES] = 'x';
 	reason[TS_REASON_BYTES + 1] = 0;
-	says(ts_reason_check(reason), "at most 400 bytes");
+	refused(ts_reason_check(reason), "at most 400 bytes");
 }
 
 static void changes_say(const char *text, size_t n, const char *words)
 {
 	write_file("CHANGES", text, n);
 	if (words == NULL) assert_int_equal(ts_golden_check_changes(&dir), TS_OK);
-	if (words != NULL) says(ts_golden_check_changes(&dir), words);
+	if (words != NULL) refused(ts_golden_check_changes(&dir), words);
 }
 
 static void test_changes(void **state)
 {
 	(void)state;
-	says(ts_golden_check_changes(&dir), "CHANGES: cannot open");
+	refused(ts_golden_check_changes(&dir), "CHANGES: cannot open");
 	changes_say("one\ntwo\n", 8, NULL);
 	changes_say("", 0, "CHANGES: not lines of text");
 	changes_say("one\ntwo", 7, "CHANGES: not lines of text");
 	changes_say("one\0\n", 5, "CHANGES: not lines of text");
 	changes_say("one\n\n", 5, "CHANGES: line 2: no reason");
 	changes_say("one\ntwo\nth\x7free\n", 15, "CHANGES: line 3: a reason is one line");
-}
-
-static int begin(void **state)
-{
-	return scratch_begin(state) == 0 && ts_golden_dir_open(&dir, NULL, scratch_root) == TS_OK ? 0 : -1;
-}
-
-static int end(void **state)
-{
-	ts_golden_dir_close(&dir);
-	return scratch_remove(state);
 }
 
 int main(void)
@@ -127,5 +100,5 @@ int main(void)
 		cmocka_unit_test(test_reason),
 		cmocka_unit_test(test_changes),
 	};
-	return cmocka_run_group_tests(tests, begin, end);
+	return cmocka_run_group_tests(tests, dir_begin, dir_end);
 }

@@ -1,16 +1,10 @@
 /* params.txt of a golden: what each line sets, and nothing of the file before; and what is refused. */
-#include "../model/test.h"
-#include "../scratch.h"
+#include "dir.h"
 #include "../../src/golden/params.h"
-
-static ts_golden_dir dir;
 
 static ts_status read_text(ts_golden_said *said, const char *text, size_t n)
 {
-	FILE *file = fopen(scratch_path("params.txt"), "wb");
-	assert_non_null(file);
-	assert_int_equal(fwrite(text, 1, n, file), n);
-	assert_int_equal(fclose(file), 0);
+	write_file("params.txt", text, n);
 	return ts_golden_read_params(said, &dir);
 }
 
@@ -44,8 +38,7 @@ static void test_lines(void **state)
 static void refuses(const char *text, size_t n, const char *words)
 {
 	ts_golden_said said;
-	assert_int_equal(read_text(&said, text, n), TS_ERROR);
-	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
+	refused(read_text(&said, text, n), words);
 }
 
 static void test_refused(void **state)
@@ -83,17 +76,6 @@ static void test_bound(void **state)
 	assert_int_equal(bound(65536, 65536, 0), TS_ERROR); /* whose product is 0 in 32 bits */
 }
 
-static int begin(void **state)
-{
-	return scratch_begin(state) == 0 && ts_golden_dir_open(&dir, NULL, scratch_root) == TS_OK ? 0 : -1;
-}
-
-static int end(void **state)
-{
-	ts_golden_dir_close(&dir);
-	return scratch_remove(state);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -101,5 +83,5 @@ int main(void)
 		cmocka_unit_test(test_refused),
 		cmocka_unit_test(test_bound),
 	};
-	return cmocka_run_group_tests(tests, begin, end);
+	return cmocka_run_group_tests(tests, dir_begin, dir_end);
 }

@@ -8,6 +8,8 @@
 #include <string.h>
 #include <cmocka.h>
 #include <omp.h>
+#include "../lcg.h"
+#include "../srgb.h"
 #include "../../src/image/flip.h"
 
 enum { WIDTH = 37, HEIGHT = 23, N = WIDTH * HEIGHT };
@@ -41,7 +43,7 @@ static void fill(uint8_t *rgb, uint8_t r, uint8_t g, uint8_t b)
 
 static void scatter(uint8_t *bytes, uint32_t seed)
 {
-	for (int i = 0; i < 3 * N; i++) bytes[i] = (uint8_t)((seed = seed * 1664525u + 1013904223u) >> 24);
+	for (int i = 0; i < 3 * N; i++) bytes[i] = (uint8_t)(lcg_next(&seed) >> 24);
 }
 
 static void judge(pair *p, uint32_t width, uint32_t height, double ppd)
@@ -71,7 +73,7 @@ static double most_apart(void)
 
 static double lightness(int code)
 {
-	double v = code / 255.0, y = v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+	double y = (double)srgb_decoded(code / 255.0L);
 	return y > 216.0 / 24389 ? 116 * cbrt(y) - 16 : y * 24389 / 27;
 }
 

@@ -8,13 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include <touchstone/image.h>
+#include "../lcg.h"
 
 enum { WIDTH = 83, HEIGHT = 29, PIXELS = WIDTH * HEIGHT };
 
 static uint8_t reference[PIXELS * 3], image[PIXELS * 3], mask[PIXELS];
 static uint32_t seed = 1;
 
-static uint32_t next(void) { return (seed = seed * 1664525u + 1013904223u) >> 16; }
+static uint32_t next(void) { return lcg_next(&seed) >> 16; }
 
 static int set_up(void **state)
 {

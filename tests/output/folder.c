@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include "../kernels/seeded.h"
 #include "../scratch.h"
+#include "../status.h"
 #include "../../src/output/file.h"
 #include "../../src/output/folder.h"
 
@@ -24,17 +25,6 @@ static bool is_there(const char *path)
 {
 	struct stat info;
 	return lstat(path, &info) == 0;
-}
-
-static void require(ts_status status)
-{
-	if (status != TS_OK) fail_msg("%s", ts_error_message());
-}
-
-static void refused(ts_status status, const char *words)
-{
-	assert_int_equal(status, TS_ERROR);
-	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
 }
 
 static void put(const char *path, const char *text) { require(ts_file_write(path, text, strlen(text))); }

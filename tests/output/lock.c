@@ -1,16 +1,8 @@
 /* Locks: one holder at a time, who is named; files of killed processes; what cannot be locked. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <errno.h>
-#include <string.h>
 #include "../scratch.h"
-#include <touchstone/status.h>
+#include "../status.h"
 #include "../../src/output/lock.h"
-
-static void says(const char *text) { assert_non_null(strstr(ts_error_message(), text)); }
 
 static void test_one_holder(void **state)
 {

@@ -3,23 +3,13 @@
 #include <fcntl.h>
 #include "../kernels/seeded.h"
 #include "../scratch.h"
+#include "../status.h"
 #include "../../src/output/file.h"
 #include "../../src/output/place.h"
 #include "../../src/output/tree.h"
 
 static char dir[SCRATCH_PATH], partial[SCRATCH_PATH], old[SCRATCH_PATH];
 static const ts_place place = {dir, partial, old};
-
-static void require(ts_status status)
-{
-	if (status != TS_OK) fail_msg("%s", ts_error_message());
-}
-
-static void refused(ts_status status, const char *words)
-{
-	assert_int_equal(status, TS_ERROR);
-	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
-}
 
 /* A folder with one file, whose name says what it was made as. */
 static void make(const char *folder, const char *as)

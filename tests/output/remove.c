@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include "../kernels/seeded.h"
 #include "../scratch.h"
+#include "../status.h"
 #include "../../src/output/file.h"
 #include "../../src/output/folder.h"
 
@@ -33,11 +34,6 @@ static ts_status let(const char *dir)
 {
 	(void)dir;
 	return TS_OK;
-}
-
-static void require(ts_status status)
-{
-	if (status != TS_OK) fail_msg("%s", ts_error_message());
 }
 
 static bool is_there(const char *path)

@@ -2,6 +2,7 @@
 #ifndef TS_TESTS_TRACE_PROBED_H
 #define TS_TESTS_TRACE_PROBED_H
 #include "../methods/small.h"
+#include "../status.h"
 #include <dirent.h>
 #include <math.h>
 #include <unistd.h>
@@ -32,11 +33,6 @@ static inline ts_status hook(const ts_run *run, const ts_stage *stage, void *use
 {
 	traced *t = user;
 	return ts_trace_write_stage(t->writer, run, stage);
-}
-
-static inline void require(ts_status status)
-{
-	if (status != TS_OK) fail_msg("%s", ts_error_message());
 }
 
 static inline void make(traced *t, const char *effect, const char *method, const ts_params *params)

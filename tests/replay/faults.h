@@ -1,16 +1,13 @@
 /* Faults in a copy of one buffer of a trace, and what a replay from it says. */
 #ifndef TS_TESTS_TRACE_FAULTS_H
 #define TS_TESTS_TRACE_FAULTS_H
+#include "../lcg.h"
 #include "spot.h"
 #include "traces.h"
 
 static u32 random_state;
 
-static inline u32 random_below(u32 n)
-{
-	random_state = random_state * 1664525u + 1013904223u;
-	return (u32)(((u64)random_state * n) >> 32);
-}
+static inline u32 random_below(u32 n) { return lcg_below(&random_state, n); }
 
 static inline void put(const ts_buffer *buffer, ts_buffer_id id, u64 element, const char *name, u32 component,
                        u64 value)

@@ -5,17 +5,6 @@
 #include <touchstone/image.h>
 #include "../../src/report/page.h"
 
-static inline void require(ts_status status)
-{
-	if (status != TS_OK) fail_msg("%s", ts_error_message());
-}
-
-static inline void refused(ts_status status, const char *words)
-{
-	assert_int_equal(status, TS_ERROR);
-	says(words);
-}
-
 static inline ts_page *new_page(u32 n_probes)
 {
 	ts_page *page = ts_page_make(67, n_probes);

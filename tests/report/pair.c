@@ -1,6 +1,7 @@
 /* Which pictures of a page are judged against each other, in small pages of all kinds against the rule as written; and
  * how far apart two pictures are. */
 #include "pages.h"
+#include "../lcg.h"
 #include <math.h>
 #include "../../src/image/flip.h"
 #include "../../src/kernels/base/num.h"
@@ -94,8 +95,7 @@ static void test_rule(void **state)
 		ts_page_picture p[5];
 		u32 n = 1 + round % 5;
 		for (u32 i = 0; i < n; i++) {
-			seed = seed * 1664525u + 1013904223u;
-			u32 r = seed >> 16;
+			u32 r = lcg_next(&seed) >> 16;
 			static const u32 folders[] = {0, 0, 1, 2, TS_NONE};
 			p[i] = (ts_page_picture){.name = (char *)(r & 1 ? "a" : "b"), .group = (char *)(r & 2 ? "" : "g")};
 			p[i].truth = (r & 12) == 0;

@@ -1,6 +1,7 @@
 /* Traces of a page: the picture is the trace's display values, or those of its radiance where it holds no others; and
  * what trace.json says. */
 #include "pages.h"
+#include "../srgb.h"
 #include <math.h>
 #include "../trace/small.h"
 
@@ -67,12 +68,8 @@ static void test_crop(void **state)
 	ts_page_free(page);
 }
 
-/* Display value of a radiance (IEC 61966-2-1), 0 to 255 before rounding. */
-static double display(double radiance)
-{
-	double v = fmin(fmax(radiance, 0), 1);
-	return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1 / 2.4) - 0.055);
-}
+/* Display value of a radiance, 0 to 255 before rounding. */
+static double display(double radiance) { return 255 * srgb_encoded(fmin(fmax(radiance, 0), 1)); }
 
 /* Without display values, or with some of another shape. */
 static void test_of_radiance(void **state)

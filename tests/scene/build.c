@@ -1,11 +1,8 @@
 /* Building a scene: what is added, what is refused, what is kept, and the mip chains. */
+#include "../srgb.h"
+#include "../status.h"
 #include "../../src/scene/build.h"
 #include "../../src/kernels/base/shade.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <cmocka.h>
 
 static ts_params params;
 
@@ -53,8 +50,7 @@ static void refuse(ts_build *build, const char *words)
 	ts_scene *scene = (ts_scene *)build;
 	assert_int_equal(ts_build_finish(build, &params, NULL, &scene), TS_ERROR);
 	assert_null(scene);
-	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
-	assert_null(strchr(ts_error_message(), '\n'));
+	says(words);
 }
 
 static void test_defaults(void **state)
@@ -326,9 +322,7 @@ static void test_srgb_table(void **state)
 	const u64 *coded = scene->texels + scene->images[0].first_texel;
 	const u64 *linear = scene->texels + scene->images[1].first_texel;
 	for (u32 i = 0; i < 256; i++) {
-		long double c = i / 255.0L;
-		long double l = c <= 0.04045L ? c / 12.92L : powl((c + 0.055L) / 1.055L, 2.4L);
-		u32 expected = (u32)(65535 * l + 0.5L);
+		u32 expected = (u32)(65535 * srgb_decoded(i / 255.0L) + 0.5L);
 		for (u32 k = 0; k < 3; k++) assert_int_equal(channel(coded[i], k), expected);
 		assert_int_equal(channel(coded[i], 3), i * 257);
 		for (u32 k = 0; k < 4; k++) assert_int_equal(channel(linear[i], k), i * 257);

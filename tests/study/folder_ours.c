@@ -29,11 +29,7 @@ static const char REPORT[] = "{\"program\": \"touchstone\", \"files\": [\"a\", \
 
 static void put(const char *name, const char *text) { file_write(scratch_path("%s", name), text, strlen(text)); }
 
-static void refused(const char *words)
-{
-	assert_int_equal(ts_ours_judge(scratch_root), TS_ERROR);
-	says(words);
-}
+static void refuses(const char *words) { refused(ts_ours_judge(scratch_root), words); }
 
 /* Fills the stack, so that a pointer which nobody set is not NULL by luck. */
 static void __attribute__((noinline)) spoil_stack(void)
@@ -77,22 +73,22 @@ static void test_others(void **state)
 	(void)state;
 	make("report.json", REPORT);
 	put("c", "3");
-	refused("holds c, which no render wrote");
+	refuses("holds c, which no render wrote");
 	make("report.json", REPORT);
 	put("sub/c", "3");
-	refused("holds sub, which no render wrote");
+	refuses("holds sub, which no render wrote");
 	make("report.json", REPORT);
 	unlink(scratch_path("sub/b"));
-	refused("holds sub, which no render wrote");
+	refuses("holds sub, which no render wrote");
 	make("report.json", REPORT);
 	unlink(scratch_path("a"));
 	mkdir(scratch_path("a"), 0777);
-	refused("holds a, which no render wrote");
+	refuses("holds a, which no render wrote");
 	rmdir(scratch_path("a"));
 	make("report.json", REPORT);
 	unlink(scratch_path("a"));
 	assert_int_equal(symlink(scratch_path("sub/b"), scratch_path("a")), 0);
-	refused("holds a, which no render wrote");
+	refuses("holds a, which no render wrote");
 	remove_all();
 }
 
@@ -108,10 +104,10 @@ static void test_no_list(void **state)
 	                                    "[",
 	                                    ""};
 	make(NULL, NULL);
-	refused("no report.json or vectors.json there lists what was written");
+	refuses("no report.json or vectors.json there lists what was written");
 	for (u32 i = 0; i < sizeof lists / sizeof *lists; i++) {
 		make(i % 2 == 0 ? "report.json" : "vectors.json", lists[i]);
-		refused("no report.json or vectors.json there lists what was written");
+		refuses("no report.json or vectors.json there lists what was written");
 	}
 	remove_all();
 	assert_int_equal(ts_ours_judge(scratch_path("absent")), TS_ERROR);

@@ -1,5 +1,6 @@
 /* Pixels near a triangle of light: against every triangle for every pixel, without quarters and boxes. */
 #include "../../src/study/near_light.h"
+#include "../lcg.h"
 #include "../model/test.h"
 #include "../../src/kernels/base/records.h"
 
@@ -7,11 +8,7 @@ enum { WIDTH = 37, HEIGHT = 29, N = WIDTH * HEIGHT, PATCHES = 40 };
 
 static u32 seed;
 
-static f32 draw(f32 scale)
-{
-	seed = seed * 1664525u + 1013904223u;
-	return scale * ((f32)(seed >> 8) / 8388608.0f - 1);
-}
+static f32 draw(f32 scale) { return scale * ((f32)(lcg_next(&seed) >> 8) / 8388608.0f - 1); }
 
 static bool is_near(const ts_gpixel *pixel, const ts_patch *patches, u32 n)
 {

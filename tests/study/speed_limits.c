@@ -8,6 +8,18 @@
 #include <stdlib.h>
 #include "../../src/study/speed_limits.h"
 #include "../truth/world.h"
+#include <time.h>
+
+/* In place of the library's: once it ticks, each call of a thread is a second later. */
+static bool ticks;
+double ts_seconds(void)
+{
+	static _Thread_local double ticked;
+	struct timespec now;
+	if (ticks) return ++ticked;
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
 
 static void test_memory(void **state)
 {
@@ -20,6 +32,21 @@ static void test_memory(void **state)
 	assert_int_equal(ts_limit_stream(&stream, 2), TS_OK);
 	assert_true(isfinite(small) && isfinite(large) && isfinite(stream));
 	assert_true(small > 1e6 && large > 1e5 && stream > 1e7);
+}
+
+/* In one second: what one thread offers, and what all threads read and write in four passes. */
+static void test_units(void **state)
+{
+	(void)state;
+	for (u32 threads = 1; threads <= 2; threads++) {
+		double minima, stream;
+		ticks = true;
+		ts_status status = ts_limit_minima(&minima, 1 << 16, threads);
+		if (status == TS_OK) status = ts_limit_stream(&stream, threads);
+		ticks = false;
+		assert_int_equal(status, TS_OK);
+		assert_true(minima == 1 << 24 && stream == 4.0 * 2 * 8 * (1 << 24));
+	}
 }
 
 enum { SIDE = 8, POINTS = 100000 };
@@ -56,6 +83,7 @@ static void test_points(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_memory), cmocka_unit_test(test_points)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_memory), cmocka_unit_test(test_units),
+	                                   cmocka_unit_test(test_points)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

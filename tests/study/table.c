@@ -1,6 +1,8 @@
 /* Tables: as text they are aligned and at most 120 columns wide, as JSON they have a row an object; and lines that only
  * some want. */
 #include "../../src/study/table.h"
+#include "../lcg.h"
+#include "../model/said.h"
 #include "../model/test.h"
 #include <math.h>
 
@@ -77,8 +79,7 @@ static void test_wrapped(void **state)
 		for (u32 i = 0; i < 8; i++) {
 			char cell[400] = "";
 			for (u32 k = 0; k < 1 + (round + i) % 9; k++) {
-				seed = seed * 1664525u + 1013904223u;
-				snprintf(cell + strlen(cell), 20, "%sw%0*u", k > 0 ? " " : "", 2 + (int)(seed >> 16) % 9,
+				snprintf(cell + strlen(cell), 20, "%sw%0*u", k > 0 ? " " : "", 2 + (int)(lcg_next(&seed) >> 16) % 9,
 				         (unsigned)n_words++);
 			}
 			ts_table_text(&table, cell);
@@ -90,6 +91,86 @@ static void test_wrapped(void **state)
 		free(text);
 		ts_table_end(&table);
 	}
+}
+
+/* One row, n times the same cell under heads of one letter: no line is wider than a page, or ends with a blank. Returns
+ * the width of the widest. */
+static size_t widest_of(u32 n, const char *cell, bool right)
+{
+	ts_column columns[TS_MAX_COLUMNS + 1] = {{0}};
+	for (u32 c = 0; c < n; c++) columns[c] = (ts_column){"key", "h", right};
+	ts_table table = ts_table_begin("key", "", columns);
+	for (u32 c = 0; c < n; c++) ts_table_text(&table, cell);
+	char *text = printed(&table);
+	size_t widest = 0;
+	for (const char *at = text; *at != 0; at += strcspn(at, "\n") + 1) {
+		size_t bytes = strcspn(at, "\n");
+		assert_true(bytes <= LINE && (bytes == 0 || at[bytes - 1] != ' '));
+		widest = bytes > widest ? bytes : widest;
+	}
+	free(text);
+	ts_table_end(&table);
+	return widest;
+}
+
+/* Nine columns of 13 characters are 133 wide: text is wrapped down to 12, figures to 10; text alone takes what is
+ * left. */
+static void test_narrow(void **state)
+{
+	(void)state;
+	widest_of(9, "aaaaaaa bbbbb", false);
+	assert_int_equal(widest_of(9, "aaaaaaa bbbbb", true), 9 * 7 + 8 * 2);
+	assert_int_equal(widest_of(8, "aaaaaaa bbbbb", true), 8 * 13 + 7 * 2);
+	widest_of(3, "", true);
+	widest_of(3, "", false);
+}
+
+/* A line may end behind a bar or an asterisk, as it may before a blank. */
+static void test_bars(void **state)
+{
+	(void)state;
+	static const ts_column columns[] = {{"a", "a", false}, {0}};
+	for (const char *mark = "|*"; *mark != 0; mark++) {
+		char cell[400] = "";
+		for (u32 i = 0; i < 200; i++) cell[i] = i % 7 == 6 ? *mark : 'x';
+		ts_table table = ts_table_begin("key", "", columns);
+		ts_table_text(&table, cell);
+		char *text = printed(&table), *at = strchr(text, '\n') + 1;
+		for (u32 found = 0; found < 200; at += strcspn(at, "\n") + 1) {
+			size_t bytes = strcspn(at, "\n");
+			found += (u32)bytes;
+			assert_true(bytes > 0 && bytes <= LINE && (at[bytes - 1] == *mark || found == 200));
+		}
+		assert_int_equal(*at, 0);
+		free(text);
+		ts_table_end(&table);
+	}
+}
+
+/* A head that is wider than its cells has its room. */
+static void test_wide_head(void **state)
+{
+	(void)state;
+	static const ts_column columns[] = {{"a", "wide head", false}, {"b", "b", false}, {0}};
+	ts_table table = ts_table_begin("key", "", columns);
+	ts_table_text(&table, "x");
+	ts_table_text(&table, "y");
+	assert_prints(&table, "wide head  b\nx          y\n");
+}
+
+static void test_said(void **state)
+{
+	(void)state;
+	static const ts_column columns[] = {{"a", "first", false}, {"b", "second", true}, {0}};
+	ts_table table = ts_table_begin("key", "", columns);
+	for (u32 row = 1; row <= 2; row++) {
+		ts_table_text(&table, row == 1 ? "one" : "two");
+		ts_table_count(&table, row);
+	}
+	said_begin();
+	ts_table_say(&table);
+	assert_string_equal(said_end(), "a two, b 2\n");
+	ts_table_end(&table);
 }
 
 static void assert_cell(void (*put)(ts_table *table, i64 value), i64 value, const char *text)
@@ -204,12 +285,52 @@ static void test_reported(void **state)
 	}
 }
 
+/* A table that failed is a report that failed; one that is quiet has no table in its text. */
+static void test_unprinted(void **state)
+{
+	(void)state;
+	static const ts_column columns[] = {{"a", "head", false}, {0}};
+	for (u32 failed = 0; failed < 2; failed++) {
+		ts_report report;
+		ts_report_begin(&report, false);
+		report.quiet = true;
+		ts_table table = ts_table_begin("key", "", columns);
+		ts_table_text(&table, "cell");
+		table.failed = failed;
+		ts_report_table(&report, &table);
+		assert_int_equal(ts_report_check(&report), failed ? TS_ERROR : TS_OK);
+		if (!failed) assert_int_equal(report.text.bytes, 0);
+		ts_report_discard(&report);
+	}
+}
+
+/* Figures have nine digits; what is no number is null, and no failure. */
+static void test_figures(void **state)
+{
+	(void)state;
+	static const ts_column columns[] = {{"a", "", true}, {0}};
+	char text[64] = "";
+	FILE *out = fmemopen(text, sizeof text, "w");
+	json_t *figure = json_pack("[f]", 0.1234567891);
+	assert_true(out != NULL && figure != NULL);
+	ts_report_write(figure, out);
+	fclose(out);
+	assert_string_equal(text, "[\n  0.123456789\n]\n");
+	json_decref(figure);
+	ts_table table = ts_table_begin("key", "", columns);
+	ts_table_real(&table, NAN, 1);
+	assert_true(!table.failed && table.n_cells == 1 && json_is_null(table.cells[0].value));
+	ts_table_end(&table);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_aligned),  cmocka_unit_test(test_widest), cmocka_unit_test(test_wrapped),
-		cmocka_unit_test(test_cells),    cmocka_unit_test(test_json),   cmocka_unit_test(test_lines),
-		cmocka_unit_test(test_reported),
+		cmocka_unit_test(test_aligned),   cmocka_unit_test(test_widest), cmocka_unit_test(test_wrapped),
+		cmocka_unit_test(test_cells),     cmocka_unit_test(test_json),   cmocka_unit_test(test_lines),
+		cmocka_unit_test(test_reported),  cmocka_unit_test(test_narrow), cmocka_unit_test(test_bars),
+		cmocka_unit_test(test_wide_head), cmocka_unit_test(test_said),   cmocka_unit_test(test_unprinted),
+		cmocka_unit_test(test_figures),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

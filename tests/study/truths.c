@@ -1,12 +1,7 @@
 /* Which truths are named: each by its name, in any case, of its effect alone. */
 #include "../../src/study/truths.h"
 #include "../../src/study/bench.h"
-#include "../model/test.h"
-
-static void says(const char *words)
-{
-	if (strstr(ts_error_message(), words) == NULL) fail_msg("\"%s\" lacks \"%s\"", ts_error_message(), words);
-}
+#include "../status.h"
 
 static void assert_list(const char *effect, const char *last, const char *right)
 {

@@ -2,19 +2,12 @@
  * small traces. */
 #ifndef TS_TESTS_TRACE_FOLDER_H
 #define TS_TESTS_TRACE_FOLDER_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <cmocka.h>
 #include <jansson.h>
 #include "../../src/trace/npy.h"
 #include "../scratch.h"
+#include "../status.h"
 
 static inline void file_write(const char *path, const void *data, size_t bytes)
 {
@@ -66,14 +59,6 @@ static inline void npy_write(const char *path, const char *descr, const char *sh
 	if (bytes > 0) memcpy(whole + n, data, bytes);
 	file_write(path, whole, n + bytes);
 	free(whole);
-}
-
-/* Fails unless the last message is one line that holds `what`. */
-static inline void says(const char *what)
-{
-	const char *message = ts_error_message();
-	if (strstr(message, what) == NULL) fail_msg("\"%s\" lacks \"%s\"", message, what);
-	assert_null(strchr(message, '\n'));
 }
 
 #endif

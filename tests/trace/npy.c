@@ -124,7 +124,7 @@ static void test_others(void **state)
 	}
 }
 
-static void refused(const char *dict, const char *what)
+static void refuses(const char *dict, const char *what)
 {
 	char head[2048];
 	ts_npy npy;
@@ -185,19 +185,19 @@ static void test_malformed(void **state)
 {
 	(void)state;
 	char dict[256];
-	for (u32 i = 0; i < sizeof none / sizeof *none; i++) refused(none[i], "not a .npy file");
+	for (u32 i = 0; i < sizeof none / sizeof *none; i++) refuses(none[i], "not a .npy file");
 	for (u32 i = 0; i < sizeof shapes / sizeof *shapes; i++) {
 		snprintf(dict, sizeof dict, "{'descr': '<f4', 'fortran_order': False, 'shape': %s, }", shapes[i]);
-		refused(dict, "file: its shape is not 1 to 4 whole numbers");
+		refuses(dict, "file: its shape is not 1 to 4 whole numbers");
 	}
 	for (u32 i = 0; i < sizeof dtypes / sizeof *dtypes; i++) {
 		snprintf(dict, sizeof dict, "{'descr': %s, 'fortran_order': False, 'shape': (6,), }", dtypes[i]);
-		refused(dict, "file: ");
+		refuses(dict, "file: ");
 	}
-	refused("{'descr': '<f4', 'fortran_order': True, 'shape': (2, 3), }", "Fortran order");
-	refused("{'descr': '<f4', 'fortran_order': 0, 'shape': (2, 3), }", "file: ");
-	refused("{'descr': '<f4', 'fortran_order': False, 'shape': (7,), }", "24 bytes of data; its shape needs 28");
-	refused("{'descr': '<f4', 'fortran_order': False, 'shape': (5,), }", "24 bytes of data; its shape needs 20");
+	refuses("{'descr': '<f4', 'fortran_order': True, 'shape': (2, 3), }", "Fortran order");
+	refuses("{'descr': '<f4', 'fortran_order': 0, 'shape': (2, 3), }", "file: ");
+	refuses("{'descr': '<f4', 'fortran_order': False, 'shape': (7,), }", "24 bytes of data; its shape needs 28");
+	refuses("{'descr': '<f4', 'fortran_order': False, 'shape': (5,), }", "24 bytes of data; its shape needs 20");
 }
 
 /* Cut anywhere, in a block of exactly that size: the sanitizers see a byte too many. */

@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <zstd.h>
 #include "folder.h"
+#include "../lcg.h"
 #include "../../src/model/core.h"
 #include "../../src/trace/packed.h"
 
@@ -13,8 +14,8 @@ static u8 *make(size_t n)
 	u8 *data = malloc(n + 1);
 	assert_non_null(data);
 	for (size_t i = 0; i < n; i++) {
-		seed = seed * 1664525u + 1013904223u;
-		data[i] = i / 4096 % 2 ? (u8)(seed >> 24) : (u8)(i / 64);
+		u32 noise = lcg_next(&seed) >> 24;
+		data[i] = (u8)(i / 4096 % 2 ? noise : i / 64);
 	}
 	return data;
 }
@@ -73,7 +74,7 @@ static void test_names(void **state)
 }
 
 /* Of a whole file of n bytes: read as one that holds `asked` of them. */
-static void refused(const char *path, size_t asked, const char *what)
+static void refuses(const char *path, size_t asked, const char *what)
 {
 	u8 *read = malloc(asked + 1);
 	assert_non_null(read);
@@ -90,14 +91,14 @@ static void test_damaged(void **state)
 	u8 *data = make(N);
 	const char *path = scratch_path("damaged.zst");
 	pack(path, data, N, N);
-	refused(path, N - 1, "holds more than 299999 bytes");
-	refused(path, N + 1, "holds 300000 bytes; 300001 would be right");
+	refuses(path, N - 1, "holds more than 299999 bytes");
+	refuses(path, N + 1, "holds 300000 bytes; 300001 would be right");
 	char *file = file_read(path, &bytes);
 	/* Cut short: in its header, in each tenth, and by its last byte. */
 	for (u32 i = 1; i <= 11; i++) {
 		size_t n = i == 11 ? bytes - 1 : bytes * (i - 1) / 10 + 9;
 		file_write(path, file, n);
-		refused(path, N, "ends within its frame of zstd");
+		refuses(path, N, "ends within its frame of zstd");
 	}
 	/* Behind the frame: a byte, and the same frame again. */
 	char *twice = malloc(2 * bytes);
@@ -105,16 +106,16 @@ static void test_damaged(void **state)
 	memcpy(twice, file, bytes);
 	memcpy(twice + bytes, file, bytes);
 	file_write(path, twice, bytes + 1);
-	refused(path, N, "has more behind its frame of zstd");
+	refuses(path, N, "has more behind its frame of zstd");
 	file_write(path, twice, 2 * bytes);
-	refused(path, N, "has more behind its frame of zstd");
+	refuses(path, N, "has more behind its frame of zstd");
 	free(twice);
 	/* Another bit anywhere. */
 	for (u32 i = 0; i < 64; i++) {
 		size_t at = bytes * i / 64;
 		file[at] ^= 4;
 		file_write(path, file, bytes);
-		refused(path, N, "damaged.zst: ");
+		refuses(path, N, "damaged.zst: ");
 		file[at] ^= 4;
 	}
 	free(file);

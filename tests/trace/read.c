@@ -25,7 +25,7 @@ static int begin(void **state)
 	return 0;
 }
 
-static void refused(const char *what)
+static void refuses(const char *what)
 {
 	ts_trace *trace = (ts_trace *)1;
 	if (ts_trace_open_folder(&trace, bad) == TS_OK) fail_msg("taken, though %s", what);
@@ -148,7 +148,7 @@ static void test_values(void **state)
 		npy_write(scratch_path("bad/four.npy"), "'|u1'", "(2, 4, 4)", zero, 32);
 		npy_write(scratch_path("bad/flat.npy"), "'|u1'", "(24,)", zero, 24);
 		small_edit(bad, change, &values[i]);
-		refused(values[i].says);
+		refuses(values[i].says);
 	}
 }
 
@@ -201,12 +201,12 @@ static void test_shared(void **state)
 	small_copy(bad, good);
 	file_write(scratch_path("bad/plain.npy.zst"), zero, 32);
 	small_edit(bad, change_name, "../scene/k.npy");
-	refused("scene: no such folder; traces of one run share it");
+	refuses("scene: no such folder; traces of one run share it");
 	file_write(scratch_path("scene"), zero, 1);
-	refused("scene: not a folder");
+	refuses("scene: not a folder");
 	unlink(scratch_path("scene"));
 	assert_int_equal(symlink("good", scratch_path("scene")), 0);
-	refused("scene: not a folder");
+	refuses("scene: not a folder");
 	unlink(scratch_path("scene"));
 	small_copy(scratch_path("scene"), good);
 	assert_int_equal(mkdir(scratch_path("scene/sub"), 0777), 0);
@@ -220,7 +220,7 @@ static void test_shared(void **state)
 	taken("k.npy");
 	for (u32 i = 0; i < sizeof shared / sizeof *shared; i++) {
 		small_edit(bad, change_name, shared[i].key);
-		refused(shared[i].says);
+		refuses(shared[i].says);
 	}
 	/* In version 1 the end of a name says nothing. */
 	ts_trace *t;
@@ -242,33 +242,33 @@ static void test_text(void **state)
 	char *text = file_read(scratch_path("good/trace.json"), &bytes);
 	for (size_t n = 0; n < bytes - 1; n++) {
 		put(text, n);
-		refused("trace.json: line ");
+		refuses("trace.json: line ");
 	}
 	free(text);
 	put("[]", 2);
-	refused("not an object");
+	refuses("not an object");
 	put("{\"format\": \"touchstone-trace\", \"format\": \"touchstone-trace\"}", 60);
-	refused("duplicate");
+	refuses("duplicate");
 	put("{\"a\": \"\\u0000\"}", 15);
-	refused("line 1");
+	refuses("line 1");
 	put("{\"a\": \"\xff\"}", 10);
-	refused("line 1");
+	refuses("line 1");
 	enum { DEEP = 1 << 20 };
 	char *deep = malloc(DEEP);
 	assert_non_null(deep);
 	memset(deep, '[', DEEP);
 	put(deep, DEEP);
 	free(deep);
-	refused("line 1");
+	refuses("line 1");
 	assert_int_equal(truncate(scratch_path("bad/trace.json"), (1 << 24) + 1), 0);
-	refused("a trace.json has at most");
+	refuses("a trace.json has at most");
 	unlink(scratch_path("bad/trace.json"));
-	refused("No such file");
+	refuses("No such file");
 	assert_int_equal(symlink("../good/trace.json", scratch_path("bad/trace.json")), 0);
-	refused("is a link");
+	refuses("is a link");
 	unlink(scratch_path("bad/trace.json"));
 	assert_int_equal(mkfifo(scratch_path("bad/trace.json"), 0666), 0);
-	refused("not a regular file");
+	refuses("not a regular file");
 }
 
 static void test_layout(void **state)

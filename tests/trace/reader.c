@@ -1,20 +1,16 @@
 /* Reading elements in any order against the plain file, and files that change meanwhile. */
 #include "folder.h"
+#include "../lcg.h"
 #include "../../src/model/core.h"
 #include "../../src/trace/reader.h"
 
 static u32 seed = 17;
-static u32 draw(u32 n)
-{
-	seed = seed * 1664525u + 1013904223u;
-	return (u32)(((u64)seed * n) >> 32);
-}
 
 static char *make_file(const char *path, size_t bytes)
 {
 	char *data = malloc(bytes + 1);
 	assert_non_null(data);
-	for (size_t i = 0; i < bytes; i++) data[i] = (char)draw(256);
+	for (size_t i = 0; i < bytes; i++) data[i] = (char)lcg_below(&seed, 256);
 	file_write(path, data, bytes);
 	return data;
 }
@@ -31,7 +27,7 @@ static void test_random_access(void **state)
 		ts_reader *r = ts_reader_open(path, 100, n, sizes[s]);
 		assert_non_null(r);
 		for (u32 i = 0; i < 3000; i++) {
-			u64 at = i % 3 == 0 ? n - 1 - draw(5) : i % 3 == 1 ? draw((u32)n) : i;
+			u64 at = i % 3 == 0 ? n - 1 - lcg_below(&seed, 5) : i % 3 == 1 ? lcg_below(&seed, (u32)n) : i;
 			const void *found = ts_reader_at(r, at, &held);
 			assert_non_null(found);
 			assert_true(held >= 1 && at + held <= n);

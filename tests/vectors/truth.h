@@ -3,6 +3,7 @@
 #define TS_TESTS_TRACE_VECTORS_TRUTH_H
 #include <stdlib.h>
 #include "../kernels/base/half_truth.h"
+#include "../srgb.h"
 #include "rounded.h"
 
 typedef void truth(u32 *right, const u32 *in);
@@ -210,11 +211,10 @@ static void t_texture_bilinear(u32 *right, const u32 *in)
 	}
 }
 
-static double decoded(double e) { return e <= 0.04045 ? e / 12.92 : pow((e + 0.055) / 1.055, 2.4); }
 static u32 srgb_of(f32 l)
 {
 	u32 n = 0;
-	while (n < 255 && l >= decoded((n + 0.5) / 255)) n++;
+	while (n < 255 && l >= srgb_decoded((n + 0.5L) / 255)) n++;
 	return n;
 }
 W(srgb, srgb_of(A))

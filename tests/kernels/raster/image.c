@@ -1,6 +1,7 @@
 /* The picture: display values, background, and mirrors that show what was reflected. */
 #include "../../../src/kernels/raster/image.h"
 #include "../points/mesh.h"
+#include "../../srgb.h"
 
 enum { W = 16, H = 8 };
 
@@ -38,12 +39,7 @@ static void picture_make(picture *p)
 	for (u32 i = 0; i < W * H; i++) ts_k_image_item(&p->args, i);
 }
 
-/* The sRGB curve of IEC 61966-2-1, rounded to a byte. */
-static double curve(double l)
-{
-	double v = l <= 0.0031308 ? 12.92 * l : 1.055 * pow(l, 1 / 2.4) - 0.055;
-	return 255 * fmin(fmax(v, 0), 1);
-}
+static double curve(double l) { return 255 * fmin(fmax(srgb_encoded(l), 0), 1); }
 
 /* Display values never fall, reach both ends, and are the curve's to half a step. */
 static void test_bytes(void **state)

@@ -1,15 +1,9 @@
 /* Reading PLY: files made here in all three formats, what they must say, and every way to lie about them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <locale.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
+#include "../../srgb.h"
+#include "../../status.h"
 #include "../../../src/model/core.h"
 #include "../../../src/kernels/base/vec.h"
 #include "../../../src/scene/sources.h"
@@ -38,8 +32,7 @@ static const ts_scene *good(ts_build *build)
 static void assert_refused(ts_build *build, const char *words)
 {
 	assert_true(ts_build_failed(build));
-	if (strstr(ts_error_message(), words) == NULL) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
-	assert_null(strchr(ts_error_message(), '\n'));
+	says(words);
 	ts_build_free(build);
 }
 
@@ -373,7 +366,7 @@ static void colours_of_two_bytes_are_srgb(void **state)
 	for (u32 i = 0; i < 300; i++) {
 		char text[1024];
 		u32 code = ts_random(i, 1, 6) & 65535;
-		double c = code / 65535.0, expected = c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+		double expected = (double)srgb_decoded(code / 65535.0L);
 		sprintf(text,
 		        POINTS("1") XYZ NORMAL RADIUS "property ushort red\nproperty ushort green\nproperty ushort blue\n" END
 		                                      "0 0 0 0 1 0 1 %u 0 65535",
