@@ -6,7 +6,7 @@
 #include "../output/file.h"
 #include "../study/folder.h"
 #include "../study/table.h"
-#include "../trace/npy.h"
+#include "../output/npy.h"
 #include "vectors.h"
 
 static ts_status write_file(const char *name, const char *descr, u32 n_dims, const u64 *shape, const void *data,

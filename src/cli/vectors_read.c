@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "../model/json.h"
-#include "../trace/npy.h"
+#include "../output/npy.h"
 #include "vectors.h"
 
 enum { PATH_BYTES = 4096 + 300, MAX_INDEX_BYTES = 1 << 24 };

@@ -13,7 +13,7 @@
 #include <unistd.h>
 #include <cmocka.h>
 #include <jansson.h>
-#include "../../src/trace/npy.h"
+#include "../../src/trace/descr.h"
 #include "../scratch.h"
 
 static inline void file_write(const char *path, const void *data, size_t bytes)
