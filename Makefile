@@ -127,7 +127,7 @@ IMAGE_CC := src/image/openimageio.cc
 LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/* methods methods/* families golden vectors)) \
-	$(patsubst %,src/backends/%.c,args find) src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
+	$(patsubst %,src/backends/%.c,args find) src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,descr emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends baseline command commit digest golden* help \
 		methods nearest options parse reads say shard sweep truths words worker)))

@@ -6,7 +6,6 @@
 #include <string.h>
 #include "../families/families.h"
 #include "../tools/tools.h"
-#include "../vectors/vectors.h"
 
 const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, &ts_opencl_kind, &ts_vulkan_kind, &ts_cuda_kind, NULL};
 
@@ -26,14 +25,18 @@ void ts_api_ready(void)
 static _Thread_local fenv_t environment;
 static _Thread_local ts_listener before;
 
-ts_status ts_api_enter(const ts_context *context)
+static ts_status enter(const ts_context *context, u32 threads)
 {
 	feholdexcept(&environment);
 	before = ts_listen(&context->listener);
-	ts_status status = ts_selftest_require_on(ts_threads_ready(context->how.threads));
+	ts_status status = ts_selftest_require_on(ts_threads_ready(threads));
 	if (status != TS_OK) ts_api_leave();
 	return status;
 }
+
+ts_status ts_api_enter(const ts_context *context) { return enter(context, context->how.threads); }
+
+ts_status ts_api_enter_alone(const ts_context *context) { return enter(context, 1); }
 
 void ts_api_leave(void)
 {
@@ -52,9 +55,9 @@ static bool is_zero(const char *bytes, size_t n)
 /* Of no struct of callers, ever. */
 enum { MOST_BYTES = 4096 };
 
-ts_status ts_api_room(size_t bytes, size_t our_bytes, const char *type)
+ts_status ts_api_room(size_t bytes, size_t least_bytes, size_t our_bytes, const char *type)
 {
-	if (bytes >= our_bytes && bytes <= MOST_BYTES) return TS_OK;
+	if (bytes >= least_bytes && bytes <= MOST_BYTES) return TS_OK;
 	return ts_fail("%s: its member `bytes` is %zu; the size of the struct, %zu, would be right", type, bytes,
 	               our_bytes);
 }
@@ -64,7 +67,7 @@ ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, cons
 	size_t bytes;
 	if (options == NULL) return TS_OK;
 	memcpy(&bytes, options, sizeof bytes);
-	if (ts_api_room(bytes, our_bytes, type) != TS_OK) return TS_ERROR;
+	if (ts_api_room(bytes, our_bytes, our_bytes, type) != TS_OK) return TS_ERROR;
 	if (!is_zero((const char *)options + our_bytes, bytes - our_bytes)) {
 		return ts_fail("%s: sets what this library, touchstone %s, does not know", type, TS_VERSION);
 	}
@@ -127,6 +130,7 @@ void ts_context_close(ts_context *context)
 {
 	if (context == NULL) return;
 	if (context->how.backend != NULL) context->how.backend->close(context->how.backend);
+	free(context->words.in);
 	free(context);
 }
 
@@ -144,7 +148,7 @@ ts_status ts_device_at(ts_device_info *device, const char *backend, uint32_t i)
 	ts_device devices[TS_MAX_DEVICES];
 	if (TS_LACKS(device) || TS_LACKS(backend)) return TS_ERROR;
 	ts_device_info told;
-	if (ts_api_room(device->bytes, sizeof told, "ts_device_info") != TS_OK) return TS_ERROR;
+	if (ts_api_room(device->bytes, sizeof told, sizeof told, "ts_device_info") != TS_OK) return TS_ERROR;
 	if (ts_backend_find(&kind, ts_backend_kinds, backend) != TS_OK) return TS_ERROR;
 	pthread_mutex_lock(&drivers);
 	const u32 n = kind->devices(devices);

@@ -63,7 +63,7 @@ ts_status ts_golden_check(ts_context *context, ts_golden_judged *judged, const c
 	ts_golden_dir dir;
 	if (TS_LACKS(context) || TS_LACKS(judged) || TS_LACKS(folder)) return TS_ERROR;
 	ts_golden_judged told = {.bytes = judged->bytes};
-	if (ts_api_room(judged->bytes, sizeof told, "ts_golden_judged") != TS_OK) return TS_ERROR;
+	if (ts_api_room(judged->bytes, sizeof told, sizeof told, "ts_golden_judged") != TS_OK) return TS_ERROR;
 	*judged = told;
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
 	ts_status status = ts_golden_dir_open(&dir, NULL, folder);

@@ -1,18 +1,50 @@
 /* Arithmetic vectors in memory. */
 #include "api.h"
-#include <touchstone/vectors.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../vectors/vectors.h"
 
 typedef struct {
 	ts_vector_info info;
 	char in[TS_VECTOR_DESCR], out[TS_VECTOR_DESCR];
+	ts_vector_column_info inputs[TS_VECTOR_COLUMNS], outputs[TS_VECTOR_COLUMNS];
 } row;
 
 static row *rows;
 static u32 n_rows;
+
+static u32 describe_columns(ts_vector_column_info *info, const ts_vector_column *columns)
+{
+	u32 n = 0, word = 0;
+	for (const ts_vector_column *c = columns; c->name != NULL; c++) {
+		info[n++] = (ts_vector_column_info){c->name, c->type, c->count, word};
+		word += c->count * ts_vector_type_words(c->type);
+	}
+	return n;
+}
+
+static void describe(row *r, const ts_vector *v, bool composed)
+{
+	u64 shape[TS_MAX_DIMS];
+	ts_vector_in_descr(r->in, v);
+	ts_vector_out_descr(r->out, v);
+	r->info = (ts_vector_info){.name = v->name,
+	                           .rule = v->rule,
+	                           .doc = v->doc,
+	                           .items = TS_VECTOR_ITEMS,
+	                           .in_words = ts_vector_in_words(v),
+	                           .out_words = ts_vector_out_words(v),
+	                           .in_dtype = r->in,
+	                           .out_dtype = r->out,
+	                           .composed = composed,
+	                           .record = ts_vector_gives_record(v),
+	                           .n_inputs = describe_columns(r->inputs, v->in),
+	                           .n_outputs = describe_columns(r->outputs, v->out),
+	                           .inputs = r->inputs,
+	                           .outputs = r->outputs,
+	                           .n_dims = ts_vector_out_shape(shape, v)};
+	memcpy(r->info.shape, shape, r->info.n_dims * sizeof *shape);
+}
 
 static void make(void)
 {
@@ -20,21 +52,7 @@ static void make(void)
 	rows = ts_alloc(ts_vectors_count(), sizeof *rows, "the table of primitives");
 	if (rows == NULL) return;
 	n_rows = ts_vectors_count();
-	for (u32 i = 0; i < n_rows; i++) {
-		const ts_vector *v = ts_vectors_at(i);
-		row *r = &rows[i];
-		ts_vector_in_descr(r->in, v);
-		ts_vector_out_descr(r->out, v);
-		r->info = (ts_vector_info){v->name,
-		                           v->rule,
-		                           v->doc,
-		                           TS_VECTOR_ITEMS,
-		                           ts_vector_in_words(v),
-		                           ts_vector_out_words(v),
-		                           r->in,
-		                           r->out,
-		                           ts_vectors_place(i).composed};
-	}
+	for (u32 i = 0; i < n_rows; i++) describe(&rows[i], ts_vectors_at(i), ts_vectors_place(i).composed);
 }
 
 const ts_vector_info *ts_vector_at(size_t i)
@@ -44,65 +62,76 @@ const ts_vector_info *ts_vector_at(size_t i)
 	return i < n_rows ? &rows[i].info : NULL;
 }
 
-/* The words of a primitive, by free(). */
-typedef struct {
-	const ts_vector *vector;
-	u32 *in, *out;
-} words;
-
-static ts_status find(words *w, const ts_context *context, const char *name)
+static ts_status make_words(ts_api_words *words, const ts_vector *v)
 {
-	*w = (words){.vector = ts_vectors_find(name)};
-	if (w->vector == NULL) return ts_fail("there is no primitive \"%.60s\"; ts_vector_at names all", name);
-	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
-	w->in = ts_alloc(TS_VECTOR_ITEMS, ts_vector_in_words(w->vector) * sizeof *w->in, "inputs");
-	w->out = ts_alloc(TS_VECTOR_ITEMS, ts_vector_out_words(w->vector) * sizeof *w->out, "outputs");
-	if (w->in != NULL && w->out != NULL) ts_vector_make(w->vector, w->in, w->out);
-	ts_api_leave();
-	return w->in != NULL && w->out != NULL ? TS_OK : TS_ERROR;
+	if (words->vector == v) return TS_OK;
+	const size_t most = TS_VECTOR_ITEMS * TS_VECTOR_WORDS;
+	if (words->in == NULL) words->in = ts_alloc(2 * most, sizeof *words->in, "arithmetic vectors");
+	if (words->in == NULL) return TS_ERROR;
+	words->out = words->in + most;
+	words->vector = v;
+	ts_vector_make(v, words->in, words->out);
+	return TS_OK;
 }
 
-static void drop(words *w)
+/* Sees to it that the context, which is entered, holds the words of a primitive. */
+static ts_status find(ts_context *context, const char *name)
 {
-	free(w->in);
-	free(w->out);
+	const ts_vector *v = ts_vectors_find(name);
+	if (v == NULL) return ts_fail("there is no primitive \"%.60s\"; ts_vector_at names all", name);
+	return make_words(&context->words, v);
 }
 
 ts_status ts_vector_words(ts_context *context, uint32_t *in, uint32_t *out, const char *primitive)
 {
-	words w;
-	if (TS_LACKS(context) || TS_LACKS(primitive)) return TS_ERROR;
-	ts_status status = find(&w, context, primitive);
-	if (status == TS_OK && in != NULL) memcpy(in, w.in, TS_VECTOR_ITEMS * ts_vector_in_words(w.vector) * sizeof *in);
-	if (status == TS_OK && out != NULL)
-		memcpy(out, w.out, TS_VECTOR_ITEMS * ts_vector_out_words(w.vector) * sizeof *out);
-	drop(&w);
-	return status;
+	if (TS_LACKS(context) || TS_LACKS(primitive) || ts_api_enter_alone(context) != TS_OK) return TS_ERROR;
+	ts_status status = find(context, primitive);
+	ts_api_leave();
+	if (status != TS_OK) return status;
+	const ts_api_words *w = &context->words;
+	if (in != NULL) memcpy(in, w->in, TS_VECTOR_ITEMS * ts_vector_in_words(w->vector) * sizeof *in);
+	if (out != NULL) memcpy(out, w->out, TS_VECTOR_ITEMS * ts_vector_out_words(w->vector) * sizeof *out);
+	return TS_OK;
 }
 
+static void tell_fault(const char **name, const char **remedy, ts_vector_fault fault)
+{
+	*name = fault != TS_N_FAULTS ? ts_vector_fault_table[fault].name : NULL;
+	*remedy = fault != TS_N_FAULTS ? ts_vector_fault_table[fault].remedy : NULL;
+}
+
+/* Some items are wrong. */
 static void tell(ts_vector_judged *judged, const ts_vector *vector, const ts_vector_verdict *v)
 {
-	const ts_vector_fault_info *fault = v->fault != TS_N_FAULTS ? &ts_vector_fault_table[v->fault] : NULL;
+	const ts_vector_spot spot = ts_vector_out_spot(vector, v->first_element);
 	judged->n_wrong = v->n_wrong;
 	judged->first = v->first;
-	judged->first_word = v->n_wrong > 0 ? ts_vector_out_spot(vector, v->first_element).word : 0;
-	judged->fault = fault != NULL ? fault->name : NULL;
-	judged->remedy = fault != NULL ? fault->remedy : NULL;
+	judged->first_word = spot.word;
+	tell_fault(&judged->fault, &judged->remedy, v->fault);
+	judged->n_explained = v->fault != TS_N_FAULTS ? v->n_explained[v->fault] : 0;
+	judged->first_column = (u32)(spot.column - vector->out);
+	judged->first_element = spot.element;
+	judged->first_nan = v->first_nan;
+	judged->first_apart = v->first_apart;
+	tell_fault(&judged->first_fault, &judged->first_remedy, v->first_fault);
 }
+
+/* The struct's first version ended here. */
+enum { LEAST_BYTES = offsetof(ts_vector_judged, n_explained) };
 
 ts_status ts_vector_check(ts_context *context, ts_vector_judged *judged, const char *primitive, const uint32_t *found)
 {
-	words w;
+	ts_vector_verdict verdict = {.n_wrong = 0};
 	if (TS_LACKS(context) || TS_LACKS(judged) || TS_LACKS(primitive) || TS_LACKS(found)) return TS_ERROR;
 	ts_vector_judged told = {.bytes = judged->bytes};
-	if (ts_api_options(&told, sizeof told, judged, "ts_vector_judged") != TS_OK) return TS_ERROR;
-	ts_status status = find(&w, context, primitive);
-	ts_vector_verdict verdict = {.n_wrong = 0};
-	if (status == TS_OK) {
-		verdict = ts_vector_judge(w.vector, w.in, w.out, found);
-		tell(&told, w.vector, &verdict);
-		memcpy(judged, &told, told.bytes < sizeof told ? told.bytes : sizeof told);
-	}
-	drop(&w);
-	return status == TS_OK && verdict.n_wrong > 0 ? TS_DIFFERENT : status;
+	if (ts_api_room(told.bytes, LEAST_BYTES, sizeof told, "ts_vector_judged") != TS_OK) return TS_ERROR;
+	if (ts_api_enter_alone(context) != TS_OK) return TS_ERROR;
+	const ts_api_words *w = &context->words;
+	ts_status status = find(context, primitive);
+	if (status == TS_OK) verdict = ts_vector_judge(w->vector, w->in, w->out, found);
+	ts_api_leave();
+	if (status != TS_OK) return status;
+	if (verdict.n_wrong > 0) tell(&told, w->vector, &verdict);
+	memcpy(judged, &told, told.bytes < sizeof told ? told.bytes : sizeof told);
+	return verdict.n_wrong > 0 ? TS_DIFFERENT : TS_OK;
 }

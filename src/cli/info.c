@@ -1,7 +1,6 @@
 /* `info SCENE`: what was loaded, and what in the file was not understood. */
-#include <stdio.h>
 #include "../output/file.h"
-#include "cli.h"
+#include "client.h"
 
 static ts_status print(const ts_scene *scene, bool json)
 {
@@ -15,9 +14,13 @@ static ts_status print(const ts_scene *scene, bool json)
 
 ts_status ts_info_command(ts_cli *cli)
 {
-	ts_scene *scene;
-	ts_status status = ts_scene_load(&scene, cli->arguments[0], &cli->job.params, &cli->job.scene);
-	if (status == TS_OK) status = print(scene, cli->job.output.json);
+	ts_context *context;
+	ts_scene *scene = NULL;
+	const ts_job *job = &cli->job;
+	ts_status status = ts_client_open(&context, cli);
+	if (status == TS_OK) status = ts_scene_open(context, &scene, cli->arguments[0], &job->params, &job->scene);
+	if (status == TS_OK) status = print(scene, job->output.json);
 	ts_scene_free(scene);
+	ts_context_close(context);
 	return status;
 }

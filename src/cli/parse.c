@@ -108,6 +108,7 @@ static void set_defaults(ts_cli *cli)
 	job->program = ts_program;
 	job->backends = ts_backend_kinds;
 	job->backend = ts_backend_kinds[0];
+	job->scene.bytes = sizeof job->scene;
 	cli->began = ts_seconds();
 	cli->judging.first = 1;
 	job->device = (ts_backend_options){.work_group = 64, .build = ""};

@@ -1,18 +1,19 @@
 /* Files of arithmetic vectors: a folder of PRIMITIVE.in.npy, PRIMITIVE.out.npy and vectors.json. */
 #ifndef TS_CLI_VECTORS_H
 #define TS_CLI_VECTORS_H
-#include "../vectors/vectors.h"
-#include "cli.h"
+#include "client.h"
 
-/* Room for the rows of any primitive. */
+u32 ts_vectors_total(void);
+
+/* Room for the rows of any primitive: one block, which `in` begins. */
 typedef struct {
-	u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
-	u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
-	u32 found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
+	u32 *in, *out, *found;
 } ts_vector_rows;
+/* Release by free(rows->in). */
+ts_status ts_vectors_rows(ts_vector_rows *rows);
 
 /* Judges the outputs in the folder of --check: TS_OK all that are there are right, TS_DIFFERENT, or TS_ERROR. */
-ts_status ts_vectors_check(const ts_cli *cli);
+ts_status ts_vectors_check(const ts_cli *cli, ts_context *context);
 
 /* Reads DIR/NAME.npy, elements of `descr` and of element_bytes in that shape, to `data`. *there: the file exists; if it
  * does not, nothing is read and nothing fails. */

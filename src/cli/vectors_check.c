@@ -2,11 +2,13 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "../study/table.h"
 #include "vectors.h"
 
 typedef struct {
-	ts_vector_rows *rows;
+	ts_context *context;
+	ts_vector_rows rows;
 	ts_report report;
 	ts_table table;
 	json_t *first_wrong;
@@ -34,10 +36,13 @@ typedef struct {
 	char decimal[40], hex[40], bits[24];
 } value_text;
 
+/* 32-bit words of one value. */
+static u32 words_of(ts_vector_type type) { return type == TS_VECTOR_I64 || type == TS_VECTOR_U64 ? 2 : 1; }
+
 static value_text print_value(ts_vector_type type, const u32 *row)
 {
 	value_text r = {"", "", ""};
-	u64 wide = (u64)row[ts_vector_type_words(type) - 1] << 32 | row[0];
+	u64 wide = (u64)row[words_of(type) - 1] << 32 | row[0];
 	double x = (double)ts_u2f(row[0]);
 	snprintf(r.bits, sizeof r.bits, "%08" PRIx32, row[0]);
 	switch (type) {
@@ -50,195 +55,176 @@ static value_text print_value(ts_vector_type type, const u32 *row)
 	case TS_VECTOR_I64: snprintf(r.decimal, sizeof r.decimal, "%" PRId64, (i64)wide); break;
 	case TS_VECTOR_U64: snprintf(r.decimal, sizeof r.decimal, "%" PRIu64, wide); break;
 	}
-	if (ts_vector_type_words(type) == 2) snprintf(r.bits, sizeof r.bits, "%016" PRIx64, wide);
+	if (words_of(type) == 2) snprintf(r.bits, sizeof r.bits, "%016" PRIx64, wide);
 	return r;
 }
 
-/* One line of text and an array of values, for the elements of an argument or of an output. */
-static json_t *tell_values(check *c, const char *name, ts_vector_type type, u32 count, const u32 *row)
+/* One line of text and an array of values, for the elements of a column; `row` is its first word. */
+static json_t *tell_values(check *c, const char *name, const ts_vector_column_info *of, const u32 *row)
 {
-	char line[TS_VECTOR_WORDS * 64];
-	size_t used = 0;
+	FILE *out = c->details.out;
 	json_t *list = json_array();
-	for (u32 k = 0; k < count; k++) {
-		value_text t = print_value(type, row + k * ts_vector_type_words(type));
-		used += (size_t)snprintf(line + used, sizeof line - used, "%s%s%s%s (%s)", k == 0 ? "" : ", ", t.decimal,
-		                         t.hex[0] != 0 ? " " : "", t.hex, t.bits);
+	fprintf(out, "  %-10s ", name);
+	for (u32 k = 0; k < of->count; k++, row += words_of(of->type)) {
+		value_text t = print_value(of->type, row);
+		fprintf(out, "%s%s%s%s (%s)", k == 0 ? "" : ", ", t.decimal, t.hex[0] != 0 ? " " : "", t.hex, t.bits);
 		json_t *value = json_pack("{ss, ss}", "decimal", t.decimal, "bits", t.bits);
 		if (t.hex[0] != 0) json_object_set_new(value, "hex", json_string(t.hex));
 		json_array_append_new(list, value);
 	}
-	tell(c, "  %-10s %s", name, line);
+	fputc('\n', out);
 	return list;
 }
 
-static bool is_nan(u32 u) { return (u & 0x7fffffffu) > 0x7f800000u; }
-
-/* Steps between floats, differences of integers. */
-static i64 distance(ts_vector_type type, const u32 *out, const u32 *found)
-{
-	switch (type) {
-	case TS_VECTOR_F32: return ts_vector_ulps(out[0], found[0]);
-	case TS_VECTOR_I32: return (i64)(i32)found[0] - (i32)out[0];
-	case TS_VECTOR_U32: return (i64)found[0] - out[0];
-	default: return (i64)(((u64)found[1] << 32 | found[0]) - ((u64)out[1] << 32 | out[0]));
-	}
-}
-
-/* " in arrives", " in element 1 of l", " in element 2"; nothing where there is but one. */
-static void name_spot(char *text, size_t bytes, const ts_vector_spot *spot)
-{
-	size_t used = 0;
-	bool named = spot->column->name[0] != 0;
-	text[0] = 0;
-	if (spot->column->count > 1) used = (size_t)snprintf(text, bytes, " in element %" PRIu32, spot->element);
-	if (named) snprintf(text + used, bytes - used, "%s%s", used > 0 ? " of " : " in ", spot->column->name);
-}
-
-/* How far the first wrong element is off. */
-static json_t *tell_distance(check *c, const ts_vector *v, u32 element, const u32 *out, const u32 *found)
-{
-	char where[80];
-	ts_vector_spot spot = ts_vector_out_spot(v, element);
-	u32 at = spot.word;
-	bool is_float = spot.column->type == TS_VECTOR_F32;
-	name_spot(where, sizeof where, &spot);
-	if (is_float && is_nan(found[at])) {
-		tell(c, "  %-10s not a number%s", "apart", where);
-		return json_null();
-	}
-	i64 apart = distance(spot.column->type, out + at, found + at);
-	tell(c, "  %-10s %+" PRId64 "%s%s", "apart", apart, is_float ? " ulp" : "", where);
-	return json_integer(apart);
-}
-
-/* A line and a member of `to` for each column. */
-static void tell_columns(check *c, json_t *to, const char *before, const ts_vector_column *of, const u32 *row)
+/* A line and a member of an object for each of n columns. */
+static json_t *tell_columns(check *c, const char *before, const ts_vector_column_info *of, u32 n, const u32 *row)
 {
 	char name[80];
-	for (const ts_vector_column *a = of; a->name != NULL; a++) {
-		snprintf(name, sizeof name, "%s%s", before, a->name);
-		json_object_set_new(to, a->name, tell_values(c, name, a->type, a->count, row));
-		row += a->count * ts_vector_type_words(a->type);
-	}
-}
-
-/* Of records an object of the columns, else the array. */
-static json_t *tell_outputs(check *c, const ts_vector *v, const char *what, const u32 *row)
-{
-	char before[40];
-	if (!ts_vector_gives_record(v)) return tell_values(c, what, v->out[0].type, v->out[0].count, row);
 	json_t *all = json_object();
-	snprintf(before, sizeof before, "%s ", what);
-	tell_columns(c, all, before, v->out, row);
+	for (u32 i = 0; i < n; i++) {
+		snprintf(name, sizeof name, "%s%s", before, of[i].name);
+		json_object_set_new(all, of[i].name, tell_values(c, name, &of[i], row + of[i].word));
+	}
 	return all;
 }
 
-static json_t *tell_fault(check *c, const ts_vector_verdict *verdict)
+/* Of records an object of the columns, else the array. */
+static json_t *tell_outputs(check *c, const ts_vector_info *v, const char *what, const u32 *row)
 {
-	bool first = verdict->fault != TS_N_FAULTS && (verdict->first_faults >> verdict->fault & 1) != 0;
-	u32 fault = verdict->fault;
-	for (u32 f = 0; f < TS_N_FAULTS && !first; f++) {
-		if ((verdict->first_faults >> f & 1) != 0) fault = f;
+	char before[40];
+	if (!v->record) return tell_values(c, what, v->outputs, row);
+	snprintf(before, sizeof before, "%s ", what);
+	return tell_columns(c, before, v->outputs, v->n_outputs, row);
+}
+
+/* " in arrives", " in element 1 of l", " in element 2"; nothing where there is but one. */
+static void name_place(char *text, size_t bytes, const ts_vector_column_info *column, u32 element)
+{
+	size_t used = 0;
+	text[0] = 0;
+	if (column->count > 1) used = (size_t)snprintf(text, bytes, " in element %" PRIu32, element);
+	if (column->name[0] != 0) snprintf(text + used, bytes - used, "%s%s", used > 0 ? " of " : " in ", column->name);
+}
+
+/* How far the first wrong value is off. */
+static json_t *tell_distance(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
+{
+	char where[80];
+	const ts_vector_column_info *column = &v->outputs[judged->first_column];
+	name_place(where, sizeof where, column, judged->first_element);
+	if (judged->first_nan) {
+		tell(c, "  %-10s not a number%s", "apart", where);
+		return json_null();
 	}
-	if (verdict->first_faults == 0) {
+	const char *unit = column->type == TS_VECTOR_F32 ? " ulp" : "";
+	tell(c, "  %-10s %+" PRId64 "%s%s", "apart", judged->first_apart, unit, where);
+	return json_integer(judged->first_apart);
+}
+
+static json_t *tell_fault(check *c, const ts_vector_judged *judged)
+{
+	if (judged->first_fault == NULL) {
 		tell(c, "  %-10s none that is known", "fault");
 		return json_null();
 	}
-	const ts_vector_fault_info *info = &ts_vector_fault_table[fault];
-	tell(c, "  %-10s %s: %s", "fault", info->name, info->remedy);
-	return json_string(info->name);
+	tell(c, "  %-10s %s: %s", "fault", judged->first_fault, judged->first_remedy);
+	return json_string(judged->first_fault);
 }
 
-static void tell_first(check *c, const ts_vector *v, const ts_vector_verdict *verdict)
+/* The place of the first wrong value among the elements of all columns. */
+static u32 element_of_all(const ts_vector_info *v, const ts_vector_judged *judged)
 {
-	u32 out_words = ts_vector_out_words(v);
-	const u32 *row = c->rows->in + (size_t)verdict->first * ts_vector_in_words(v);
-	const u32 *out = c->rows->out + (size_t)verdict->first * out_words;
-	const u32 *found = c->rows->found + (size_t)verdict->first * out_words;
-	json_t *item = json_object(), *in = json_object();
-	tell(c, "%s, item %" PRIu32 ", the first of %" PRIu32 " wrong: %s (%s%s)", v->name, verdict->first,
-	     verdict->n_wrong, v->doc, v->rule[0] >= '0' && v->rule[0] <= '9' ? "rule " : "", v->rule);
-	tell_columns(c, in, "", v->in, row);
-	json_object_set_new(item, "primitive", json_string(v->name));
-	json_object_set_new(item, "item", json_integer(verdict->first));
-	json_object_set_new(item, "in", in);
-	json_object_set_new(item, "expected", tell_outputs(c, v, "expected", out));
-	json_object_set_new(item, "found", tell_outputs(c, v, "found", found));
-	json_object_set_new(item, "element", json_integer(verdict->first_element));
-	json_object_set_new(item, "apart", tell_distance(c, v, verdict->first_element, out, found));
-	json_object_set_new(item, "fault", tell_fault(c, verdict));
-	json_array_append_new(c->first_wrong, item);
+	u32 element = judged->first_element;
+	for (u32 i = 0; i < judged->first_column; i++) element += v->outputs[i].count;
+	return element;
 }
 
-static void tell_row(check *c, const ts_vector *v, const ts_vector_verdict *verdict)
+static ts_status tell_first(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
+{
+	const size_t first = judged->first, out_at = first * v->out_words;
+	if (ts_vector_words(c->context, c->rows.in, c->rows.out, v->name) != TS_OK) return TS_ERROR;
+	json_t *item = json_object();
+	tell(c, "%s, item %zu, the first of %" PRIu32 " wrong: %s (%s%s)", v->name, first, judged->n_wrong, v->doc,
+	     v->rule[0] >= '0' && v->rule[0] <= '9' ? "rule " : "", v->rule);
+	json_t *in = tell_columns(c, "", v->inputs, v->n_inputs, c->rows.in + first * v->in_words);
+	json_object_set_new(item, "primitive", json_string(v->name));
+	json_object_set_new(item, "item", json_integer((json_int_t)first));
+	json_object_set_new(item, "in", in);
+	json_object_set_new(item, "expected", tell_outputs(c, v, "expected", c->rows.out + out_at));
+	json_object_set_new(item, "found", tell_outputs(c, v, "found", c->rows.found + out_at));
+	json_object_set_new(item, "element", json_integer(element_of_all(v, judged)));
+	json_object_set_new(item, "apart", tell_distance(c, v, judged));
+	json_object_set_new(item, "fault", tell_fault(c, judged));
+	json_array_append_new(c->first_wrong, item);
+	return TS_OK;
+}
+
+/* judged NULL: its outputs are not there. */
+static void tell_row(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
 {
 	ts_table_text(&c->table, v->name);
-	if (verdict == NULL) {
+	if (judged == NULL) {
 		ts_table_none(&c->table);
 		ts_table_none(&c->table);
 	} else {
-		ts_table_count(&c->table, TS_VECTOR_ITEMS);
-		ts_table_count(&c->table, verdict->n_wrong);
+		ts_table_count(&c->table, v->items);
+		ts_table_count(&c->table, judged->n_wrong);
 	}
-	if (verdict == NULL || verdict->fault == TS_N_FAULTS) {
+	if (judged == NULL || judged->fault == NULL) {
 		ts_table_none(&c->table);
 		ts_table_none(&c->table);
 	} else {
-		ts_table_text(&c->table, ts_vector_fault_table[verdict->fault].name);
-		ts_table_count(&c->table, verdict->n_explained[verdict->fault]);
+		ts_table_text(&c->table, judged->fault);
+		ts_table_count(&c->table, judged->n_explained);
 	}
 }
 
-static ts_status read_outputs(bool *there, check *c, const ts_vector *v, const char *dir)
+static ts_status read_outputs(bool *there, check *c, const ts_vector_info *v, const char *dir)
 {
-	char name[64], descr[TS_VECTOR_DESCR];
-	u64 shape[TS_MAX_DIMS];
+	char name[64];
+	const size_t elements = v->n_dims > 1 ? v->shape[1] : 1, bytes = v->out_words * sizeof(u32) / elements;
 	snprintf(name, sizeof name, "%s.out.npy", v->name);
-	ts_vector_out_descr(descr, v);
-	u32 n_dims = ts_vector_out_shape(shape, v);
-	return ts_vectors_read(c->rows->found, there, dir, name, descr, ts_vector_out_bytes(v), n_dims, shape);
+	return ts_vectors_read(c->rows.found, there, dir, name, v->out_dtype, bytes, v->n_dims, v->shape);
 }
 
 /* A port that started from other inputs is not judged. */
-static ts_status check_inputs(check *c, const ts_vector *v, const char *dir)
+static ts_status check_inputs(check *c, const ts_vector_info *v, const char *dir)
 {
-	char name[64], descr[TS_VECTOR_DESCR];
+	char name[64];
 	bool there;
-	size_t bytes = ts_vector_in_words(v) * sizeof(u32);
+	const size_t bytes = v->in_words * sizeof(u32);
+	const u64 items = v->items;
+	u32 *found = c->rows.found;
 	snprintf(name, sizeof name, "%s.in.npy", v->name);
-	ts_vector_in_descr(descr, v);
-	ts_status status = ts_vectors_read(c->rows->found, &there, dir, name, descr, bytes, 1, (u64[]){TS_VECTOR_ITEMS});
-	if (status != TS_OK || !there || memcmp(c->rows->found, c->rows->in, bytes * TS_VECTOR_ITEMS) == 0) return status;
+	ts_status status = ts_vectors_read(found, &there, dir, name, v->in_dtype, bytes, 1, &items);
+	if (status != TS_OK || !there) return status;
+	if (ts_vector_words(c->context, c->rows.in, NULL, v->name) != TS_OK) return TS_ERROR;
+	if (memcmp(found, c->rows.in, bytes * v->items) == 0) return TS_OK;
 	return ts_fail("%s/%s: not the inputs of this version; write the vectors again with \"vectors -o\"", dir, name);
 }
 
-static ts_status check_primitive(check *c, const ts_vector *v, const char *dir)
+static ts_status check_primitive(check *c, const ts_vector_info *v, const char *dir)
 {
 	bool there;
-	ts_vector_make(v, c->rows->in, c->rows->out);
+	ts_vector_judged judged = {.bytes = sizeof judged};
 	ts_status status = check_inputs(c, v, dir);
 	if (status == TS_OK) status = read_outputs(&there, c, v, dir);
 	if (status != TS_OK) return status;
-	if (!there) {
-		tell_row(c, v, NULL);
-		return TS_OK;
-	}
-	ts_vector_verdict verdict = ts_vector_judge(v, c->rows->in, c->rows->out, c->rows->found);
-	tell_row(c, v, &verdict);
-	c->n_right += verdict.n_wrong == 0;
-	c->n_wrong += verdict.n_wrong != 0;
-	if (verdict.n_wrong != 0) tell_first(c, v, &verdict);
-	return TS_OK;
+	if (there && ts_vector_check(c->context, &judged, v->name, c->rows.found) == TS_ERROR) return TS_ERROR;
+	tell_row(c, v, there ? &judged : NULL);
+	c->n_right += there && judged.n_wrong == 0;
+	c->n_wrong += judged.n_wrong != 0;
+	return judged.n_wrong != 0 ? tell_first(c, v, &judged) : TS_OK;
 }
 
 static ts_status check_all(check *c, const char *dir)
 {
-	const ts_vector *v;
+	const ts_vector_info *v;
+	const u32 n = ts_vectors_total();
 	ts_status status = ts_vectors_check_names(dir);
 	if (status == TS_OK) status = ts_vectors_read_contract(dir);
-	for (u32 i = 0; status == TS_OK && (v = ts_vectors_at(i)) != NULL; i++) {
-		ts_progress("vectors", i + 1, ts_vectors_count());
+	for (u32 i = 0; status == TS_OK && (v = ts_vector_at(i)) != NULL; i++) {
+		ts_progress("vectors", i + 1, n);
 		status = check_primitive(c, v, dir);
 	}
 	if (status != TS_OK || c->n_right + c->n_wrong > 0) return status;
@@ -257,7 +243,7 @@ static ts_status tell_details(check *c)
 
 static ts_status tell_all(check *c)
 {
-	u32 n_absent = ts_vectors_count() - c->n_right - c->n_wrong;
+	u32 n_absent = ts_vectors_total() - c->n_right - c->n_wrong;
 	ts_report_value(&c->report, "right", json_integer(c->n_right));
 	ts_report_value(&c->report, "wrong", json_integer(c->n_wrong));
 	ts_report_value(&c->report, "absent", json_integer(n_absent));
@@ -287,14 +273,15 @@ static ts_status work(check *c, const ts_cli *cli)
 	return status != TS_OK ? status : c->n_wrong > 0 ? TS_DIFFERENT : TS_OK;
 }
 
-ts_status ts_vectors_check(const ts_cli *cli)
+ts_status ts_vectors_check(const ts_cli *cli, ts_context *context)
 {
-	check c = {.rows = ts_alloc(1, sizeof *c.rows, "arithmetic vectors"), .first_wrong = json_array()};
-	ts_status status = c.rows != NULL ? ts_file_text_begin(&c.details, "the report") : TS_ERROR;
+	check c = {.context = context, .first_wrong = json_array()};
+	ts_status status = ts_vectors_rows(&c.rows);
+	if (status == TS_OK) status = ts_file_text_begin(&c.details, "the report");
 	if (status == TS_OK && c.first_wrong == NULL) status = ts_fail("the report: out of memory");
 	if (status == TS_OK) status = work(&c, cli);
 	if (c.details.out != NULL) ts_file_text_drop(&c.details);
 	json_decref(c.first_wrong);
-	free(c.rows);
+	free(c.rows.in);
 	return status;
 }

@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "../model/json.h"
-#include "../trace/npy.h"
+#include "../output/npy.h"
 #include "vectors.h"
 
 enum { PATH_BYTES = 4096 + 300, MAX_INDEX_BYTES = 1 << 24 };
@@ -112,10 +112,12 @@ static ts_status check_name(const char *dir, const char *file)
 	size_t n = strlen(file), tail = sizeof suffix - 1;
 	if (n < tail || strcmp(file + n - tail, suffix) != 0) return TS_OK;
 	snprintf(name, sizeof name, "%.*s", (int)(n - tail), file);
-	if (ts_vectors_find(name) != NULL) return TS_OK;
-	const ts_vector *v;
+	const ts_vector_info *v;
+	for (size_t i = 0; (v = ts_vector_at(i)) != NULL; i++) {
+		if (strcmp(v->name, name) == 0) return TS_OK;
+	}
 	ts_nearest nearest = ts_nearest_begin(name);
-	for (u32 i = 0; (v = ts_vectors_at(i)) != NULL; i++) ts_nearest_offer(&nearest, v->name);
+	for (size_t i = 0; (v = ts_vector_at(i)) != NULL; i++) ts_nearest_offer(&nearest, v->name);
 	return ts_fail("%s/%s: no primitive \"%s\"%s", dir, file, name,
 	               ts_nearest_hint(&nearest, "touchstone list vectors"));
 }

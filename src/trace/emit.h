@@ -3,7 +3,7 @@
 #ifndef TS_TRACE_EMIT_H
 #define TS_TRACE_EMIT_H
 #include "../methods/pipeline.h"
-#include "npy.h"
+#include "descr.h"
 
 enum { TS_EMIT_NAME = 64 };
 

@@ -5,7 +5,7 @@
 #define TS_TRACE_READ_H
 #include "../methods/pipeline.h"
 #include <touchstone/trace.h>
-#include "npy.h"
+#include "descr.h"
 #include "reader.h"
 
 /* All elements of a compressed file, unpacked at the first use. */

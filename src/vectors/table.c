@@ -86,13 +86,22 @@ ts_vector_place ts_vectors_place(u32 index)
 
 const ts_vector *ts_vectors_at(u32 index) { return ts_vectors_place(index).vector; }
 
-const ts_vector *ts_vectors_find(const char *name)
+static const ts_vector *find(const ts_vector_set *const *sets, const char *name)
 {
-	const ts_vector *v;
-	for (u32 i = 0; (v = ts_vectors_at(i)) != NULL; i++) {
-		if (strcmp(v->name, name) == 0) return v;
+	for (; *sets != NULL; sets++) {
+		for (const ts_vector *const *table = (*sets)->tables; *table != NULL; table++) {
+			for (const ts_vector *v = *table; v->name != NULL; v++) {
+				if (strcmp(v->name, name) == 0) return v;
+			}
+		}
 	}
 	return NULL;
+}
+
+const ts_vector *ts_vectors_find(const char *name)
+{
+	const ts_vector *v = find(shared, name);
+	return v != NULL ? v : find(families, name);
 }
 
 u32 ts_vector_type_words(ts_vector_type type) { return type == TS_VECTOR_I64 || type == TS_VECTOR_U64 ? 2 : 1; }

@@ -3,14 +3,13 @@
  * of 32 bits without padding, 64-bit values low word first: as a structured dtype of numpy. */
 #ifndef TS_TRACE_VECTORS_H
 #define TS_TRACE_VECTORS_H
+#include <touchstone/vectors.h>
 #include "../backends/backend.h"
 #include "../model/core.h"
 #include "../kernels/base/compat.h"
 
 enum { TS_VECTOR_ITEMS = 4096, TS_VECTOR_COLUMNS = 60, TS_VECTOR_WORDS = 128, TS_VECTOR_VARIANTS = 6 };
 enum { TS_VECTOR_TABLES = 6, TS_VECTOR_DESCR = 2048 };
-
-typedef enum { TS_VECTOR_F32, TS_VECTOR_I32, TS_VECTOR_U32, TS_VECTOR_I64, TS_VECTOR_U64 } ts_vector_type;
 
 /* Values of one argument. Floats: biased exponents from `low` to `high`, and zero; -0 and denormals only where low is
  * 0, infinity and NaN only where high is 255. Integers: from low to high. */
@@ -127,9 +126,11 @@ void ts_vector_make(const ts_vector *vector, u32 *in, u32 *out);
 typedef struct {
 	u32 n_wrong, first;           /* items; the first wrong one */
 	u32 first_element;            /* wrong element of the first wrong item */
+	i64 first_apart;              /* its distance from the right one: steps between floats, differences of integers */
+	bool first_nan;               /* that element is a float and no number; its distance is 0 then */
 	u32 n_explained[TS_N_FAULTS]; /* wrong items that the fault reproduces */
-	u32 first_faults;             /* faults that reproduce the first, as bits */
 	ts_vector_fault fault;        /* the fault that reproduces most; TS_N_FAULTS: none reproduces any */
+	ts_vector_fault first_fault;  /* reproduces the first: `fault` if that does; TS_N_FAULTS: none does */
 } ts_vector_verdict;
 ts_vector_verdict ts_vector_judge(const ts_vector *vector, const u32 *in, const u32 *out, const u32 *found);
 

@@ -3,7 +3,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include "../../src/cli/vectors.h"
-#include "../../src/trace/npy.h"
+#include "../../src/output/npy.h"
 #include "../model/test.h"
 #include "../scratch.h"
 

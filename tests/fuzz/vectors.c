@@ -4,29 +4,29 @@
 #include "../../src/cli/vectors.h"
 
 static const char *index_file;
+static ts_context *context;
+static ts_vector_rows rows;
 
-static ts_status read_outputs(u32 primitive, const uint8_t *data, size_t n)
+static ts_status read_outputs(const ts_vector_info *v, const uint8_t *data, size_t n)
 {
-	static ts_vector_rows rows;
-	char path[128], name[64], descr[TS_VECTOR_DESCR];
-	u64 shape[TS_MAX_DIMS];
+	char path[128], name[64];
 	bool there;
-	const ts_vector *v = ts_vectors_at(primitive);
+	const size_t words = (size_t)v->items * v->out_words, elements = v->n_dims > 1 ? v->shape[1] : 1;
 	snprintf(name, sizeof name, "%s.out.npy", v->name);
 	snprintf(path, sizeof path, "%s/%s", fuzz_root, name);
 	fuzz_write(path, data, n);
-	ts_vector_out_descr(descr, v);
-	u32 n_dims = ts_vector_out_shape(shape, v);
 	ts_status status = ts_vectors_check_names(fuzz_root);
 	assert(status == TS_OK);
-	status = ts_vectors_read(rows.found, &there, fuzz_root, name, descr, ts_vector_out_bytes(v), n_dims, shape);
+	status = ts_vectors_read(rows.found, &there, fuzz_root, name, v->out_dtype, v->out_words * sizeof(u32) / elements,
+	                         v->n_dims, v->shape);
 	assert(there && ts_vectors_read_contract(fuzz_root) == TS_OK);
 	unlink(path);
 	if (status != TS_OK) return status;
-	ts_vector_make(v, rows.in, rows.out);
-	ts_vector_verdict verdict = ts_vector_judge(v, rows.in, rows.out, rows.found);
-	size_t bytes = TS_VECTOR_ITEMS * ts_vector_out_words(v) * sizeof(u32);
-	assert((verdict.n_wrong == 0) == (memcmp(rows.out, rows.found, bytes) == 0));
+	ts_vector_judged judged = {.bytes = sizeof judged};
+	if (ts_vector_words(context, NULL, rows.out, v->name) != TS_OK) abort();
+	status = ts_vector_check(context, &judged, v->name, rows.found);
+	assert((status == TS_OK) == (memcmp(rows.out, rows.found, words * sizeof(u32)) == 0));
+	assert((status == TS_DIFFERENT) == (judged.n_wrong > 0));
 	return TS_OK;
 }
 
@@ -38,15 +38,27 @@ static ts_status read_index(const uint8_t *data, size_t n)
 	return status;
 }
 
+static void end(void)
+{
+	free(rows.in);
+	ts_context_close(context);
+}
+
+static void begin(void)
+{
+	fuzz_begin();
+	index_file = fuzz_name("vectors.json");
+	const ts_context_options options = {.bytes = sizeof options, .threads = 1};
+	if (ts_context_open(&context, &options) != TS_OK || ts_vectors_rows(&rows) != TS_OK) abort();
+	atexit(end);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 {
-	if (index_file == NULL) {
-		fuzz_begin();
-		index_file = fuzz_name("vectors.json");
-	}
+	if (context == NULL) begin();
 	if (n == 0) return 0;
-	ts_status status =
-		data[0] < ts_vectors_count() ? read_outputs(data[0], data + 1, n - 1) : read_index(data + 1, n - 1);
+	const ts_vector_info *v = ts_vector_at(data[0]);
+	ts_status status = v != NULL ? read_outputs(v, data + 1, n - 1) : read_index(data + 1, n - 1);
 	if (status != TS_OK) fuzz_refused();
 	return 0;
 }

@@ -174,3 +174,28 @@ def test_folders(context, scene, reference, tmp_path):
 	assert judged.same and judged.method == "mvr" and judged.text == ""
 	with pytest.raises(touchstone.Error, match="No such file"):
 		context.golden(tmp_path / "none")
+
+
+def test_vectors(context):
+	rows = touchstone.primitives()
+	assert all(row.in_dtype.itemsize == 4 * row.in_words for row in rows.values())
+	for name in ("cross", "light"):  # an array, and a record
+		inputs, right = context.vectors(name)
+		assert inputs.shape == (4096,) and right.shape == rows[name].shape and right.dtype == rows[name].out_dtype
+		judged = context.check_vectors(name, right)
+		assert judged.same and judged.n_wrong == 0 and judged.fault is None
+	inputs, found = context.vectors("cross")
+	found[7, 1] = np.nan
+	judged = context.check_vectors("cross", found)
+	assert not judged.same and (judged.n_wrong, judged.first, judged.first_element, judged.first_nan) == (1, 7, 1, 1)
+	inputs, found = context.vectors("div")
+	with np.errstate(all="ignore"):
+		found[:] = inputs["a"] * (np.float32(1) / inputs["b"])
+	judged = context.check_vectors("div", found)
+	assert judged.fault == "reciprocal division" and judged.first_fault is not None and judged.n_explained > 100
+	with pytest.raises(touchstone.Error, match="4096, 3"):
+		context.check_vectors("cross", np.zeros((3, 4096), np.float32))
+	with pytest.raises(touchstone.Error, match="would be right"):
+		context.check_vectors("cross", found)
+	with pytest.raises(touchstone.Error, match="no primitive"):
+		context.vectors("magic")

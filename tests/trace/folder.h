@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include <jansson.h>
-#include "../../src/trace/npy.h"
+#include "../../src/trace/descr.h"
 #include "../scratch.h"
 #include "../status.h"
 

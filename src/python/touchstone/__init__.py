@@ -11,6 +11,7 @@
 
 Parameters are dictionaries from names, as of `touchstone list params`, to values. What fails raises touchstone.Error with
 the line that the command would print. The public headers, include/touchstone/, say what each function does."""
+import ast
 import collections.abc
 import functools
 import json
@@ -121,6 +122,24 @@ def buffers():
 	return rows
 
 
+@functools.lru_cache(None)
+def primitives():
+	"""All primitives that a port must compute with the same bits, by name. in_dtype and out_dtype are NumPy's, and their
+	fields the columns; `shape` is that of the outputs."""
+	rows = {row.name: row for row in _rows(lib.ts_vector_at)}
+	for row in rows.values():
+		row.in_dtype, row.out_dtype = (np.dtype(ast.literal_eval(text)) for text in (row.in_dtype, row.out_dtype))
+		row.shape = tuple(row.shape[i] for i in range(row.n_dims))
+		del row.inputs, row.outputs
+	return rows
+
+
+def _primitive(name):
+	if name not in primitives():
+		raise Error(f'there is no primitive "{name}"; primitives() has all')
+	return primitives()[name]
+
+
 def _dtype(scalar):
 	return np.dtype(f"{scalar[0]}{int(scalar[1:]) // 8}")
 
@@ -135,6 +154,10 @@ def _array(array, dtype, n_dims, what):
 	if array.dtype != dtype or array.ndim != n_dims:
 		raise Error(f"{what}: {array.ndim} dimensions of {array.dtype}; {n_dims} of {dtype} would be right")
 	return np.ascontiguousarray(array)
+
+
+def _words(array):
+	return ffi.cast("uint32_t *", array.ctypes.data)
 
 
 def _places(options):
@@ -227,6 +250,24 @@ class Context:
 		same = _check(lib.ts_golden_check(self._handle, judged, _bytes(folder)))
 		names = ("effect", "method", "scene", "stage", "buffer", "text")
 		return types.SimpleNamespace(same=same, **{name: _text(getattr(judged, name)) for name in names})
+
+	def vectors(self, primitive):
+		"""(inputs, outputs) of a primitive: the inputs that a port is to compute, and what is right."""
+		row = _primitive(primitive)
+		inputs, outputs = np.empty(row.items, row.in_dtype), np.empty(row.shape, row.out_dtype)
+		_check(lib.ts_vector_words(self._handle, _words(inputs), _words(outputs), _bytes(primitive)))
+		return inputs, outputs
+
+	def check_vectors(self, primitive, found):
+		"""The verdict on what a port computed of a primitive's inputs: a namespace of the members of ts_vector_judged, and
+		of `same`, which is True or False."""
+		row = _primitive(primitive)
+		found = _array(found, row.out_dtype, len(row.shape), primitive)
+		if found.shape != row.shape:
+			raise Error(f"{primitive}: shape {found.shape}; {row.shape} would be right")
+		judged = ffi.new("ts_vector_judged *", {"bytes": ffi.sizeof("ts_vector_judged")})
+		same = _check(lib.ts_vector_check(self._handle, judged, _bytes(primitive), _words(found)))
+		return types.SimpleNamespace(same=same, **vars(_struct(judged)))
 
 	def page(self, ppd=0, probes=None):
 		"""An empty page of HTML."""

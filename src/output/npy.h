@@ -1,18 +1,14 @@
 /* The .npy format, versions 1 to 3: what numpy.save writes and numpy.load reads. Headers only; the data behind a header
- * is the buffer's elements, little-endian, in C order. Files are untrusted: everything is checked, and no size of an
+ * is the array's elements, little-endian, in C order. Files are untrusted: everything is checked, and no size of an
  * allocation comes from them. */
-#ifndef TS_TRACE_NPY_H
-#define TS_TRACE_NPY_H
-#include "../model/frame.h"
+#ifndef TS_OUTPUT_NPY_H
+#define TS_OUTPUT_NPY_H
 #include "../model/shape.h"
 
-enum { TS_NPY_HEADER = 4096, TS_NPY_DESCR = 2048 };
+enum { TS_NPY_HEADER = 4096 };
 
-/* The dtype of a buffer's elements as numpy writes it: "'<u4'" or "[('centre', '<f4', (3,)), ('piece', '<u4'),
- * ...]". */
-void ts_npy_descr(char descr[TS_NPY_DESCR], ts_buffer_id id);
-
-/* Writes a version 1 header and returns its bytes, a multiple of 64. */
+/* Writes a version 1 header and returns its bytes, a multiple of 64. descr: the dtype of an element as numpy writes
+ * it. */
 size_t ts_npy_header(char header[TS_NPY_HEADER], const char *descr, u32 n_dims, const u64 *shape);
 
 /* The content of a file's header. */

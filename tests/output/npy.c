@@ -1,5 +1,15 @@
 /* .npy headers against the specification of the format, by a parser of its own; and every way to damage one. */
-#include "folder.h"
+#include "../trace/folder.h"
+
+static const struct {
+	const char *descr;
+	size_t bytes;
+} dtypes[] = {
+	{"'|u1'", 1},
+	{"'<f4'", 4},
+	{"'<u8'", 8},
+	{"[('centre', '<f4', (3,)), ('piece', '<u4')]", 16},
+};
 
 static const char *const words[] = {"descr", "fortran_order", "shape"};
 
@@ -49,52 +59,27 @@ static void test_header(void **state)
 		{4, {1, 2, 3, 4}, "(1, 2, 3, 4)"},
 		{1, {UINT64_MAX}, "(18446744073709551615,)"},
 	};
-	char head[TS_NPY_HEADER], descr[TS_NPY_DESCR], values[3][2048];
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		ts_npy_descr(descr, (ts_buffer_id)id);
+	char head[TS_NPY_HEADER], values[3][2048];
+	for (u32 d = 0; d < sizeof dtypes / sizeof *dtypes; d++) {
 		for (u32 c = 0; c < sizeof cases / sizeof *cases; c++) {
-			size_t bytes = ts_npy_header(head, descr, cases[c].n_dims, cases[c].shape);
+			size_t bytes = ts_npy_header(head, dtypes[d].descr, cases[c].n_dims, cases[c].shape);
 			assert_int_equal(spec_parse(head, values), bytes);
-			assert_string_equal(values[0], descr);
+			assert_string_equal(values[0], dtypes[d].descr);
 			assert_string_equal(values[1], "False");
 			assert_string_equal(values[2], cases[c].text);
 		}
 	}
 }
 
-/* Sizes of the types in a dtype must add up to the element: no padding that records.def does not name. */
-static void test_descr(void **state)
-{
-	(void)state;
-	char descr[TS_NPY_DESCR];
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		size_t bytes = 0;
-		ts_npy_descr(descr, (ts_buffer_id)id);
-		for (const char *at = descr; (at = strpbrk(at, "<|")) != NULL; at++) {
-			unsigned count = 1;
-			assert_true((at[0] == '|' && strncmp(at + 1, "u1'", 3) == 0) ||
-			            (at[0] == '<' && strchr("fiu", at[1]) != NULL));
-			if (at[3] == '\'') sscanf(at + 4, ", (%u,)", &count);
-			bytes += (size_t)(at[2] - '0') * count;
-		}
-		assert_int_equal(bytes, ts_buffer_table[id].element_bytes);
-	}
-	ts_npy_descr(descr, TS_B_points_record);
-	assert_string_equal(descr, "[('centre', '<f4', (3,)), ('length', '<f4'), ('piece', '<u4'), ('flags', '<u4'), "
-	                           "('pad', '<u4', (2,))]");
-}
-
 static void test_round_trip(void **state)
 {
 	(void)state;
-	char head[TS_NPY_HEADER], descr[TS_NPY_DESCR];
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+	char head[TS_NPY_HEADER];
+	for (u32 d = 0; d < sizeof dtypes / sizeof *dtypes; d++) {
 		ts_npy npy;
 		const u64 shape[] = {5, 3};
-		size_t element = ts_buffer_table[id].element_bytes;
-		ts_npy_descr(descr, (ts_buffer_id)id);
-		size_t bytes = ts_npy_header(head, descr, 2, shape);
-		assert_int_equal(ts_npy_parse(&npy, "f", head, bytes, bytes + 15 * element, descr, element), TS_OK);
+		size_t bytes = ts_npy_header(head, dtypes[d].descr, 2, shape), data = 15 * dtypes[d].bytes;
+		assert_int_equal(ts_npy_parse(&npy, "f", head, bytes, bytes + data, dtypes[d].descr, dtypes[d].bytes), TS_OK);
 		assert_true(npy.n == 15 && npy.n_dims == 2 && npy.shape[0] == 5 && npy.shape[1] == 3 && npy.data_at == bytes);
 	}
 }
@@ -176,7 +161,7 @@ static const char *const shapes[] = {
 	"(99999999999999999999999999999999999999999999,)",
 	"(6,) (6,)",
 };
-static const char *const dtypes[] = {
+static const char *const others[] = {
 	"'>f4'", "'<f8'", "'<i4'",         "'<u4'",  "'f4'",       "'=f4'",  "'|f4'",
 	"'<f4",  "<f4",   "[('', '<f4')]", "'< f4'", "('<f4', 1)", "'<f44'", "None",
 };
@@ -190,8 +175,8 @@ static void test_malformed(void **state)
 		snprintf(dict, sizeof dict, "{'descr': '<f4', 'fortran_order': False, 'shape': %s, }", shapes[i]);
 		refuses(dict, "file: its shape is not 1 to 4 whole numbers");
 	}
-	for (u32 i = 0; i < sizeof dtypes / sizeof *dtypes; i++) {
-		snprintf(dict, sizeof dict, "{'descr': %s, 'fortran_order': False, 'shape': (6,), }", dtypes[i]);
+	for (u32 i = 0; i < sizeof others / sizeof *others; i++) {
+		snprintf(dict, sizeof dict, "{'descr': %s, 'fortran_order': False, 'shape': (6,), }", others[i]);
 		refuses(dict, "file: ");
 	}
 	refuses("{'descr': '<f4', 'fortran_order': True, 'shape': (2, 3), }", "Fortran order");
@@ -240,9 +225,8 @@ static void test_flipped(void **state)
 int main(void)
 {
 	const struct CMUnitTest npy[] = {
-		cmocka_unit_test(test_header),  cmocka_unit_test(test_descr),     cmocka_unit_test(test_round_trip),
-		cmocka_unit_test(test_others),  cmocka_unit_test(test_malformed), cmocka_unit_test(test_truncated),
-		cmocka_unit_test(test_flipped),
+		cmocka_unit_test(test_header),    cmocka_unit_test(test_round_trip), cmocka_unit_test(test_others),
+		cmocka_unit_test(test_malformed), cmocka_unit_test(test_truncated),  cmocka_unit_test(test_flipped),
 	};
 	return cmocka_run_group_tests(npy, NULL, NULL);
 }
