@@ -116,8 +116,9 @@ $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
 endif
 endif
 
-# The families of methods, and what is compiled for each.
+# The families of methods, the folders of kernels, and what is compiled for each folder.
 FAMILIES := $(shell sed -n 's/^\#include FAMILY(\(.*\))/\1/p' src/families.def)
+FOLDERS := vectors base $(FAMILIES)
 ITEMS_C := src/backends/c/items.c
 
 # Sources, by folder.
@@ -139,7 +140,7 @@ TEST_ALSO_C := tests/begin.c tests/cli/preload/llvmpipe.c
 LIFT := -Wl,--export-dynamic-symbol=LLVMBuildStore
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
-ITEMS_O := $(patsubst %,$(BUILD)/obj/$(ITEMS_C:.c=).%.o,vectors base $(FAMILIES))
+ITEMS_O := $(patsubst %,$(BUILD)/obj/$(ITEMS_C:.c=).%.o,$(FOLDERS))
 LIB_O := $(call object,$(LIB_C) $(LIB_CC)) $(ITEMS_O)
 IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/model/%.c,error memory text))
 CLI_O := $(call object,$(CLI_C))
@@ -258,8 +259,8 @@ $(EXPLAINED): scripts/explained $(wildcard scripts/kernel/*) src/backends/kernel
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/explained > $@
 $(call object,src/explain/kernels.c): $(EXPLAINED)
-# What tells spends its time in telling: higher levels take twice as long to compile, and it runs no faster.
-$(call object,src/explain/kernels.c): OWN := -I$(BUILD)/gen $(if $(filter -O2 -O3,$(OPT)),-O1)
+# What tells spends its time in telling: higher levels take twice as long to compile and more, and it runs no faster.
+$(call object,src/explain/kernels.c): OWN := -I$(BUILD)/gen $(if $(filter -O2 -O3,$(OPT)),-Og)
 
 # And as pseudo-code.
 PSEUDOCODE := $(BUILD)/gen/pseudocode
@@ -268,19 +269,21 @@ $(PSEUDOCODE)/made: scripts/pseudocode $(wildcard scripts/kernel/*) src/backends
 	$(call say,GEN,$(@D))
 	$(Q)rm -rf $(@D) && scripts/pseudocode $(@D) && touch $@
 
-# And as PTX, an empty file where there is no clang.
-PTX := $(BUILD)/gen/kernels.ptx
+# And as PTX, by clang where there is one: a file for each folder, packed; and one of all, to be installed.
+CLANG := $(notdir $(shell command -v clang))
 $(BUILD)/gen/clang: FORCE
-	$(call keep,$(notdir $(shell command -v clang)))
-$(PTX): scripts/ptx $(BUILD)/gen/clang $(wildcard src/backends/cuda/*) src/backends/kernels.h src/backends/kernels.def src/families.def \
-		$(wildcard src/kernels/*/*) include/touchstone/records.def
+	$(call keep,$(CLANG))
+ALL_PTX := $(if $(CLANG),$(BUILD)/gen/kernels.ptx)
+PTX := $(if $(CLANG),$(FOLDERS:%=$(BUILD)/gen/kernels.%.ptx))
+$(PTX) $(ALL_PTX): scripts/ptx src/backends/cuda/entries.cu
 	$(call say,GEN,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)scripts/ptx $@
+	$(Q)scripts/ptx $@ $(patsubst %,-DOF=%,$(filter $(FOLDERS),$(subst ., ,$(@F)))) -MMD -MP
+-include $(patsubst %.ptx,%.d,$(PTX) $(ALL_PTX))
 PACKED_PTX := $(BUILD)/gen/ptx.inc
-$(PACKED_PTX): scripts/cuda-program scripts/kernel/packed.py $(PTX)
+$(PACKED_PTX): scripts/cuda-program scripts/kernel/packed.py $(BUILD)/gen/clang src/backends/kernels.def src/families.def $(PTX)
 	$(call say,GEN,$@)
-	$(Q)scripts/cuda-program $(PTX) $(BUILD)/gen/ptx > $@
+	$(Q)scripts/cuda-program $(BUILD)/gen/ptx $(PTX) > $@
 $(call object,src/backends/cuda/program.c): $(PACKED_PTX)
 $(call object,src/backends/cuda/program.c): OWN := -I$(BUILD)/gen
 
@@ -485,7 +488,7 @@ ZSH_COMPLETION := $(DESTDIR)$(zshcompletiondir)
 PYTHON := $(DESTDIR)$(pythondir)/touchstone
 REFERENCE := $(filter-out reference/RECIPES.md reference/PICTURES.md,$(wildcard $(patsubst %,reference/*.%,md json png)))
 COMMANDS := $(shell sed -nE 's/^\t\{"([a-z]+)",.*/\1/p' src/cli/commands.c)
-install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(PTX) $(PYTHON_PACKAGE)/made
+install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(ALL_PTX) $(PYTHON_PACKAGE)/made
 	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DATA)/examples $(DOC)/reference $(MAN) \
 		$(BASH_COMPLETION) $(ZSH_COMPLETION) $(PYTHON)
 	install -m 755 $(BUILD)/installed/touchstone $(BIN)/touchstone
@@ -498,7 +501,7 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	install -m 644 $(wildcard include/touchstone/*.h) $(INCLUDE)
 	scripts/assembled include/touchstone/records.def | install -m 644 /dev/stdin $(INCLUDE)/records.def
 	install -m 755 scripts/spirv-exact $(DATA)/spirv-exact
-	[ ! -s $(PTX) ] || install -m 644 $(PTX) $(DATA)/kernels.ptx
+	$(if $(ALL_PTX),install -m 644 $(ALL_PTX) $(DATA)/kernels.ptx)
 	rm -rf $(DATA)/glsl
 	cp -R $(PLAIN) $(DATA)/glsl
 	rm $(DATA)/glsl/made

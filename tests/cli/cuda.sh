@@ -34,7 +34,7 @@ verdict $? 'and how it is run'
 mkdir "$scratch/ptx"
 refuses 'ptx/vectors.ptx: No such file' digest "${on[@]}" --build "$scratch/ptx"
 if command -v clang > /dev/null; then
-	scripts/ptx "$scratch/fused.ptx" -ffp-contract=fast && scripts/cuda-program "$scratch/fused.ptx" "$scratch/ptx" > /dev/null
+	scripts/ptx "$scratch/fused.ptx" -ffp-contract=fast && scripts/cuda-program "$scratch/ptx" "$scratch/fused.ptx" > /dev/null
 	refuses 'breaks the numeric contract' digest "${on[@]}" --build "$scratch/ptx"
 	rm "$scratch"/ptx/*
 fi

@@ -1,19 +1,10 @@
-/* The loops over the items of kernels: of those of the folder OF of src/kernels, of all without OF. The Makefile
- * compiles this file once for each folder. */
+/* The loops over the items of the kernels of kernels_of.h. */
 #include "../backend.h"
-#ifdef OF
-/* clang-format off */
-#define TEXT(path) QUOTED(path)
-#define QUOTED(path) #path
-#define KERNELS_H TEXT(../../kernels/OF/kernels.h)
-#define KERNELS_DEF TEXT(../../kernels/OF/kernels.def)
-#define TS_FILE __BASE_FILE__ " of " TEXT(OF)
-/* clang-format on */
-#else
-#define KERNELS_H "../kernels.h"
-#define KERNELS_DEF "../kernels.def"
-#endif
+#include "../kernels_of.h"
 #include KERNELS_H
+#ifdef OF
+#define TS_FILE __BASE_FILE__ " of " TEXT(OF)
+#endif
 
 /* A kernel is one piece of code: compilers that weigh all kernels together inline less with each that is added. */
 #if defined(__GNUC__)

@@ -1,6 +1,7 @@
-/* Every kernel as an entry point of its name: items [first, n) of a grid of one dimension. */
+/* Each kernel of kernels_of.h as an entry point of its name: items [first, n) of a grid of one dimension. */
 #include "builtins.h"
-#include "../kernels.h"
+#include "../kernels_of.h"
+#include KERNELS_H
 
 #define KERNEL(name, arguments) \
 	extern "C" __global__ void name(const arguments args, u64 first, u64 n) \
@@ -9,4 +10,4 @@
 		        __nvvm_read_ptx_sreg_tid_x(); \
 		if (i < n) ts_k_##name##_item(&args, i); \
 	}
-#include "../kernels.def"
+#include KERNELS_DEF

@@ -6,7 +6,7 @@
 
 void ts_cu_open_modules(ts_cu *cu, const char *folder)
 {
-	cu->modules = (ts_modules){"cuda", "ptx", {packed, sizeof packed, first_byte}, folder, NULL};
+	cu->modules = (ts_modules){"cuda", "ptx", {packed, sizeof packed - 1, first_byte}, folder, NULL};
 }
 
 /* What the driver's compiler says goes to standard error. */

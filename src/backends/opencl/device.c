@@ -115,14 +115,15 @@ u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES])
 }
 
 /* PoCL 6.0 ends the process as it compiles some kernels (its issue 1608), but not if it makes work-groups in another of
- * its ways. PoCL reads the variable with each kernel; the user's own stays. */
+ * its ways. PoCL reads the variable with each kernel; the user's own stays. An
+ * unknown version may be that one. */
 static void choose_pocl_method(cl_device_id device)
 {
 	char version[256] = "";
 	cl_platform_id platform = NULL;
 	ts_cl_call.GetDeviceInfo(device, CL_DEVICE_PLATFORM, sizeof platform, &platform, NULL);
 	ts_cl_call.GetPlatformInfo(platform, CL_PLATFORM_VERSION, sizeof version - 1, version, NULL);
-	if (strstr(version, "PoCL 6.0") != NULL) setenv("POCL_WORK_GROUP_METHOD", "cbs", 0);
+	if (version[0] == 0 || strstr(version, "PoCL 6.0") != NULL) setenv("POCL_WORK_GROUP_METHOD", "cbs", 0);
 }
 
 ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index)

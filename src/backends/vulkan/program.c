@@ -6,7 +6,7 @@ enum { SPIRV_MAGIC = 0x07230203 };
 
 void ts_vk_open_modules(ts_vk *vk, const char *folder)
 {
-	vk->modules = (ts_modules){"vulkan", "spv", {packed, sizeof packed, first_byte}, folder, NULL};
+	vk->modules = (ts_modules){"vulkan", "spv", {packed, sizeof packed - 1, first_byte}, folder, NULL};
 }
 
 static ts_status find_module(ts_vk *vk, ts_kernel kernel, ts_module *module)
