@@ -115,8 +115,7 @@ u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES])
 }
 
 /* PoCL 6.0 ends the process as it compiles some kernels (its issue 1608), but not if it makes work-groups in another of
- * its ways. PoCL reads the variable with each kernel; the user's own stays. An
- * unknown version may be that one. */
+ * its ways. PoCL reads the variable with each kernel; the user's own stays. An unknown version may be that one. */
 static void choose_pocl_method(cl_device_id device)
 {
 	char version[256] = "";
