@@ -17,8 +17,8 @@ typedef struct {
 	char text[512];             /* what differs: file, element, both values; or what could not be compared */
 } ts_golden_judged;
 
-/* Runs the method of a golden again, by its params.txt, and compares the results with its files, which are untrusted. The
- * preview is not compared where images cannot be read; `text` says so.
+/* Runs the method of a golden again, by its params.txt, and compares the results with its files, which are untrusted.
+ * The preview is not compared where images cannot be read; `text` says so.
  * Returns: TS_OK if all are the same; TS_DIFFERENT; TS_ERROR if a file is missing, or is no file of a golden. */
 TS_API ts_status ts_golden_check(ts_context *context, ts_golden_judged *judged, const char *folder);
 
