@@ -259,8 +259,9 @@ $(EXPLAINED): scripts/explained $(wildcard scripts/kernel/*) src/backends/kernel
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/explained > $@
 $(call object,src/explain/kernels.c): $(EXPLAINED)
-# What tells spends its time in telling: higher levels take twice as long to compile and more, and it runs no faster.
-$(call object,src/explain/kernels.c): OWN := -I$(BUILD)/gen $(if $(filter -O2 -O3,$(OPT)),-Og)
+# What tells spends its time in telling: higher levels take twice as long to compile and more, and it runs no faster. It tells
+# values that it does not use.
+$(call object,src/explain/kernels.c): OWN := -I$(BUILD)/gen -Wno-unused-value $(if $(filter -O2 -O3,$(OPT)),-Og)
 
 # And as pseudo-code.
 PSEUDOCODE := $(BUILD)/gen/pseudocode
