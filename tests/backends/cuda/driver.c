@@ -170,18 +170,19 @@ static void path_of(char path[512], const char *text)
 	snprintf(path, 512, "%s/%016llx", cache != NULL ? cache : TS_CACHE, (unsigned long long)hash);
 }
 
+/* In files of this process, for another may compile the same text. */
 static int compile(const char *text, const char *path)
 {
-	static const char command[] = "/usr/bin/python3 %s/ptx.py < %s.ptx > %s.c && ${CC:-gcc} -O1 -std=c11 -shared -fPIC "
-								  "-ffp-contract=off -fno-strict-aliasing -w "
-								  "-I%s %s.c -o %s.so.part -lm -Wl,-z,defs && mv %s.so.part %s.so";
+	static const char command[] = "at=%s.%d; trap 'rm -f $at.*' EXIT; /usr/bin/python3 %s/ptx.py < $at.ptx > $at.c && "
+								  "${CC:-gcc} -O1 -std=c11 -shared -fPIC -ffp-contract=off -fno-strict-aliasing -w "
+								  "-I%s $at.c -o $at.so -lm -Wl,-z,defs && mv $at.so %s.so";
 	char line[8192];
-	snprintf(line, sizeof line, "%s.ptx", path);
+	snprintf(line, sizeof line, "%s.%d.ptx", path, (int)getpid());
 	FILE *file = fopen(line, "w");
 	if (file == NULL) return INVALID_PTX;
 	fputs(text, file);
 	fclose(file);
-	snprintf(line, sizeof line, command, TS_PTX, path, path, TS_PTX, path, path, path, path);
+	snprintf(line, sizeof line, command, path, (int)getpid(), TS_PTX, TS_PTX, path);
 	int status = system(line);
 	return status == 0 ? CUDA_SUCCESS : INVALID_PTX;
 }
