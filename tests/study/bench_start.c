@@ -94,7 +94,7 @@ static void test_fails(void **state)
 	refused(ts_bench_start_apart(&started, &job, "half", 0, NULL), "told no times");
 }
 
-/* What a driver says to standard error in a process of its own is not heard here. */
+/* A driver in a process of its own writes to a standard error that nobody reads. */
 static void test_silent(void **state)
 {
 	(void)state;
