@@ -1,5 +1,6 @@
 /* Who competed for one pixel: every triangle drawn to it, and by how much the nearest won. */
 #include <stdlib.h>
+#include "../kernels/raster/draw.h"
 #include "parts.h"
 
 enum { MOST_LISTED = 64 };

@@ -3,7 +3,7 @@
 #ifndef TS_TRACE_PROBE_PARTS_H
 #define TS_TRACE_PROBE_PARTS_H
 #include "../kernels/base/shade.h"
-#include "../kernels/raster/draw.h"
+#include "../kernels/raster/view.h"
 #include "../trace/field.h"
 #include "../trace/load.h"
 #include "probe.h"

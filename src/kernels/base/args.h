@@ -28,7 +28,7 @@
 #define TS_ARGS_ALSO(type)
 #endif
 #define TS_ARGS(type) \
-	typedef struct { \
+	typedef struct type { \
 		TS_ROWS_##type(TS_MEMBER) \
 	} type TS_ARGS_ALSO(type)
 #define TS_MEMBER(role, type, name, from) TS_MEMBER_##role(type, name)

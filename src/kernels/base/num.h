@@ -66,6 +66,13 @@ TS_FN i32 ts_f2i(f32 x)
 /* The pixel that contains x. */
 TS_FN i32 ts_floor_i32(f32 x) { return ts_f2i(ts_floor(x)); }
 
+/* floor(x), clamped to -1 and `most`. Without branches, so that loops become vector code. */
+TS_FN i32 ts_k_floor_within(f32 x, f32 most)
+{
+	f32 near_by = ts_max(-1.0f, ts_min(x, most));
+	return (i32)ts_max(near_by, 0.0f) - (near_by < 0.0f ? 1 : 0);
+}
+
 /* To the nearest integer, ties to even, for |x| < 2^22. */
 TS_FN f32 ts_rint(f32 x)
 {

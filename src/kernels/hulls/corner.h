@@ -11,7 +11,7 @@
 #include "../base/args.h"
 #include "form_factor.h"
 #include "depth_grid.h"
-#include "../raster/gbuffer.h"
+#include "../raster/gpixel.h"
 #include "../base/shade.h"
 
 #define TS_ROWS_ts_corner_args(ARG) \

@@ -5,7 +5,8 @@
 #define TS_KERNELS_DIRECT_H
 #include "../base/args.h"
 #include "form_factor.h"
-#include "../raster/gbuffer.h"
+#include "../base/shade.h"
+#include "../raster/gpixel.h"
 
 #define TS_ROWS_ts_direct_args(ARG) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \

@@ -10,7 +10,7 @@
 #define TS_KERNELS_HULL_H
 #include "../base/args.h"
 #include "corner_lobes.h"
-#include "../raster/gbuffer.h"
+#include "../raster/gpixel.h"
 #include "hull_choice.h"
 
 #define TS_ROWS_ts_hull_args(ARG) \

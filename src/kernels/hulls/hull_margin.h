@@ -5,7 +5,7 @@
 #ifndef TS_KERNELS_HULL_MARGIN_H
 #define TS_KERNELS_HULL_MARGIN_H
 #include "../base/args.h"
-#include "../raster/gbuffer.h"
+#include "../raster/gpixel.h"
 #include "hull_choice.h"
 #include "segment_margin.h"
 

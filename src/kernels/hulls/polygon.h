@@ -7,7 +7,8 @@
  * triangles: all fields are 0. */
 #ifndef TS_KERNELS_POLYGON_H
 #define TS_KERNELS_POLYGON_H
-#include "../raster/rsm.h"
+#include "../base/shade.h"
+#include "../raster/patch.h"
 
 #define TS_LAMP_TRIANGLES 8u
 

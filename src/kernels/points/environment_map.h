@@ -4,7 +4,7 @@
 #define TS_KERNELS_ENVIRONMENT_MAP_H
 #include "../base/args.h"
 #include "../raster/illuminate.h"
-#include "scatter.h"
+#include "colour_code.h"
 
 #define TS_ROWS_ts_environment_map_args(ARG) \
 	ARG(INNER, ts_illuminate_args, to, none) /* without its depth_triangle */ \

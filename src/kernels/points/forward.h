@@ -1,9 +1,9 @@
 /* Forward shading: every point is lit once, however many texels it fills; a texel holds its colour beside its distance
- * (EPR section 3.5; METHODS 18). A colour has 32 bits, like the index of a point: 9 per channel and 5 of a common
- * exponent, in the layout of RGB9_E5 of OpenGL's EXT_texture_shared_exponent. */
+ * (EPR section 3.5; METHODS 18). A colour has 32 bits, like the index of a point (colour_code.h). */
 #ifndef TS_KERNELS_FORWARD_H
 #define TS_KERNELS_FORWARD_H
 #include "../base/args.h"
+#include "colour_code.h"
 #include "flight.h"
 #include "../raster/visibility.h"
 #include "../base/shade.h"
@@ -18,34 +18,6 @@
 	ARG(VALUE, u32, n_words, none) \
 	ARG(VALUE, u32, for_eye, none) /* not 0: points are lit for the eye, not for the mirror of the shortest way */
 TS_ARGS(ts_forward_args);
-
-#define TS_MOST_SHARED 65280.0f /* 510 x 2^7, so that no colour is all ones, which means an empty texel */
-
-/* A channel in units of 2^(exponent - 24), rounded. */
-TS_FN u32 ts_k_shared_channel(f32 channel, i32 exponent)
-{
-	f32 units = ts_u2f((u32)(151 - exponent) << 23);
-	return (u32)ts_floor_i32(channel * units + 0.5f);
-}
-
-/* Red in the lowest 9 bits, then green, blue and the exponent. */
-TS_FN u32 ts_k_shared_code(ts_v3 radiance)
-{
-	f32 r = ts_clamp(radiance.x, 0.0f, TS_MOST_SHARED);
-	f32 g = ts_clamp(radiance.y, 0.0f, TS_MOST_SHARED);
-	f32 b = ts_clamp(radiance.z, 0.0f, TS_MOST_SHARED);
-	f32 most = ts_max(ts_max(r, g), b);
-	i32 exponent = ts_max_i32((i32)(ts_f2u(most) >> 23) - 127, -16) + 16;
-	if (ts_k_shared_channel(most, exponent) == 512u) exponent++;
-	return ts_k_shared_channel(r, exponent) | (ts_k_shared_channel(g, exponent) << 9) |
-	       (ts_k_shared_channel(b, exponent) << 18) | ((u32)exponent << 27);
-}
-
-TS_FN ts_v3 ts_k_shared_radiance(u32 code)
-{
-	f32 unit = ts_u2f(((code >> 27) + 103u) << 23);
-	return ts_v3_make((f32)(code & 511u) * unit, (f32)((code >> 9) & 511u) * unit, (f32)((code >> 18) & 511u) * unit);
-}
 
 /* The centre of the mirror with the shortest way from the point to the eye, d_er + d_rt (eq. 2), of the mirrors that
  * may see the point; the eye itself where none does. */

@@ -5,8 +5,9 @@
 #define TS_KERNELS_LOOKUP_H
 #include "../base/args.h"
 #include "flight.h"
+#include "../base/shade.h"
 #include "../raster/cube.h"
-#include "forward.h"
+#include "colour_code.h"
 #include "samples.h"
 
 #define TS_ROWS_ts_lookup_args(ARG) \

@@ -9,6 +9,7 @@
 #define TS_KERNELS_SCATTER_H
 #include "../base/args.h"
 #include "../raster/draw.h"
+#include "colour_code.h"
 #include "cull.h"
 #include "flight.h"
 #include "../base/shade.h"
@@ -30,41 +31,6 @@
 	ARG(VALUE, u32, culled, none)   /* not 0: small pieces were dropped at random */ \
 	ARG(VALUE, u32, others, none)   /* other items that share the rows: band.h */
 TS_ARGS(ts_scatter_args);
-
-#define TS_FAR_BITS 20.0f /* far / near is 2 to this power */
-
-/* floor(8191 log(d / near) / log(far / near)), at most 8190: steps of 0.17 per cent. */
-TS_FN u32 ts_k_depth_code(f32 distance, f32 near)
-{
-	f32 doublings = ts_log2(ts_max(distance / near, 1.0f));
-	return (u32)ts_min_i32(ts_floor_i32((8191.0f * doublings) / TS_FAR_BITS), 8190);
-}
-
-/* The code of a channel: the square root of the exposed radiance, at most white. The root spends the few bits where the
- * eye distinguishes shades. */
-TS_FN u32 ts_k_channel_code(f32 radiance, f32 exposure, f32 most)
-{
-	return (u32)ts_fix(ts_sqrt(ts_flush(ts_clamp(radiance * exposure, 0.0f, 1.0f))) * most, 0, 7);
-}
-
-TS_FN f32 ts_k_channel_radiance(u32 code, f32 exposure, f32 most)
-{
-	f32 root = (f32)code / most;
-	return (root * root) / exposure;
-}
-
-TS_FN u32 ts_k_colour_code(ts_v3 radiance, f32 exposure)
-{
-	return (ts_k_channel_code(radiance.x, exposure, 63.0f) << 13) |
-	       (ts_k_channel_code(radiance.y, exposure, 127.0f) << 6) | ts_k_channel_code(radiance.z, exposure, 63.0f);
-}
-
-TS_FN ts_v3 ts_k_colour_radiance(u32 code, f32 exposure)
-{
-	return ts_v3_make(ts_k_channel_radiance((code >> 13) & 63u, exposure, 63.0f),
-	                  ts_k_channel_radiance((code >> 6) & 127u, exposure, 127.0f),
-	                  ts_k_channel_radiance(code & 63u, exposure, 63.0f));
-}
 
 /* The colour of a point at axial depth z in a view; textures are filtered for the view's texels. */
 TS_CALL u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z)

@@ -5,15 +5,6 @@
 #define TS_KERNELS_SPLAT_PIECES_H
 #include "splat.h"
 
-TS_FN f32 ts_k_along(ts_v3 p, u32 axis) { return axis == 0u ? p.x : axis == 1u ? p.y : p.z; }
-
-/* floor(x), clamped to -1 and `most`. Without branches, so that loops become vector code. */
-TS_FN i32 ts_k_floor_within(f32 x, f32 most)
-{
-	f32 near_by = ts_max(-1.0f, ts_min(x, most));
-	return (i32)ts_max(near_by, 0.0f) - (near_by < 0.0f ? 1 : 0);
-}
-
 /* A piece in the view of one face. */
 typedef struct {
 	ts_camera_k view;

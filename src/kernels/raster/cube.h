@@ -2,7 +2,7 @@
  * rule 36). */
 #ifndef TS_KERNELS_CUBE_H
 #define TS_KERNELS_CUBE_H
-#include "raster.h"
+#include "view.h"
 
 /* Rows (sc, -tc, -ma) of faces +X -X +Y -Y +Z -Z. */
 TS_CONSTANT f32 ts_cube_row[6][9] = {
@@ -47,6 +47,9 @@ TS_FN ts_row ts_k_row(ts_v3 v)
 	r.sign = v.x != 0.0f ? v.x : v.y != 0.0f ? v.y : v.z;
 	return r;
 }
+
+/* The coordinate of a point along an axis of the world. */
+TS_FN f32 ts_k_along(ts_v3 p, u32 axis) { return axis == 0u ? p.x : axis == 1u ? p.y : p.z; }
 
 /* A direction as face and (sc / ma, tc / ma) in [-1, 1]. */
 typedef struct {

@@ -4,6 +4,7 @@
 #ifndef TS_KERNELS_DRAW_H
 #define TS_KERNELS_DRAW_H
 #include "offscreen.h"
+#include "raster.h"
 #include "../base/band.h"
 #include "../base/surface.h"
 

@@ -7,7 +7,7 @@
  * 1/256 pixels, so all samples see the same edges. */
 #ifndef TS_KERNELS_EYE_SAMPLE_H
 #define TS_KERNELS_EYE_SAMPLE_H
-#include "raster.h"
+#include "view.h"
 
 #define TS_N_EYE_SAMPLES 4u
 

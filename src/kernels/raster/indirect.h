@@ -3,7 +3,7 @@
 #ifndef TS_KERNELS_INDIRECT_H
 #define TS_KERNELS_INDIRECT_H
 #include "../base/args.h"
-#include "gbuffer.h"
+#include "gpixel.h"
 #include "image.h"
 
 #define TS_BOUNCE_GAIN 8.0f /* light of one bounce is dim beside direct light */

@@ -4,10 +4,12 @@
 #include "cube_face.h"
 #include "depth_map.h"
 #include "eye.h"
+#include "gbuffer.h"
 #include "illuminate.h"
 #include "image.h"
 #include "indirect.h"
 #include "margin.h"
+#include "rsm.h"
 #include "shadow_test.h"
 #include "shadow_test_margin.h"
 

@@ -5,7 +5,7 @@
 #ifndef TS_KERNELS_DEFERRED_H
 #define TS_KERNELS_DEFERRED_H
 #include "../base/args.h"
-#include "../raster/gbuffer.h"
+#include "../raster/gpixel.h"
 #include "../raster/image.h"
 #include "../raster/shadow_test.h"
 

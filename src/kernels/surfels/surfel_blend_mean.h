@@ -6,7 +6,7 @@
 #define TS_KERNELS_SURFEL_BLEND_MEAN_H
 #include "../base/args.h"
 #include "surfel_blend.h"
-#include "../raster/gbuffer.h"
+#include "../raster/gpixel.h"
 
 #define TS_LEAST_NORMAL TS_LEAST_SLANT /* length of the mean of unit normals */
 

@@ -4,7 +4,7 @@
 #ifndef TS_KERNELS_BILATERAL_H
 #define TS_KERNELS_BILATERAL_H
 #include "../base/args.h"
-#include "../raster/gbuffer.h"
+#include "../raster/gpixel.h"
 
 /* Factors of the squared sine of the angle off the plane (a deviation of 1/16), and of 1 - the cosine between
  * normals. */

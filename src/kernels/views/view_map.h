@@ -8,7 +8,7 @@
 #include "traverse.h"
 
 /* A pyramid: level l is two maps of n >> l texels per side. */
-typedef struct {
+typedef struct ts_pyramid {
 	u32 n, levels;
 	f32 fill; /* radius of the ball that is filled, in radii of the leaf; 0: only the texel of its middle */
 } ts_pyramid;

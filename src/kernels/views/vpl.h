@@ -7,7 +7,8 @@
 #define TS_KERNELS_VPL_H
 #include "../base/args.h"
 #include "cast.h"
-#include "../raster/rsm.h"
+#include "../base/shade.h"
+#include "../raster/patch.h"
 #include "vpl_area.h"
 
 #define TS_ROWS_ts_vpl_args(ARG) \

@@ -7,7 +7,7 @@
 #define TS_KERNELS_VPL_GATHER_H
 #include "../base/args.h"
 #include "view_map_fuse.h"
-#include "../raster/gbuffer.h"
+#include "../raster/gpixel.h"
 #include "mask.h"
 #include "octree_root.h"
 #include "vpl.h"

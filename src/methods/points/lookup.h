@@ -14,7 +14,7 @@ typedef struct {
 	ts_buffer_id found;    /* points seen */
 	ts_buffer_id radiance; /* of the entries */
 } ts_bounce_buffers;
-extern const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES]; /* bounces.c */
+extern const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES];
 
 /* Arguments of the kernels of bounce 0, 1 or 2, without pointers. */
 ts_lookup_args ts_lookup_values(const ts_run *run, u32 bounce);

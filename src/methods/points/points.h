@@ -1,8 +1,9 @@
 /* Functions that the stages of points share. */
 #ifndef TS_STAGES_POINTS_H
 #define TS_STAGES_POINTS_H
-#include "../../kernels/points/points.h"
 #include "../stages.h"
+
+typedef struct ts_points_args ts_points_args;
 
 /* density.scale as samples per pixel side (cull.c). */
 f32 ts_samples_a_pixel(const ts_params *params);

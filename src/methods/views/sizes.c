@@ -1,5 +1,5 @@
 /* Sizes of many views that are computed. */
-#include "../../kernels/views/mask.h"
+#include "../../kernels/views/view_map.h"
 #include "../registry.h"
 #include "octree.h"
 

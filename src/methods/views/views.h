@@ -1,10 +1,13 @@
 /* Functions that the stages of many views share, or that others call. */
 #ifndef TS_STAGES_VIEWS_H
 #define TS_STAGES_VIEWS_H
-#include "../../kernels/views/particle.h"
-#include "../../kernels/views/vpl_gather.h"
-#include "../../kernels/views/vpl.h"
 #include "../stages.h"
+
+typedef struct ts_particle_args ts_particle_args;
+typedef struct ts_pyramid ts_pyramid;
+typedef struct ts_view_map_fuse_args ts_view_map_fuse_args;
+typedef struct ts_vpl_args ts_vpl_args;
+typedef struct ts_vpl_gather_args ts_vpl_gather_args;
 
 /* The side of a plan's maps must be a power of two; the levels of one of its maps (view_map.c). */
 ts_status ts_view_px_check(const ts_run *run);

@@ -2,6 +2,7 @@
  * in the sky or from behind, and sums in the order of the triangles. */
 #include "form_factor_truth.h"
 #include "room.h"
+#include "../../../src/kernels/raster/patch.h"
 #include "../../../src/kernels/hulls/direct.h"
 
 enum { N_PATCHES = 9, PIXELS = 16, N_WORLDS = 1000, PARTS = 3 };

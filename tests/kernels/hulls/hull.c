@@ -1,6 +1,7 @@
 /* From triangles of light to pixels: their shape, which box lights a pixel, and interpolation on planes, where it
  * is exact; truths in double precision that share no formula with the kernels. */
 #include <stdlib.h>
+#include "../../../src/kernels/raster/patch.h"
 #include "../../../src/kernels/hulls/direct.h"
 #include "../../../src/kernels/hulls/corner.h"
 #include "../../../src/kernels/hulls/hull.h"

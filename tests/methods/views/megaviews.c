@@ -4,6 +4,7 @@
  * stage from what it claims to read. */
 #include "../small.h"
 #include <math.h>
+#include "../../../src/kernels/views/view_map.h"
 #include "../../../src/methods/views/views.h"
 #include "../../../src/trace/sums.h"
 

@@ -15,7 +15,7 @@ ts_made_piece ts_made_piece_begin(const ts_points_args *from, u64 piece)
 	ts_made_piece r = {.from = from, .piece = piece, .cover = ts_k_lattice_cover(frame, from->half_size)};
 	ts_k_lines(&r.lines, &r.cover);
 	r.masked = ts_k_is_masked(&from->scene, of->triangle);
-	if (r.masked) r.mask = ts_sample_mask_of(from, piece);
+	if (r.masked) r.mask = ts_sample_mask_of(&from->scene, frame, of->triangle);
 	for (u32 k = 0; k < 3; k++) {
 		r.corner[k] =
 			ts_k_lattice(ts_load3(frame->c), ts_load3(frame->u), ts_load3(frame->v), frame->s, ts_load3(corners[k]));

@@ -40,23 +40,21 @@ void ts_points_flush(ts_point_batch *batch, ts_surface_bins *bins)
 	batch->n = 0;
 }
 
-void ts_points_add(ts_point_batch *batch, ts_surface_bins *bins, const ts_points_args *from, const ts_flight *point,
-                   ts_v3 viewer, u64 place)
+void ts_points_add(ts_point_batch *batch, ts_surface_bins *bins, const ts_arrays *scene, const ts_point_ask *ask)
 {
-	u32 i = batch->n++, triangle = from->pieces[point->piece].triangle;
-	const ts_align *frame = &from->frames[point->piece];
-	batch->triangle[i] = triangle;
-	batch->x[i] = point->x;
-	batch->y[i] = point->y;
-	ts_set_corners(batch->corner, i, &from->scene, triangle);
-	ts_set_lane3(&batch->origin, i, ts_load3(frame->c));
-	ts_set_lane3(&batch->u, i, ts_load3(frame->u));
-	ts_set_lane3(&batch->v, i, ts_load3(frame->v));
-	batch->scale[i] = frame->s;
-	ts_set_lane3(&batch->centre, i, point->centre);
-	ts_set_lane3(&batch->viewer, i, viewer);
-	batch->length[i] = point->length;
-	batch->place[i] = place;
+	u32 i = batch->n++;
+	batch->triangle[i] = ask->triangle;
+	batch->x[i] = ask->x;
+	batch->y[i] = ask->y;
+	ts_set_corners(batch->corner, i, scene, ask->triangle);
+	ts_set_lane3(&batch->origin, i, ts_load3(ask->frame->c));
+	ts_set_lane3(&batch->u, i, ts_load3(ask->frame->u));
+	ts_set_lane3(&batch->v, i, ts_load3(ask->frame->v));
+	batch->scale[i] = ask->frame->s;
+	ts_set_lane3(&batch->centre, i, ask->centre);
+	ts_set_lane3(&batch->viewer, i, ask->viewer);
+	batch->length[i] = ask->length;
+	batch->place[i] = ask->place;
 	if (batch->n == TS_ABREAST) ts_points_flush(batch, bins);
 }
 

@@ -2,7 +2,7 @@
  * in the lattices of their pieces. */
 #ifndef TS_BACKENDS_POINT_BATCH_H
 #define TS_BACKENDS_POINT_BATCH_H
-#include "../../../kernels/points/flight.h"
+#include "../../../kernels/raster/lattice.h"
 #include "../raster/surface_bins.h"
 
 typedef struct {
@@ -17,9 +17,18 @@ typedef struct {
 	u64 place[TS_ABREAST]; /* the caller's */
 } ts_point_batch;
 
+/* A point of a triangle: sample (x, y) of a lattice. */
+typedef struct {
+	const ts_align *frame;
+	u32 triangle;
+	i32 x, y;
+	ts_v3 centre, viewer;
+	f32 length;
+	u64 place;
+} ts_point_ask;
+
 /* Adds a point. A full batch asks `bins` for the surfaces of its points. */
-void ts_points_add(ts_point_batch *batch, ts_surface_bins *bins, const ts_points_args *from, const ts_flight *point,
-                   ts_v3 viewer, u64 place);
+void ts_points_add(ts_point_batch *batch, ts_surface_bins *bins, const ts_arrays *scene, const ts_point_ask *ask);
 /* Asks for the surfaces of the points that are left. */
 void ts_points_flush(ts_point_batch *batch, ts_surface_bins *bins);
 

@@ -47,7 +47,7 @@ static u32 points_of(const ts_points_args *args, u64 piece, way of)
 /* Leaves the samples out that the mask of a narrow piece cuts. */
 static void cut(const ts_points_args *args, u64 piece, ts_narrow_pieces *of, u32 i)
 {
-	ts_sample_mask mask = ts_sample_mask_of(args, piece);
+	ts_sample_mask mask = ts_sample_mask_of(&args->scene, &args->frames[piece], args->pieces[piece].triangle);
 	for (u32 y = 0; y < of->n_rows; y++) {
 		for (u32 bits = of->rows[y][i]; bits != 0; bits &= bits - 1) {
 			i32 x = __builtin_ctz(bits);

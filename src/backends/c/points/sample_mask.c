@@ -17,11 +17,8 @@ static void find_levels(ts_sample_mask *m, const ts_arrays *scene, f32 area, f32
 	if (m->next != 0) m->level[1] = ts_k_texture_coarser(level);
 }
 
-ts_sample_mask ts_sample_mask_of(const ts_points_args *from, u64 piece)
+ts_sample_mask ts_sample_mask_of(const ts_arrays *scene, const ts_align *frame, u32 triangle)
 {
-	const ts_arrays *scene = &from->scene;
-	const ts_align *frame = &from->frames[piece];
-	u32 triangle = from->pieces[piece].triangle;
 	ts_corners t = ts_k_corners(scene, triangle);
 	ts_sample s = ts_k_sample(scene, triangle, t.n, t.n, 1.0f / frame->s);
 	const ts_vertex *vertex[] = {s.a, s.b, s.c};

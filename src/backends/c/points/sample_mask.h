@@ -2,7 +2,7 @@
  * and only the alpha of texels is read. */
 #ifndef TS_BACKENDS_SAMPLE_MASK_H
 #define TS_BACKENDS_SAMPLE_MASK_H
-#include "../../../kernels/points/points.h"
+#include "../../../kernels/raster/lattice.h"
 
 typedef struct {
 	ts_v2 corner[3]; /* of the triangle, in the lattice */
@@ -14,8 +14,8 @@ typedef struct {
 	u32 next; /* weight of the second level, in 1/256; 0: there is none */
 } ts_sample_mask;
 
-/* The mask of a piece with a masked material; the scale of its frame is above 0. */
-ts_sample_mask ts_sample_mask_of(const ts_points_args *from, u64 piece);
+/* The mask of a piece of a triangle with a masked material; the scale of the piece's frame is above 0. */
+ts_sample_mask ts_sample_mask_of(const ts_arrays *scene, const ts_align *frame, u32 triangle);
 bool ts_sample_mask_cuts(const ts_sample_mask *mask, i32 x, i32 y);
 
 #endif

@@ -1,7 +1,6 @@
 /* The texels that the samples of a reflective pixel read, side by side. */
 #include "sample_texels.h"
-#include "../../../kernels/points/lookup.h"
-#include "../../../kernels/points/splat_pieces.h"
+#include "../../../kernels/raster/cube.h"
 #include "../../wide.h"
 
 enum { SAMPLES = TS_SAMPLE_ROOM };

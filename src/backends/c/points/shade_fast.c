@@ -154,7 +154,15 @@ static void shade_wanted(part *p, const ts_lookup_args *args)
 			continue;
 		}
 		ts_flight point = ts_k_flight_at(&args->from, args->n_pieces, args->found[w->sample]);
-		ts_points_add(&p->points, &p->bins, &args->from, &point, centre, w->place);
+		const ts_point_ask ask = {.frame = &args->from.frames[point.piece],
+		                          .triangle = args->from.pieces[point.piece].triangle,
+		                          .x = point.x,
+		                          .y = point.y,
+		                          .centre = point.centre,
+		                          .viewer = centre,
+		                          .length = point.length,
+		                          .place = w->place};
+		ts_points_add(&p->points, &p->bins, &args->from.scene, &ask);
 	}
 	ts_points_flush(&p->points, &p->bins);
 	ts_surface_bins_flush(&p->bins);

@@ -2,6 +2,7 @@
  * plane clips. */
 #include "splat_batch.h"
 #include <stdlib.h>
+#include "../../../kernels/points/splat_pieces.h"
 #include "../../wide.h"
 
 enum { PIECES = TS_SPLAT_PIECES, LANES = TS_SPLAT_LANES, LONGEST = 1 << 18, HALF_SIZE = 129 };

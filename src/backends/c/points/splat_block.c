@@ -1,6 +1,7 @@
 /* Points side by side. Most splats touch at most three texels by three: loops for vectors find which of the nine they
  * offer a key to, and those are written one after another, the first four without branches. */
 #include <string.h>
+#include "../../../kernels/points/splat_pieces.h"
 #include "../../wide.h"
 #include "splat_batch.h"
 

@@ -2,6 +2,7 @@
 #include "splat_live.h"
 #include <stdlib.h>
 #include <string.h>
+#include "../../../kernels/points/splat_pieces.h"
 #include "../../../model/core.h"
 
 enum { WORDS = 5 + TS_SPLAT_CORNERS + TS_SPLAT_SIDES, POINTS = TS_SPLAT_POINTS, LANES = TS_SPLAT_LANES };

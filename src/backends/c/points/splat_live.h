@@ -2,7 +2,10 @@
  * is a whole piece. */
 #ifndef TS_BACKENDS_SPLAT_LIVE_H
 #define TS_BACKENDS_SPLAT_LIVE_H
-#include "../../../kernels/points/splat_pieces.h"
+#include "../../../kernels/raster/cube.h"
+#include "../../../kernels/raster/raster.h"
+
+typedef struct ts_splat_args ts_splat_args;
 
 enum { TS_SPLAT_POINTS = 128, TS_SPLAT_LANES = 8, TS_SPLAT_CORNERS = 9, TS_SPLAT_SIDES = 6 };
 

@@ -6,6 +6,7 @@
  * Rays begin and end 2^-12 of the greatest coordinate off their surfaces. The rays of `bounce` are the seeds of a
  * sunflower (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn a pixel. */
 #include "../../../kernels/hulls/direct.h"
+#include "../../../kernels/raster/patch.h"
 #include "../../../scene/lamp.h"
 #include "../../raster/tools/truth_gather.h"
 #include "../gloss.h"

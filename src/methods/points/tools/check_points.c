@@ -2,7 +2,7 @@
  * makes points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces. points.offset, where
  * stage points writes or points are made again: the sums that stage points.count makes of the same align.frame. */
 #include <inttypes.h>
-#include "../../../kernels/points/points.h"
+#include "../../../kernels/raster/lattice.h"
 #include "tools.h"
 
 enum { MAX_LATTICE = (1 << 23) - 1 };

@@ -1,7 +1,6 @@
 /* Answers of the probe about the family of points, and functions that its parts share. */
 #ifndef TS_POINTS_TOOLS_PROBE_H
 #define TS_POINTS_TOOLS_PROBE_H
-#include "../../../kernels/points/points.h"
 #include "../../../kernels/raster/cube.h"
 #include "../../../probe/parts.h"
 

@@ -1,6 +1,7 @@
 /* Where a triangle or a point went, or which stage lost it. */
 #include <inttypes.h>
 #include <stdlib.h>
+#include "../../../kernels/raster/draw.h"
 #include "probe.h"
 #include "../../raster/eye.h"
 

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <omp.h>
 #include "../../../kernels/raster/shadow_test.h"
-#include "../../../kernels/points/scatter.h"
+#include "../../../kernels/points/colour_code.h"
 #include "../../stages.h"
 #include "../../../truth/query.h"
 #include "../../../truth/sampling.h"

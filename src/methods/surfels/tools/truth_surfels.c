@@ -8,6 +8,7 @@
  * depth maps; triangles none in the last 2^-12 of the greatest coordinate. */
 #include <math.h>
 #include <stdlib.h>
+#include "../../../kernels/raster/patch.h"
 #include "../surfel.h"
 #include "../../../kernels/surfels/surfel_blend_mean.h"
 #include "../../pipeline.h"

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include "../views.h"
 #include "../../stages.h"
+#include "../../../kernels/views/particle.h"
 #include "probe.h"
 
 /* Each path begins at a texel, and has its lights among those that there are. */

@@ -1,12 +1,14 @@
 /* Functions of this folder's files for tools.c. */
 #ifndef TS_VIEWS_TOOLS_H
 #define TS_VIEWS_TOOLS_H
-#include "../../../kernels/views/vpl_gather.h"
+#include "../../../kernels/base/vec.h"
 #include "../../../replay/check.h"
 #include "../../../study/stage_pictures.h"
 #include "../../../trace/where.h"
 #include "../../../truth/sampling.h"
 #include "../../../truth/texels.h"
+
+typedef struct ts_vpl_gather_args ts_vpl_gather_args;
 
 extern const ts_check_rule ts_views_checks[];
 

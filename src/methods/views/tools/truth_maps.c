@@ -1,5 +1,6 @@
 /* Maps of many views against rays (METHODS 17): what whole maps show along the middles of their texels, and what they
  * answer about places that pixels see. Of views beyond some, every so many-th. */
+#include "../../../kernels/views/vpl_gather.h"
 #include "../views.h"
 #include "../traverse.h"
 #include "../../../truth/query.h"

@@ -1,5 +1,6 @@
 /* Why maps of many views answer otherwise than rays (METHODS 17). */
 #include "../../../kernels/views/octree.h"
+#include "../../../kernels/views/vpl_gather.h"
 #include "../../../truth/query.h"
 #include "tools.h"
 

@@ -49,14 +49,14 @@ static void test_equal(void **state)
 		mesh_begin(&m);
 		random_texture(&m, texels);
 		random_piece(&m);
-		ts_points_args from = {.scene = mesh_arrays(&m), .pieces = m.pieces, .frames = m.frames};
-		from.scene.texels = texels;
-		ts_sample_mask mask = ts_sample_mask_of(&from, 0);
+		ts_arrays scene = mesh_arrays(&m);
+		scene.texels = texels;
+		ts_sample_mask mask = ts_sample_mask_of(&scene, m.frames, m.pieces->triangle);
 		for (u32 k = 0; k < SAMPLES; k++) {
 			i32 x = (i32)(random_bits() % 80) - 40, y = (i32)(random_bits() % 80) - 40;
-			ts_v3 w = ts_k_lattice_weights(&from.scene, m.frames, 0, x, y);
-			ts_v3 n = ts_k_corners(&from.scene, 0).n;
-			bool cut = ts_k_is_cut(&from.scene, 0, w, n, 1.0f / m.frames->s);
+			ts_v3 w = ts_k_lattice_weights(&scene, m.frames, 0, x, y);
+			ts_v3 n = ts_k_corners(&scene, 0).n;
+			bool cut = ts_k_is_cut(&scene, 0, w, n, 1.0f / m.frames->s);
 			*(cut ? &n_cut : &n_kept) += 1;
 			if (ts_sample_mask_cuts(&mask, x, y) != cut) fail_msg("random %u: sample %d, %d", start, x, y);
 		}

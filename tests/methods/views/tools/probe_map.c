@@ -1,6 +1,7 @@
 /* Texels of maps of views, as the probe tells of them, against the buffers of the run and the same in double
  * precision. */
 #include "../../../probe/probed.h"
+#include "../../../../src/kernels/views/view_map.h"
 #include "../../../../src/methods/views/views.h"
 
 enum { N_TRIED = 250 };

@@ -3,6 +3,7 @@
  * cut-outs meets a triangle with alpha. */
 #include <math.h>
 #include "../../small.h"
+#include "../../../../src/kernels/views/vpl_gather.h"
 #include "../../../../src/methods/views/tools/tools.h"
 #include "../../../../src/methods/views/views.h"
 #include "../../../../src/truth/query.h"

@@ -1,0 +1,51 @@
+/* A view in registers: where it stands, what it shows, and its image. */
+#ifndef TS_KERNELS_VIEW_H
+#define TS_KERNELS_VIEW_H
+#include "../base/records.h"
+#include "../base/vec.h"
+
+/* A corner in view space (X, Y, z axial) with its weights on the source triangle. */
+typedef struct {
+	f32 x, y, z;
+	ts_v3 w;
+} ts_corner;
+
+/* A view in registers. An orthographic view has `focal` pixels per world unit. The image is moved by `shift`, in 1/256
+ * pixel; `side` is the side, in pixels, of the square that a sample's colour stands for: see eye_sample.h. */
+typedef struct {
+	ts_v3 eye, right, up, back;
+	f32 focal, near, side;
+	i32 width, height, shift_x, shift_y;
+	u32 orthographic;
+} ts_camera_k;
+
+TS_FN ts_camera_k ts_k_view(TS_GLOBAL const ts_view *view)
+{
+	ts_camera_k r;
+	r.eye = ts_load3(view->eye);
+	r.right = ts_load3(view->right);
+	r.up = ts_load3(view->up);
+	r.back = ts_load3(view->back);
+	r.focal = view->focal;
+	r.near = view->near;
+	r.side = 1.0f;
+	r.width = (i32)view->width;
+	r.height = (i32)view->height;
+	r.shift_x = 0;
+	r.shift_y = 0;
+	r.orthographic = 0u;
+	return r;
+}
+
+TS_FN ts_corner ts_k_to_view(const ts_camera_k *view, ts_v3 p)
+{
+	ts_v3 d = ts_sub(p, view->eye);
+	ts_corner r;
+	r.x = ts_dot(view->right, d);
+	r.y = ts_dot(view->up, d);
+	r.z = -ts_dot(view->back, d);
+	r.w = ts_v3_make(0.0f, 0.0f, 0.0f);
+	return r;
+}
+
+#endif
