@@ -8,6 +8,7 @@
  *   TS_CUDA_OLD   a device before Volta */
 #define _GNU_SOURCE
 #include <dlfcn.h>
+#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -170,21 +171,25 @@ static void path_of(char path[512], const char *text)
 	snprintf(path, 512, "%s/%016llx", cache != NULL ? cache : TS_CACHE, (unsigned long long)hash);
 }
 
-/* In files of this process, for another may compile the same text. */
+/* In files of this process, for another may compile the same text. The paths are the script's arguments. */
 static int compile(const char *text, const char *path)
 {
-	static const char command[] = "at=%s.%d; trap 'rm -f $at.*' EXIT; /usr/bin/python3 %s/ptx.py < $at.ptx > $at.c && "
-								  "${CC:-gcc} -O1 -std=c11 -shared -fPIC -ffp-contract=off -fno-strict-aliasing -w "
-								  "-I%s $at.c -o $at.so -lm -Wl,-z,defs && mv $at.so %s.so";
-	char line[8192];
-	snprintf(line, sizeof line, "%s.%d.ptx", path, (int)getpid());
-	FILE *file = fopen(line, "w");
+	static const char script[] =
+		"set -eu; trap 'rm -f -- \"$1\".*' EXIT; /usr/bin/python3 \"$2/ptx.py\" < \"$1.ptx\" > \"$1.c\"; "
+		"${CC:-gcc} -O1 -std=c11 -shared -fPIC -ffp-contract=off -fno-strict-aliasing -w -I\"$2\" \"$1.c\" "
+		"-o \"$1.so\" -lm -Wl,-z,defs; mv -- \"$1.so\" \"$3.so\"";
+	char at[560], ptx[576];
+	snprintf(at, sizeof at, "%s.%d", path, (int)getpid());
+	snprintf(ptx, sizeof ptx, "%s.ptx", at);
+	FILE *file = fopen(ptx, "w");
 	if (file == NULL) return INVALID_PTX;
 	fputs(text, file);
 	fclose(file);
-	snprintf(line, sizeof line, command, path, (int)getpid(), TS_PTX, TS_PTX, path);
-	int status = system(line);
-	return status == 0 ? CUDA_SUCCESS : INVALID_PTX;
+	char *words[] = {"sh", "-c", (char *)script, "sh", at, TS_PTX, (char *)path, NULL};
+	pid_t child;
+	int status;
+	if (posix_spawn(&child, "/bin/sh", NULL, NULL, words, environ) != 0) return INVALID_PTX;
+	return waitpid(child, &status, 0) == child && status == 0 ? CUDA_SUCCESS : INVALID_PTX;
 }
 
 EXPORT CUresult cuModuleLoadDataEx(CUmodule *module, const void *image, unsigned n, int *options, void **values)
