@@ -109,7 +109,7 @@ CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson l
 LIBS := $(call packages,--libs,jansson libcrypto zlib libzstd tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test check test-long dist fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults release-check style format deps-build deps-test uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test check test-% dist fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults release-check style format deps-build deps-test uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -135,7 +135,9 @@ CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/*
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
 TEST_C := $(filter-out $(patsubst %,tests/%,$(shell sed '/^\#/d' tests/apart.txt)),$(call every,tests,c))
 
-# Linked into each test: what it begins with, and what lifts llvmpipe's limit of loops, which that driver finds by its name.
+# Tests are one program by many names (tests/main.c), but for those that take arguments or define a function of libc or of the
+# library. Linked into each: what tests begin with, and what lifts llvmpipe's limit of loops, which the driver finds by its name.
+ALONE_C := $(patsubst %,tests/%.c,golden/file output/remove ports/candidate study/bench_start)
 TEST_ALSO_C := tests/begin.c tests/cli/preload/llvmpipe.c
 LIFT := -Wl,--export-dynamic-symbol=LLVMBuildStore
 
@@ -147,7 +149,7 @@ CLI_O := $(call object,$(CLI_C))
 CLI_PARTS_O := $(filter-out %/main.c.o,$(CLI_O))
 CORE_O := $(call object,$(CORE_C)) $(ITEMS_O)
 TESTS := $(TEST_C:tests/%.c=$(BUILD)/tests/%)
-ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) $(TEST_ALSO_C) $(wildcard tests/fuzz/*.c)))
+ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) tests/main.c $(TEST_ALSO_C) $(wildcard tests/fuzz/*.c)))
 
 ifeq ($(V),0)
 Q := @
@@ -351,13 +353,11 @@ demo: deps-build
 	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 960x540 -o out/demo --force
 
 ##   test               install what is missing, build, run the tests; T="PARTS OF NAMES"; also with config=asan|ubsan|tsan
-test: deps-test
+##   test-TIER          the same for a tier of tests/tiers.txt, which `test` leaves out: devices packages long
+TEST_TIERS := $(patsubst %,test-%,$(shell sed -nE 's/^([a-z]+):.*/\1/p' tests/tiers.txt))
+test $(TEST_TIERS): deps-test
 	$(Q)$(MAKE) --no-print-directory all tests
-	$(Q)CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-tests $(T)
-
-##   test-long          the same for the tests of tests/long.txt, which take minutes
-test-long:
-	$(Q)$(MAKE) --no-print-directory test T=--long
+	$(Q)CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-tests $(patsubst test-%,--tier %,$(filter-out test,$@)) $(T)
 
 ##   check              as test, but installs nothing and says what is missing; so do the others with TS_INSTALL=0
 check:
@@ -366,20 +366,28 @@ check:
 tests: $(TESTS) $(PYTHON_PACKAGE)/made $(BUILD)/touchstone-core $(BUILD)/record/touchstone $(BUILD)/cuda/libcuda.so.1
 
 # Most of them run for less time than -O3 takes to compile them.
-$(BUILD)/obj/tests/%: OWN := -O1
-FIND_ABOVE := $(FIND_MODULE):'$$ORIGIN/../..:$$ORIGIN/../../..:$$ORIGIN/../../../..'
+$(BUILD)/obj/tests/%: OWN = -O1 -Dmain=test_$(subst /,_,$(patsubst $(BUILD)/obj/tests/%.c.o,%,$@))
+$(call object,tests/main.c $(ALONE_C)): OWN := -O1 -I$(BUILD)/gen
+TEST_LIST := $(BUILD)/gen/tests.inc
+$(TEST_LIST): FORCE
+	$(call keep,$(foreach test,$(filter-out $(ALONE_C),$(TEST_C)),TEST($(subst /,_,$(test:tests/%.c=%)), "$(test:tests/%.c=%)")))
+$(call object,tests/main.c): $(TEST_LIST)
+
+FIND_ABOVE := $(FIND_MODULE):'$$ORIGIN/..:$$ORIGIN/../..:$$ORIGIN/../../..:$$ORIGIN/../../../..'
 define LINK_TEST
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CXX) $(LINK_FLAGS) $(LIFT) $(FIND_ABOVE) $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
+	$(Q)$(CXX) $(LINK_FLAGS) $(LIFT) $(FIND_ABOVE) $(filter %.o %.a,$^) $(LIBS) -lcmocka $(call packages,--libs,OpenCL) -o $@
 endef
-TEST_LINKS := $(call object,$(TEST_ALSO_C)) $(BUILD)/libtouchstone.a
-$(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(TEST_LINKS) | $(BUILD)/libtouchstone-image.so
+TEST_LINKS := $(call object,$(TEST_ALSO_C)) $(CLI_PARTS_O) $(BUILD)/libtouchstone.a
+ALONE := $(ALONE_C:tests/%.c=$(BUILD)/tests/%)
+$(ALONE): $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(TEST_LINKS) | $(BUILD)/libtouchstone-image.so
 	$(LINK_TEST)
-$(BUILD)/tests/cli/%: $(BUILD)/obj/tests/cli/%.c.o $(CLI_PARTS_O) $(TEST_LINKS) | $(BUILD)/libtouchstone-image.so
+$(BUILD)/tests/all: $(call object,tests/main.c $(filter-out $(ALONE_C),$(TEST_C))) $(TEST_LINKS) | $(BUILD)/libtouchstone-image.so
 	$(LINK_TEST)
-
-$(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
+	$(Q)mkdir -p $(sort $(dir $(TESTS)))
+	$(Q)for test in $(filter-out $(ALONE),$(TESTS)); do ln -f $@ $$test || exit; done
+$(filter-out $(ALONE),$(TESTS)): $(BUILD)/tests/all ;
 
 # A driver of CUDA that needs no GPU, with an empty cache of kernels.
 $(BUILD)/cuda/libcuda.so.1: $(wildcard tests/backends/cuda/*) src/backends/cuda/cu.h $(BUILD)/flags
@@ -555,4 +563,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test check test-long tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults release-check bench style format deps-build deps-test install uninstall installcheck dist docs clean help FORCE
+.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults release-check bench style format deps-build deps-test install uninstall installcheck dist docs clean help FORCE

@@ -1,7 +1,6 @@
 #!/bin/bash
 # Nodes and cameras that a glTF file moves, against closed forms in double precision, in pictures, traces and replay.
 . "$(dirname "$0")/tap.bash"
-. "$(dirname "$0")/opencl.bash"
 animated=$(realpath "$(dirname "$0")")/animated.py
 cd "$scratch" || exit 2
 
@@ -93,9 +92,4 @@ huge beyond 16777216
 zero quaternion of length 0
 TXT
 
-need_device opencl
-run "${render[@]}" --frame 17 --trace --backend opencl -o opencl
-[ "$status" -eq 0 ]
-verdict $? 'OpenCL renders a moving file'
-same alone-17/trace-epr opencl/trace-epr 'and has the bits of C'
 finish

@@ -51,4 +51,10 @@ run "${frame[@]}" --method mvr --trace -o "$scratch/mvr" "${on[@]}"
 run "${frame[@]}" --method mvr --trace -o "$scratch/mvr-c"
 same "$scratch/mvr-c/trace-mvr" "$scratch/mvr/trace-mvr" 'the trace of C: mvr'
 
+
+/usr/bin/python3 tests/cli/animated.py write "$scratch/animated.gltf"
+moving=(render reflections "$scratch/animated.gltf" --method epr --size 96x54 --reflectors 2 --set cube.hysteresis=8 --frame 17 --trace)
+run "${moving[@]}" -o "$scratch/still"
+run "${moving[@]}" "${on[@]}" -o "$scratch/moving"
+same "$scratch/still/trace-epr" "$scratch/moving/trace-epr" 'a file whose nodes move: the bits of C'
 finish

@@ -27,7 +27,7 @@ says_usage scripts/abi --check more
 says_usage scripts/pseudocode one two
 says_usage scripts/verdicts --only
 says_usage scripts/performance --from
-says_usage scripts/run-tests --long part
+says_usage scripts/run-tests --tier
 says_usage scripts/house/lengths many
 says_usage scripts/house/bits goldenes reference
 says_usage scripts/house/bits traces one

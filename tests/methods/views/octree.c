@@ -1,24 +1,8 @@
-/* The two octrees of MegaViews, from the scene to the cones of the views: the same bits on any number of threads and on
- * OpenCL; leaves that hold just their triangles; surfaces; every stage from what it claims to read. */
+/* The two octrees of MegaViews, from the scene to the cones of the views: the same bits on any number of threads;
+ * leaves that hold just their triangles; surfaces; every stage from what it claims to read. */
 #include "octrees.h"
 #include <math.h>
 #include "../../../src/kernels/views/voxel.h"
-#include "../../../src/trace/sums.h"
-#include "../../backends/device.h"
-
-static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *params, u32 threads, ts_backend *backend)
-{
-	const ts_how how = {.threads = threads, .backend = backend};
-	if (ts_sums_of(sums, &octrees_pipeline, scene, params, &how) != TS_OK) fail_msg("%s", ts_error_message());
-	assert_int_equal(strlen(sums->hex[TS_B_view_octree_cone]), 64);
-}
-
-static void assert_same(const ts_sums *a, const ts_sums *b)
-{
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		if (strcmp(a->hex[id], b->hex[id]) != 0) fail_msg("%s differs", ts_buffer_table[id].name);
-	}
-}
 
 static void test_threads(void **state)
 {
@@ -27,32 +11,10 @@ static void test_threads(void **state)
 	ts_params params = octrees_params(6, 1000);
 	params.vpl_bounces = 4;
 	ts_scene *scene = small_scene(&params);
-	sums_of(&one, scene, &params, 1, NULL);
-	sums_of(&seven, scene, &params, 7, NULL);
-	assert_same(&one, &seven);
+	octrees_sums(&one, scene, &params, 1, NULL);
+	octrees_sums(&seven, scene, &params, 7, NULL);
+	octrees_assert_same(&one, &seven);
 	ts_scene_free(scene);
-}
-
-static void on_device(const ts_backend_kind *kind)
-{
-	static ts_sums c, cl;
-	for (u32 levels = 1; levels <= 6; levels += 5) {
-		ts_params params = octrees_params(levels, levels == 1 ? 0 : 300);
-		params.vpl_bounces = levels == 1 ? 1 : 3;
-		ts_scene *scene = small_scene(&params);
-		sums_of(&c, scene, &params, 2, NULL);
-		ts_backend *backend = device_open(kind, (ts_backend_options){.work_group = kind == &ts_opencl_kind ? 5 : 8});
-		sums_of(&cl, scene, &params, 1, backend);
-		assert_same(&c, &cl);
-		backend->close(backend);
-		ts_scene_free(scene);
-	}
-}
-
-static void test_devices(void **state)
-{
-	(void)state;
-	device_each(on_device);
 }
 
 static bool is_listed(const u32 *offset, const u32 *entries, u32 leaf, u32 triangle)
@@ -154,9 +116,10 @@ static void test_claims(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),  cmocka_unit_test(test_devices), cmocka_unit_test(test_lists),
-		cmocka_unit_test(test_surfaces), cmocka_unit_test(test_claims),
+		cmocka_unit_test(test_threads),
+		cmocka_unit_test(test_lists),
+		cmocka_unit_test(test_surfaces),
+		cmocka_unit_test(test_claims),
 	};
-	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

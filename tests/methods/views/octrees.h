@@ -5,6 +5,7 @@
 #include "../../../src/methods/views/pipelines.h"
 #include "../../../src/methods/stages.h"
 #include "../../../src/methods/views/views.h"
+#include "../../../src/trace/sums.h"
 
 static const ts_step octrees_steps[] = {
 	{.stage = "pose"},
@@ -45,6 +46,22 @@ static inline void octrees_run(ts_run *run, const ts_scene *scene, const ts_para
 {
 	ts_run_begin(run, scene, params, 2);
 	if (ts_pipeline_run(&octrees_pipeline, run) != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+/* The digests of all that the pipeline makes. */
+static inline void octrees_sums(ts_sums *sums, const ts_scene *scene, const ts_params *params, u32 threads,
+                                ts_backend *backend)
+{
+	const ts_how how = {.threads = threads, .backend = backend};
+	if (ts_sums_of(sums, &octrees_pipeline, scene, params, &how) != TS_OK) fail_msg("%s", ts_error_message());
+	assert_int_equal(strlen(sums->hex[TS_B_view_octree_cone]), 64);
+}
+
+static inline void octrees_assert_same(const ts_sums *a, const ts_sums *b)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (strcmp(a->hex[id], b->hex[id]) != 0) fail_msg("%s differs", ts_buffer_table[id].name);
+	}
 }
 
 #endif
