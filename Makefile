@@ -109,7 +109,7 @@ CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson l
 LIBS := $(call packages,--libs,jansson libcrypto zlib libzstd tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test check test-% dist fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults release-check style format deps-build deps-test uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test check test-% dist fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release-check style format deps-build deps-test uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -454,9 +454,10 @@ mutants-src mutants-src-short:
 	$(Q)BUILD='$(BUILD)' FLAGS='$(CPP_LIBS)' $(JOBS_OF_ITS_OWN) scripts/mutants-src $(if $(filter %-short,$@),--short) $(T)
 
 ##   faults             calls that fail, one by one, in small commands; T="COMMANDS OR KINDS"; most of an hour
-faults: deps-test
+##   faults-short       the part of it that .ci/run runs
+faults faults-short: deps-test
 	$(Q)$(MAKE) --no-print-directory all
-	$(Q)CC='$(CC)' BUILD='$(BUILD)' scripts/faults $(T)
+	$(Q)CC='$(CC)' BUILD='$(BUILD)' scripts/faults $(if $(filter %-short,$@),--short) $(T)
 
 ##   release-check      what a release must pass beside .ci/run: test-long, faults, matrix, distros, mutants-src; hours
 release-check:
@@ -563,4 +564,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults release-check bench style format deps-build deps-test install uninstall installcheck dist docs clean help FORCE
+.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release-check bench style format deps-build deps-test install uninstall installcheck dist docs clean help FORCE

@@ -115,8 +115,9 @@ const ts_command ts_command_table[] = {
      TS_OPT(FORCE), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_golden_command, .failed = ts_golden_failed},
 	{"merge", "DIR...", "results of shards, put together", 1, TS_MAX_ARGUMENTS, TS_OPT(JUNIT), TS_OPT(TAP),
      TS_OPT(OUTPUT), TS_OPT(FORCE), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_merge_command},
-	{"vectors", "-o DIR | --check DIR", "inputs and outputs of arithmetic primitives, to write or to check", 0, 0,
-     TS_OPT(OUTPUT), TS_OPT(FORCE), TS_OPT(CHECK), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_vectors_command},
+	{"vectors", "[PRIMITIVE...] -o DIR | --check DIR",
+     "inputs and outputs of arithmetic primitives, to write or to check", 0, TS_MAX_ARGUMENTS, TS_OPT(OUTPUT),
+     TS_OPT(FORCE), TS_OPT(CHECK), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_vectors_command},
 	{"help", "[COMMAND]", "what a command does and takes", 0, 1, .run = ts_help_command},
 	{0},
 };

@@ -1,4 +1,4 @@
-/* `vectors -o DIR`: writes inputs and outputs of every primitive. `vectors --check DIR`: judges a port's outputs. */
+/* `vectors -o DIR`: writes inputs and outputs of every primitive, or of those that are named. `vectors --check DIR`: judges a port's outputs. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -80,15 +80,37 @@ static u32 n_items(void)
 	return first != NULL ? first->items : 0;
 }
 
+static bool is_wanted(const ts_cli *cli, const ts_vector_info *v)
+{
+	for (u32 i = 0; i < cli->n_arguments; i++) {
+		if (strcmp(cli->arguments[i], v->name) == 0) return true;
+	}
+	return cli->n_arguments == 0;
+}
+
+static ts_status require_names(const ts_cli *cli)
+{
+	if (ts_vector_at(0) == NULL) return TS_ERROR; /* no memory for the table of primitives */
+	for (u32 i = 0; i < cli->n_arguments; i++) {
+		const ts_vector_info *v;
+		ts_nearest nearest = ts_nearest_begin(cli->arguments[i]);
+		for (size_t k = 0; (v = ts_vector_at(k)) != NULL; k++) ts_nearest_offer(&nearest, v->name);
+		if (nearest.distance == 0) continue;
+		return ts_fail("no primitive \"%.60s\"%s", cli->arguments[i],
+		               ts_nearest_hint(&nearest, "touchstone list vectors"));
+	}
+	return TS_OK;
+}
+
 /* "program" and "files" are what a later --force goes by. */
-static ts_status write_index(json_t *list)
+static ts_status write_index(json_t *list, u32 n)
 {
 	const char *path = ts_folder_file("vectors.json");
 	json_t *files = path != NULL ? ts_results_list() : NULL;
 	if (files == NULL) return TS_ERROR;
 	json_t *root = json_pack("{ss, ss, si, si, sO, so}", "program", ts_program, "version", TS_VERSION, "contract",
 	                         (int)TS_CONTRACT_VERSION, "items", (int)n_items(), "primitives", list, "files", files);
-	bool whole = root != NULL && json_array_size(list) == ts_vectors_total();
+	bool whole = root != NULL && json_array_size(list) == n;
 	char *text = whole ? json_dumps(root, JSON_INDENT(1)) : NULL;
 	json_decref(root);
 	ts_status status = text != NULL ? ts_file_write(path, text, strlen(text)) : ts_fail("%s: out of memory", path);
@@ -96,18 +118,20 @@ static ts_status write_index(json_t *list)
 	return status;
 }
 
-static ts_status write_all(ts_context *context)
+/* *n: the primitives that are written. */
+static ts_status write_all(u32 *n, const ts_cli *cli, ts_context *context)
 {
 	const ts_vector_info *v;
-	const u32 n = ts_vectors_total();
 	json_t *list = json_array();
 	ts_vector_rows rows = {NULL, NULL, NULL};
 	ts_status status = ts_vectors_rows(&rows);
 	for (u32 i = 0; status == TS_OK && (v = ts_vector_at(i)) != NULL; i++) {
+		ts_progress("vectors", i + 1, ts_vectors_total());
+		if (!is_wanted(cli, v)) continue;
 		status = write_primitive(context, v, &rows, list);
-		ts_progress("vectors", i + 1, n);
+		*n += 1;
 	}
-	if (status == TS_OK) status = write_index(list);
+	if (status == TS_OK) status = write_index(list, *n);
 	free(rows.in);
 	json_decref(list);
 	return status;
@@ -116,9 +140,10 @@ static ts_status write_all(ts_context *context)
 static ts_status write_folder(const ts_cli *cli, ts_context *context)
 {
 	ts_report report;
-	const u32 n = ts_vectors_total(), items = n_items();
+	const u32 items = n_items();
+	u32 n = 0;
 	ts_status status = ts_results_begin(cli->job.output.dir, cli->job.output.force);
-	if (status == TS_OK) status = write_all(context);
+	if (status == TS_OK) status = write_all(&n, cli, context);
 	if (status == TS_OK) status = ts_folder_commit();
 	if (status != TS_OK) {
 		ts_folder_discard();
@@ -141,6 +166,9 @@ ts_status ts_vectors_command(ts_cli *cli)
 	bool check = cli->check != NULL, write = cli->job.output.dir != NULL;
 	if (check == write) return ts_fail("vectors: write them with -o DIR, or judge a port's with --check DIR");
 	if (check && cli->job.output.force) return ts_fail("vectors: --check writes nothing; leave --force out");
+	if (check && cli->n_arguments > 0)
+		return ts_fail("vectors: --check judges all that are there; leave \"%s\" out", cli->arguments[0]);
+	if (require_names(cli) != TS_OK) return TS_ERROR;
 	ts_status status = ts_client_open(&context, cli);
 	if (status == TS_OK) status = check ? ts_vectors_check(cli, context) : write_folder(cli, context);
 	ts_context_close(context);

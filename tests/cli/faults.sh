@@ -1,9 +1,9 @@
 #!/bin/bash
-# Calls of every command fail, one by one (scripts/faults, its short form): it does what it does undisturbed, or ends with
+# Calls of every command fail, one by one (scripts/faults, its brief form): it does what it does undisturbed, or ends with
 # exit code 2 and one line that names the cause, and leaves everything as it was.
 . "$(dirname "$0")/tap.bash"
 
-scripts/faults --short > "$scratch/said"
+scripts/faults --brief > "$scratch/said"
 while read -r name cells; do
 	case $name in
 	bad: | again: | POCL_CACHE_DIR=*) echo "# $name $cells" ;;
