@@ -5,14 +5,14 @@ cd "$scratch" || exit 2
 shadows=(--size 96x54 --set depth_map.px=64 --set lamp.views=16 --set lamp.cubes=4 --set truth.area_samples=64)
 light=(--size 64x36 --set truth.bounce_rays=64 --set octree.levels=5 --set rsm.px=8)
 
-# EFFECT SCENE METHOD OPTION...
+# RAYS EFFECT SCENE METHOD OPTION...
 judge() {
-	local effect=$1 scene=$2 method=$3
-	shift 3
+	local rays=$1 effect=$2 scene=$3 method=$4
+	shift 4
 	for seed in 0 1 2 3; do
 		run render "$effect" "$scene" --method "$method" --truth=all "$@" --set seed=$seed --no-images --json
 		mv stdout "whole-$seed.json"
-		run render "$effect" "$scene" --method "$method" --truth=all "$@" --set truth.rays=120000 --set seed=$seed --no-images --json
+		run render "$effect" "$scene" --method "$method" --truth=all "$@" --set truth.rays=$rays --set seed=$seed --no-images --json
 		mv stdout "part-$seed.json"
 	done
 	python3 - <<'PY'
@@ -34,12 +34,12 @@ assert n >= 4
 PY
 	verdict $? "$effect in $scene: parts agree with the whole"
 }
-judge soft-shadows gallery:triangles=10000:texels=32 mvr "${shadows[@]}"
-judge soft-shadows dining:triangles=10000:texels=32 mvr "${shadows[@]}"
-judge omni-shadows atrium:triangles=10000:texels=32 mvr "${shadows[@]}"
-judge indirect dining:triangles=10000:texels=32 direct "${light[@]}"
-judge area-light gallery:triangles=10000:texels=32 direct --size 64x36 --set truth.area_samples=1024 --set lamp.radius=0.3
-judge surfels gallery:triangles=10000 deferred --from-mesh 20000 --size 192x108
+judge 120000 soft-shadows gallery:triangles=10000:texels=32 mvr "${shadows[@]}"
+judge 120000 soft-shadows dining:triangles=10000:texels=32 mvr "${shadows[@]}"
+judge 120000 omni-shadows atrium:triangles=10000:texels=32 mvr "${shadows[@]}"
+judge 120000 indirect dining:triangles=10000:texels=32 direct "${light[@]}"
+judge 120000 area-light gallery:triangles=10000:texels=32 direct --size 64x36 --set truth.area_samples=256 --set lamp.radius=0.3
+judge 60000 surfels gallery:triangles=10000:texels=32 deferred --from-mesh 20000 --size 96x54
 
 part=(soft-shadows gallery:triangles=10000:texels=32 --method mvr "${shadows[@]}" --truth --set truth.rays=60000)
 run render "${part[@]}" -o one --threads 1
