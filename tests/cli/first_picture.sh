@@ -10,7 +10,7 @@ mkdir scenes && python3 "$here/first/scenes.py" scenes || exit 2
 shows() {
 	local scene=$1 effect=$2 method=$3
 	shift 3
-	run render "$effect" "$scene" --method "$method" --size 480x270 -o picture --force
+	run render "$effect" "$scene" --method "$method" --size 128x72 -o picture --force
 	[ "$status" -eq 0 ] && python3 "$here/first/picture.py" "picture/$method.png" stdout stderr "$@"
 	verdict $? "$effect of $(basename "$scene"): lit $*"
 }
@@ -67,7 +67,8 @@ run "${render[@]}" --lamp 3000,-2.5,1200 && run replay traced/trace-mvr
 [ "$status" -eq 0 ] && grep -q 'lamp: same' stdout && [ -s traced/trace-mvr/00-scene.stand.npy ]
 verdict $? 'a trace has the place of the lamp, and replay uses it'
 
-run render soft-shadows gallery:triangles=10000:texels=32 --method mvr --size 96x54 --trace-only scene -o own --force
+run render soft-shadows gallery:triangles=10000:texels=32 --method mvr --size 96x54 --trace-only scene -o own --force \
+	--set lamp.views=4
 [ "$status" -eq 0 ] && [ ! -e own/trace-mvr/00-scene.stand.npy ]
 verdict $? 'a built-in scene has its lamp where the hall says'
 
