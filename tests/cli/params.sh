@@ -26,7 +26,7 @@ tiny=(--size 32x18 --no-images --reflectors 1)
 says() {
 	local wanted=$1
 	shift
-	run render reflections gallery:triangles=10000 "${tiny[@]}" "$@"
+	run render reflections gallery:triangles=10000:texels=32 --set cube.max_px=16 "${tiny[@]}" "$@"
 	[ "$status" -eq 0 ] && [ "$(grep -c 'reads it$' "$scratch/stderr")" -eq "$wanted" ] && [ "$(wc -l < "$scratch/stderr")" -eq "$wanted" ]
 	verdict $? "$wanted unread: $*"
 }
@@ -43,13 +43,13 @@ says 1 --method mvr --set splat.clip=on,off
 says 1 --method mvr --set truth.area_samples=4
 # gloss COUNT SETTING: as says, of a parameter that only stages of gloss.lobe=on read.
 gloss() {
-	run render indirect gallery:triangles=10000 "${tiny[@]}" --method direct --set rsm.px=4 --set hull.sharpness=vmf --set "$2"
+	run render indirect gallery:triangles=10000:texels=32 "${tiny[@]}" --method direct --set rsm.px=4 --set hull.sharpness=vmf --set "$2"
 	[ "$status" -eq 0 ] && [ "$(grep -c -- '--set hull.sharpness: .* reads it$' "$scratch/stderr")" -eq "$1" ]
 	verdict $? "$1 unread: stages that run with $2"
 }
 gloss 1 gloss.lobe=off
 gloss 0 gloss.lobe=on,off
-run render soft-shadows gallery:triangles=10000 "${tiny[@]}" --method pcss --set depth_map.px=32 --set truth.area_samples=4 --set density.rate=exact --truth=area
+run render soft-shadows gallery:triangles=10000:texels=32 "${tiny[@]}" --method pcss --set depth_map.px=32 --set truth.area_samples=4 --set density.rate=exact --truth=area
 [ "$status" -eq 0 ] && [ ! -s "$scratch/stderr" ]
 verdict $? "a truth reads what its methods do not"
 finish
