@@ -5,12 +5,12 @@
 case ${BUILD:-} in
 *san) echo "1..0 # SKIP a sanitizer takes memory of its own"; exit 0 ;;
 esac
-TOUCHSTONE=$touchstone timeout 300 scripts/memory --small atrium:triangles=10000 > "$scratch/table"
+TOUCHSTONE=$touchstone timeout 300 scripts/memory --small atrium:triangles=10000:texels=128 > "$scratch/table"
 verdict $? "ten methods, estimates within 1.5 of the peak"
 [ "$(grep -c ' by ' "$scratch/table")" -eq 10 ]
 verdict $? "a line for each"
 printf '%s\n' '#!/bin/sh' 'echo "{\"estimated_bytes\": 1000000}"' > "$scratch/liar"
 chmod +x "$scratch/liar"
-! TOUCHSTONE=$scratch/liar scripts/memory --small atrium:triangles=10000 > "$scratch/table" && grep -q 'not within' "$scratch/table"
+! TOUCHSTONE=$scratch/liar scripts/memory --small atrium:triangles=10000:texels=128 > "$scratch/table" && grep -q 'not within' "$scratch/table"
 verdict $? "the script sees an estimate that is too small"
 finish
