@@ -5,12 +5,12 @@
 
 static const double sg_pi = 3.14159265358979323846;
 
-/* e^-x I0(x): the power series, or the asymptotic one. */
+/* e^-x I0(x): the power series, as far as its terms count, or the asymptotic one. */
 static inline double sg_bessel(double x)
 {
 	double term = 1, sum = 1;
 	if (x < 30) {
-		for (int k = 1; k < 120; k++) {
+		for (int k = 1; term > 1e-17 * sum; k++) {
 			term *= x * x / (4.0 * k * k);
 			sum += term;
 		}
@@ -73,12 +73,16 @@ static inline double sg_down(double lambda)
 	return sg_integrate(sg_ring_up, &lambda, sg_pi / 2, sg_pi, (int)fmin(48 + lambda, 1000));
 }
 
-/* Eqs 15 to 18. */
-static inline double sg_closed(double lambda, double c)
+/* Eqs 15 to 18: the share of sg_up; the rest is of sg_down. */
+static inline double sg_share(double lambda, double c)
 {
 	double t = 2.1007 * sqrt(lambda) * (lambda / (lambda + 4.4653)),
 		   s = 1 / (0.2958 * t + 0.5033) / (exp(fabs(c) * t) + 1);
-	double share = s * (0.5 * c + 0.5) + (1 - s) * fmax(0, c);
+	return s * (0.5 * c + 0.5) + (1 - s) * fmax(0, c);
+}
+static inline double sg_closed(double lambda, double c)
+{
+	double share = sg_share(lambda, c);
 	return share * sg_up(lambda) + (1 - share) * sg_down(lambda);
 }
 
