@@ -231,27 +231,13 @@ static void damage_and_run(u32 m, const ts_stage *stage, ts_buffer_id id, damage
 	free(data);
 }
 
-/* A method before has the stage, with the same inputs. */
-static bool is_known(u32 m, const ts_stage *stage)
-{
-	if (m == TRACES_OMNI && strncmp(stage->name, "scatter", 7) == 0) return false;         /* of stored points */
-	if (m == TRACES_BUFFERLESS && ts_stage_reads(stage, TS_B_points_offset)) return false; /* of points made again */
-	for (u32 before = 0; before < m; before++) {
-		FOR_STAGES(before, s)
-		{
-			if (s == stage) return true;
-		}
-	}
-	return false;
-}
-
 static void test_damage(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < N_TRACES; m++) {
 		FOR_STAGES(m, stage)
 		{
-			for (u32 id = 0; id < TS_N_BUFFERS && !is_known(m, stage); id++) {
+			for (u32 id = 0; id < TS_N_BUFFERS && !traces_known(m, stage); id++) {
 				if (!ts_stage_reads(stage, (ts_buffer_id)id) || traces[m]->item[id].path == NULL) continue;
 				for (u32 kind = 0; kind < N_DAMAGES; kind++)
 					damage_and_run(m, stage, (ts_buffer_id)id, (damage_kind)kind);

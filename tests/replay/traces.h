@@ -88,6 +88,17 @@ static inline void traces_shrink(ts_scene *scene)
 	for (u32 i = 0; i < scene->n_slots; i++) scene->slots[i].image = 0;
 }
 
+static bool traces_tiny; /* for what goes through all of their elements */
+
+static inline void traces_shorten(ts_params *params)
+{
+	params->width = 32;
+	params->height = 24;
+	params->density_scale = 0.25f;
+	params->reflectors_count = params->lamp_cubes = 2;
+	params->cube_max_px = params->depth_map_px = 16;
+}
+
 static inline ts_params traces_params(u32 m)
 {
 	ts_params params = small_params(64, 48);
@@ -105,6 +116,7 @@ static inline ts_params traces_params(u32 m)
 	params.vpl_gather_level = 2;
 	params.view_map_px = params.cube_view_px = 4;
 	params.vpl_paths = 20;
+	if (traces_tiny) traces_shorten(&params);
 	if (m >= TRACES_SURFELS) params.surfels_from_mesh = 300;
 	params.lamp_source = traces_runs[m].lamp;
 	params.points_buffered = traces_runs[m].buffered;
@@ -228,5 +240,20 @@ static inline const ts_stage *traces_next(u32 m, const ts_stage *stage)
 }
 
 #define FOR_STAGES(m, s) for (const ts_stage *s = traces_next(m, NULL); s != NULL; s = traces_next(m, s))
+
+/* A method before has the stage, with the same inputs. */
+static inline bool traces_known(u32 m, const ts_stage *stage)
+{
+	if (m == TRACES_OMNI && strncmp(stage->name, "scatter", 7) == 0) return false;         /* of stored points */
+	if (m == TRACES_BUFFERLESS && ts_stage_reads(stage, TS_B_points_offset)) return false; /* of points made again */
+	if (m == TRACES_PHONG && strcmp(stage->name, "surfel_blend") == 0) return false; /* of shaded surfels */
+	for (u32 before = 0; before < m; before++) {
+		FOR_STAGES(before, s)
+		{
+			if (s == stage) return true;
+		}
+	}
+	return false;
+}
 
 #endif
