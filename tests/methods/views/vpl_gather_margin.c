@@ -5,10 +5,14 @@
 #include <math.h>
 #include "../../../src/methods/views/views.h"
 #include "../small.h"
+#include "../../whole.h"
 #include "../../../src/kernels/views/vpl_gather_margin.h"
 #include "../../../src/methods/stages.h"
 
 enum { N_PORTS = 4, N_TIES = 3000, WIDTH = 64, HEIGHT = 48 };
+
+static u32 n_ports(void) { return whole_or(N_PORTS, 2); }
+static u32 n_ties(void) { return whole_or(N_TIES, 1500); }
 
 /* How a port is off: by its slack, depths of maps, places in maps, in texels, sides of nodes, in nodes, and how far
  * above a tangent plane is clear of it. */
@@ -337,7 +341,7 @@ static sums check(u32 i, const faults *how)
 	port p = {.faults = *how};
 	assert_int_equal(ts_vpl_gather_ask(&runs[i], &p.of), TS_OK);
 	const f32 *margin = ts_frame_data(&runs[i].frame, TS_B_vpl_gather_margin);
-	for (p.number = 0; p.number < N_PORTS; p.number++) {
+	for (p.number = 0; p.number < n_ports(); p.number++) {
 		for (u32 pixel = 0; pixel < WIDTH * HEIGHT; pixel++) try_pixel(&r, &p, pixel, margin[pixel]);
 	}
 	return r;
@@ -351,12 +355,12 @@ static sums check_ties(u32 i, u32 kind)
 	static f32 margins[N_TIES];
 	port p = {.faults = none, .number = N_PORTS};
 	assert_int_equal(ts_vpl_gather_ask(&runs[i], &p.of), TS_OK);
-	for (u32 k = 0; k < N_TIES; k++) pixels[k] = tie(&p, kind);
+	for (u32 k = 0; k < n_ties(); k++) pixels[k] = tie(&p, kind);
 	p.of.pixels = pixels;
 	ts_vpl_gather_margin_args args = {.of = p.of, .margin = margins};
-	for (u32 k = 0; k < N_TIES; k++) ts_k_vpl_gather_margin_item(&args, k);
-	for (p.number = 0; p.number < N_PORTS; p.number++) {
-		for (u32 k = 0; k < N_TIES; k++) {
+	for (u32 k = 0; k < n_ties(); k++) ts_k_vpl_gather_margin_item(&args, k);
+	for (p.number = 0; p.number < n_ports(); p.number++) {
+		for (u32 k = 0; k < n_ties(); k++) {
 			try_pixel(&r, &p, k, margins[k]);
 			try_term(&r, &p, k % p.of.n_lights, &pixels[k]);
 		}
@@ -371,7 +375,7 @@ static void test_rounding(void **state)
 		sums r = check(i, &none);
 		print_message("of %u pixels %u undecided, %u differ, %u of these decided\n", (unsigned)r.pixels,
 		              (unsigned)r.undecided, (unsigned)r.differ, (unsigned)r.wrong);
-		assert_true(r.wrong == 0 && r.pixels > 8000 && r.undecided < r.pixels / 100);
+		assert_true(r.wrong == 0 && r.pixels > 2000 * n_ports() && r.undecided < r.pixels / 100);
 	}
 }
 
@@ -396,7 +400,7 @@ static void test_ties(void **state)
 			all.height = fmax(all.height, r.height);
 			all.no_distance = fmax(all.no_distance, r.no_distance);
 		}
-		assert_true(differ > 100);
+		assert_true(differ > 40);
 	}
 	assert_true(all.loose > 0 && all.ratio > 0.25 && all.no_slack > 1 && all.no_distance > 1);
 	assert_true(all.height > 0.125);
