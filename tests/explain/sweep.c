@@ -105,14 +105,8 @@ static void test_elements(void **state)
 	assert_true(n_stored > 70 && n_none < n_stored);
 }
 
-static int begin(void **state)
-{
-	traces_tiny = true;
-	return traces_begin(state);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(test_same_bits), seeded_test(test_elements)};
-	return cmocka_run_group_tests(tests, begin, traces_end);
+	return cmocka_run_group_tests(tests, traces_begin, traces_end);
 }

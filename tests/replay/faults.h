@@ -20,7 +20,7 @@ static inline ts_status replay_with(u32 m, const ts_stage *stage, ts_buffer_id i
 {
 	ts_trace *candidate = traces_plant(m, &(planted){id, buffer}, 1, "canonical", "");
 	ts_load *load;
-	ts_status status = ts_replay_run(&load, stage, traces[m], candidate, 2);
+	ts_status status = ts_replay_run(&load, stage, traces[m], candidate, 1);
 	assert_true((status == TS_OK) == (load != NULL));
 	ts_load_end(load);
 	traces_drop(candidate);

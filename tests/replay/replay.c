@@ -8,7 +8,7 @@ static bool is_left_out(u32 m, ts_buffer_id id)
 	return id == TS_B_image_sample_radiance && traces[m]->item[id].path == NULL;
 }
 
-/* The whole of both methods, three bounces, by one batch of all reflectors where the trace was made of three. */
+/* The whole of both methods, three bounces, by one batch of all reflectors where the trace was made of two. */
 static void test_same(void **state)
 {
 	(void)state;

@@ -88,35 +88,24 @@ static inline void traces_shrink(ts_scene *scene)
 	for (u32 i = 0; i < scene->n_slots; i++) scene->slots[i].image = 0;
 }
 
-static bool traces_tiny; /* for what goes through all of their elements */
-
-static inline void traces_shorten(ts_params *params)
-{
-	params->width = 32;
-	params->height = 24;
-	params->density_scale = 0.25f;
-	params->reflectors_count = params->lamp_cubes = 2;
-	params->cube_max_px = params->depth_map_px = 16;
-}
-
 static inline ts_params traces_params(u32 m)
 {
-	ts_params params = small_params(64, 48);
+	ts_params params = small_params(32, 24);
+	params.density_scale = 0.25f;
 	params.lookup_bounces = 3;
-	params.reflectors_count = 3;
+	params.reflectors_count = 2;
 	params.reflectors_px = 24;
-	params.cube_max_px = 32;
+	params.cube_max_px = 16;
 	params.lamp_views = 5;
-	params.lamp_cubes = 3;
+	params.lamp_cubes = 2;
 	params.lamp_views_a_pass = 2;
-	params.depth_map_px = 24;
+	params.depth_map_px = 16;
 	params.rsm_px = 4;
 	params.depth_grid_px = 64;
 	params.octree_levels = 3;
 	params.vpl_gather_level = 2;
 	params.view_map_px = params.cube_view_px = 4;
 	params.vpl_paths = 20;
-	if (traces_tiny) traces_shorten(&params);
 	if (m >= TRACES_SURFELS) params.surfels_from_mesh = 300;
 	params.lamp_source = traces_runs[m].lamp;
 	params.points_buffered = traces_runs[m].buffered;
@@ -246,7 +235,7 @@ static inline bool traces_known(u32 m, const ts_stage *stage)
 {
 	if (m == TRACES_OMNI && strncmp(stage->name, "scatter", 7) == 0) return false;         /* of stored points */
 	if (m == TRACES_BUFFERLESS && ts_stage_reads(stage, TS_B_points_offset)) return false; /* of points made again */
-	if (m == TRACES_PHONG && strcmp(stage->name, "surfel_blend") == 0) return false; /* of shaded surfels */
+	if (m == TRACES_PHONG && strcmp(stage->name, "surfel_blend") == 0) return false;       /* of shaded surfels */
 	for (u32 before = 0; before < m; before++) {
 		FOR_STAGES(before, s)
 		{

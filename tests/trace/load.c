@@ -36,8 +36,8 @@ static void test_contents(void **state)
 		assert_memory_equal(buffer->data, data, file.n * ts_buffer_table[id].element_bytes);
 		free(data);
 	}
-	assert_int_equal(made->scene.info.n_reflectors, 3);
-	assert_int_equal(made->run.params.width, 64);
+	assert_int_equal(made->scene.info.n_reflectors, 2);
+	assert_int_equal(made->run.params.width, 32);
 	ts_load_end(made);
 	ts_load_end(NULL);
 }

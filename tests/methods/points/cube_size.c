@@ -122,8 +122,7 @@ static void check_frames(bool on_path, bool by_file)
 		params.cube_hysteresis = 8;
 	}
 	assert_true(n_apart > 10); /* sizes do depend on the frames before */
-	static const u32 alone[] = {0,   1,   239, 240, 241, 479, 480, 481,  700,
-	                            701, 719, 720, 721, 959, 960, 961, 1000, 1099};
+	static const u32 alone[] = {0, 1, 239, 240, 241, 479, 480, 481, 700, 701, 719, 720, 721, 959, 960, 961, 1000, 1099};
 	for (u32 i = 0; i < sizeof alone / sizeof *alone; i++) {
 		params.frame = alone[i];
 		sizes_of(sizes, scene, &params, NULL);
