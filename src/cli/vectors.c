@@ -1,4 +1,5 @@
-/* `vectors -o DIR`: writes inputs and outputs of every primitive, or of those that are named. `vectors --check DIR`: judges a port's outputs. */
+/* `vectors -o DIR`: writes inputs and outputs of every primitive, or of those that are named. `vectors --check DIR`:
+ * judges a port's outputs. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
