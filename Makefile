@@ -120,6 +120,8 @@ endif
 FAMILIES := $(shell sed -n 's/^\#include FAMILY(\(.*\))/\1/p' src/families.def)
 FOLDERS := vectors base $(FAMILIES)
 ITEMS_C := src/backends/c/items.c
+# The headers that have kernels, as points/splat: items.c is compiled for each.
+ITEM_HEADERS := $(patsubst src/kernels/%.h,%,$(shell grep -lE '^TS_(FN|CALL) void ts_k_\w+_item.const|^TS_VECTORS.\w+.$$' src/kernels/*/*.h))
 
 # Sources, by folder.
 every = $(wildcard $(foreach in,* */* */*/* */*/*/*,$(1)/$(in).$(2)))
@@ -142,7 +144,7 @@ TEST_ALSO_C := tests/begin.c tests/cli/preload/llvmpipe.c
 LIFT := -Wl,--export-dynamic-symbol=LLVMBuildStore
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
-ITEMS_O := $(patsubst %,$(BUILD)/obj/$(ITEMS_C:.c=).%.o,$(FOLDERS))
+ITEMS_O := $(ITEM_HEADERS:%=$(BUILD)/obj/$(ITEMS_C:.c=)/%.o)
 LIB_O := $(call object,$(LIB_C) $(LIB_CC)) $(ITEMS_O)
 IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/model/%.c,error memory text))
 CLI_O := $(call object,$(CLI_C))
@@ -156,9 +158,18 @@ Q := @
 say = @echo "  $(1)	$(2)"
 endif
 
-##   all (default)      libraries and the command: build/touchstone
+##   all (default)      libraries and the command: build/touchstone; with DEVICES= without the kernels of Vulkan, CUDA and `explain`
 all: $(BUILD)/libtouchstone.a $(BUILD)/libtouchstone.so $(BUILD)/touchstone
 	$(Q)ln -sfn $(patsubst build/%,%,$(BUILD))/touchstone build/touchstone
+	$(if $(LEFT_OUT),@echo "left out: $(LEFT_OUT); make without DEVICES= builds them")
+
+# What builds all kernels once more: two thirds of the work from an edit of a kernel to a picture.
+ONCE_MORE := vulkan cuda explain
+DEVICES ?= $(ONCE_MORE)
+LEFT_OUT := $(filter-out $(DEVICES),$(ONCE_MORE))
+with = $(if $(filter $(1),$(DEVICES)),$(2))
+$(BUILD)/gen/devices: FORCE
+	$(call keep,$(DEVICES))
 
 $(BUILD)/libtouchstone.a: $(LIB_O)
 	$(call say,AR,$@)
@@ -238,9 +249,9 @@ $(GLSL)/made $(PLAIN)/made: scripts/glsl $(wildcard scripts/kernel/*) $(wildcard
 		src/backends/kernels.def src/families.def $(wildcard src/kernels/*/*) include/touchstone/records.def
 	$(call say,GEN,$(@D))
 	$(Q)rm -rf $(@D) && scripts/glsl $(if $(filter $(GLSL)/made,$@),--guarded) $(@D) && touch $@
-$(SPIRV): scripts/vulkan-program scripts/kernel/packed.py scripts/spirv-exact $(GLSL)/made
+$(SPIRV): scripts/vulkan-program scripts/kernel/packed.py scripts/spirv-exact $(BUILD)/gen/devices $(call with,vulkan,$(GLSL)/made)
 	$(call say,GEN,$@)
-	$(Q)scripts/vulkan-program $(GLSL) $(BUILD)/gen/spirv > $@
+	$(Q)scripts/vulkan-program $(call with,vulkan,$(GLSL) $(BUILD)/gen/spirv) > $@
 $(call object,src/backends/vulkan/program.c): $(SPIRV)
 $(call object,src/backends/vulkan/program.c): OWN := -I$(BUILD)/gen
 
@@ -260,10 +271,10 @@ $(EXPLAINED): scripts/explained $(wildcard scripts/kernel/*) src/backends/kernel
 	$(call say,GEN,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/explained > $@
-$(call object,src/explain/kernels.c): $(EXPLAINED)
+$(call object,src/explain/kernels.c): $(BUILD)/gen/devices $(call with,explain,$(EXPLAINED))
 # What tells spends its time in telling: higher levels take twice as long to compile and more, and it runs no faster. It tells
 # values that it does not use.
-$(call object,src/explain/kernels.c): OWN := -I$(BUILD)/gen -Wno-unused-value $(if $(filter -O2 -O3,$(OPT)),-Og)
+$(call object,src/explain/kernels.c): OWN := $(if $(call with,explain,yes),,-DTS_LEFT_OUT) -I$(BUILD)/gen -Wno-unused-value $(if $(filter -O2 -O3,$(OPT)),-Og)
 
 # And as pseudo-code.
 PSEUDOCODE := $(BUILD)/gen/pseudocode
@@ -277,14 +288,14 @@ CLANG := $(notdir $(shell command -v clang))
 $(BUILD)/gen/clang: FORCE
 	$(call keep,$(CLANG))
 ALL_PTX := $(if $(CLANG),$(BUILD)/gen/kernels.ptx)
-PTX := $(if $(CLANG),$(FOLDERS:%=$(BUILD)/gen/kernels.%.ptx))
+PTX := $(if $(CLANG),$(call with,cuda,$(FOLDERS:%=$(BUILD)/gen/kernels.%.ptx)))
 $(PTX) $(ALL_PTX): scripts/ptx src/backends/cuda/entries.cu
 	$(call say,GEN,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/ptx $@ $(patsubst %,-DOF=%,$(filter $(FOLDERS),$(subst ., ,$(@F)))) -MMD -MP
 -include $(patsubst %.ptx,%.d,$(PTX) $(ALL_PTX))
 PACKED_PTX := $(BUILD)/gen/ptx.inc
-$(PACKED_PTX): scripts/cuda-program scripts/kernel/packed.py $(BUILD)/gen/clang src/backends/kernels.def src/families.def $(PTX)
+$(PACKED_PTX): scripts/cuda-program scripts/kernel/packed.py $(BUILD)/gen/clang $(BUILD)/gen/devices src/backends/kernels.def src/families.def $(PTX)
 	$(call say,GEN,$@)
 	$(Q)scripts/cuda-program $(BUILD)/gen/ptx $(PTX) > $@
 $(call object,src/backends/cuda/program.c): $(PACKED_PTX)
@@ -335,10 +346,16 @@ $(BUILD)/obj/%.c.o: %.c $(BUILD)/flags
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(C_FLAGS) $(CPP_LIBS) $(OWN) -c $< -o $@
 
-$(BUILD)/obj/$(ITEMS_C:.c=).%.o: $(ITEMS_C) $(BUILD)/flags
+# The rows of the kernels that stand in a header.
+$(BUILD)/gen/items/%.def: src/kernels/%.h $(wildcard src/kernels/*/kernels.def)
+	$(Q)mkdir -p $(@D)
+	$(Q)sed -nE 's/^TS_(FN|CALL) void ts_k_(\w+)_item\(.*/\2/p; s/^TS_VECTORS\((\w+)\)/\1/p' $< | \
+		while read -r kernel; do grep "^KERNEL($$kernel," $(<D)/kernels.def || exit; done > $@
+.PRECIOUS: $(BUILD)/gen/items/%.def
+$(BUILD)/obj/$(ITEMS_C:.c=)/%.o: $(ITEMS_C) $(BUILD)/gen/items/%.def $(BUILD)/flags
 	$(call say,CC,$< ($*))
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(C_FLAGS) -DOF=$* -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) -I$(BUILD)/gen -DITEMS='"../../kernels/$*.h"' -DITEMS_DEF='"items/$*.def"' -c $< -o $@
 
 $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 	$(call say,CXX,$<)

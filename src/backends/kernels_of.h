@@ -1,5 +1,5 @@
 /* KERNELS_H and KERNELS_DEF: the kernels of the folder OF of src/kernels, or all without OF, for a file of a backend's
- * folder to include. The Makefile compiles such a file once for each folder. */
+ * folder to include. scripts/ptx compiles such a file once for each folder. */
 #ifndef TS_BACKENDS_KERNELS_OF_H
 #define TS_BACKENDS_KERNELS_OF_H
 #ifdef OF

@@ -152,6 +152,7 @@ ts_status ts_explain(ts_explanation *explanation, const ts_stage *stage, const t
 {
 	*explanation = (ts_explanation){.telling = {.primitives = question->primitives, .most = question->most}};
 	explainer x = {.explanation = explanation, .question = question, .found_launch = SIZE_MAX};
+	if (!ts_told_here) return ts_fail("explain: built without its kernels; `make` without DEVICES= adds them");
 	if (ts_replay_load(&explanation->load, stage, reference, candidate, 1) != TS_OK) return TS_ERROR;
 	return answer(&x, stage);
 }

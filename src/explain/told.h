@@ -81,6 +81,8 @@ void ts_told_end(void);
 void ts_told(const ts_told_site *site, const void *value);
 bool ts_told_test(const ts_told_site *site, bool yes);
 
+/* False in a build that was made with DEVICES= and can tell nothing. */
+extern const bool ts_told_here;
 /* Runs one item of a kernel, args as those of a launch. */
 void ts_told_item(u32 kernel, const void *args, u64 item);
 

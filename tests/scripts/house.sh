@@ -27,7 +27,7 @@ gives() {
 	result $? "$name"
 }
 
-for script in rooms clients named letters nouns lengths; do
+for script in rooms clients named letters nouns lengths rebuilt; do
 	"$scripts/$script" > "$folder/out" 2>&1
 	result $? "the tree itself: $script"
 done

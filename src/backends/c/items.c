@@ -1,10 +1,8 @@
-/* The loops over the items of the kernels of kernels_of.h. */
+/* The loops over the items of the kernels of a header, ITEMS, whose rows are ITEMS_DEF. The Makefile compiles this file
+ * for each header that has kernels, so that an edit of one compiles few again. */
 #include "../backend.h"
-#include "../kernels_of.h"
-#include KERNELS_H
-#ifdef OF
-#define TS_FILE __BASE_FILE__ " of " TEXT(OF)
-#endif
+#include ITEMS
+#define TS_FILE __BASE_FILE__ " of " ITEMS
 
 /* A kernel is one piece of code: compilers that weigh all kernels together inline less with each that is added. */
 #if defined(__GNUC__)
@@ -20,6 +18,6 @@
 		const args_type a = *(const args_type *)args; \
 		for (u64 i = begin; i < end; i++) ts_k_##name##_item(&a, i); \
 	}
-#include KERNELS_DEF
+#include ITEMS_DEF
 
 #include "../selftest.h"

@@ -1,0 +1,64 @@
+#!/bin/bash
+# The runner of tests: which tests a name means, what it leaves out, and that it fails a test that takes too much processor
+# time, hangs, crashes or reports nothing. Prints TAP.
+. "$(dirname "$0")/../cli/tap.bash"
+runner=$(realpath scripts/run-tests)
+cd "$scratch" || exit
+mkdir -p scripts tests/{a,b}
+ln -s "$runner" scripts/run-tests
+ln -s "${runner%/*}/usage.py" scripts/usage.py
+echo '# none' > tests/apart.txt
+printf '# tiers\nlate: what is late\n\tb/late.sh\n' > tests/tiers.txt
+
+# make_test NAME COMMAND
+make_test() {
+	printf '#!/bin/bash\n%s\n' "$2" > "tests/$1" && chmod +x "tests/$1"
+}
+make_test a/quick.sh 'echo "ok 1 - quick"'
+make_test a/quick_too.sh 'echo "ok 1 - quick"'
+make_test b/late.sh 'for ((i = 0; i < 300000; i++)); do :; done; echo "ok 1 - late"'
+
+# runs STATUS PATTERN NAME WORD...: the runner, with a bound of 0.1 s of processor time and a limit of 5 s.
+runs() {
+	local expected=$1 pattern=$2 name=$3
+	shift 3
+	BUILD=build /usr/bin/python3 - "$@" > stdout 2> stderr <<'PY'
+import importlib.machinery, importlib.util, sys
+sys.path.insert(0, "scripts")
+loader = importlib.machinery.SourceFileLoader("run_tests", "scripts/run-tests")
+runner = importlib.util.module_from_spec(importlib.util.spec_from_loader("run_tests", loader))
+loader.exec_module(runner)
+runner.MOST_S = 0.1
+runner.run.__defaults__ = (5,)
+sys.exit(runner.main())
+PY
+	[ $? -eq "$expected" ] && cat stdout stderr | grep -q -- "$pattern"
+	verdict $? "$name"
+}
+runs 0 '^2 passed, 0 failed, 0 skipped' 'all but the tiers'
+runs 0 'make test-late`: 1 tests: b/late.sh' 'what is left out is named, with what runs it'
+grep -q 'slowest' stdout && grep -q ' a/quick.sh$' build/times.txt
+verdict $? 'the slowest are named, and times are kept'
+runs 0 '^1 passed' 'a tier' --tier late
+runs 0 '^1 passed' 'a whole name is that test alone' a/quick
+runs 0 '^1 passed' 'and so is its file' tests/a/quick.sh
+runs 0 '^2 passed' 'a part of a name' quic
+runs 0 '^1 passed' 'a whole name of a tier' b/late
+runs 0 '^0 passed' 'a part of a name of a tier is left out' lat
+runs 2 'no test has "nil" in its name' 'a name of none' nil
+runs 2 'one of late would be right' 'a tier of none' --tier early
+[ ! -s stdout ] && [ "$(wc -l < stderr)" -eq 1 ]
+verdict $? 'in one line'
+echo 'late: what is late' > tests/tiers.txt
+runs 1 'FAILED .*b/late.sh' 'a test of no tier that takes long fails'
+grep -q 'took .* s of processor time, of .* here: shorten it, or list it in tests/tiers.txt' stdout
+verdict $? 'and it is said why'
+make_test b/late.sh 'kill -SEGV $$'
+runs 1 'killed by SIGSEGV' 'a crash'
+make_test b/late.sh 'sleep 100'
+runs 1 'no end after 5 s' 'a test that does not end'
+make_test b/late.sh ':'
+runs 1 'reported no test' 'a test that reports nothing'
+make_test b/late.sh 'echo "ok 1 - no"; exit 3'
+runs 1 'exit status 3' 'a test that ends with another status'
+finish
