@@ -106,7 +106,7 @@ verdict $? 'but not with the whole'
 
 for arguments in '--trace-only pointz' '--trace-only cube_face' '--trace-only=' '--crop 0,0,97,1' '--crop 1,2,3' '--crop 0,0,0,0' \
 	'--crop 4294967295,0,2,2' '--crop a,b,c,d' '--crop 0,0,4,4 --set eye.samples=4'; do
-	refuses "${arguments%%[ =]*}" "${frame[@]}" --method epr $arguments -o none
+	refuses "${arguments%%[ =]*}" render reflections "${built_in[@]}" --method epr --no-images $arguments -o none
 	[ ! -e none ] && [ ! -e none.partial ]
 	verdict $? 'and nothing is left'
 done
@@ -119,7 +119,7 @@ if limits_files; then
 	verdict $? 'and the file is named'
 fi
 
-short=("${frame[@]}" --method epr --trace-only points,image)
+short=(render reflections "${built_in[@]}" --method epr --no-images --trace-only points,image)
 run "${short[@]}" -o again
 for foreign in file hidden link folder; do
 	run "${short[@]}" -o again --force
