@@ -33,6 +33,8 @@ def png(path):
 	for y in range(height):
 		start = y * (3 * width + 1)
 		row, kind = bytearray(raw[start + 1:start + 1 + 3 * width]), raw[start]
+		if kind == 2 and not any(row): # that above again
+			row, kind = above, 0
 		for k in range(3 * width if kind > 0 else 0):
 			a, b, c = (row[k - 3], above[k], above[k - 3]) if k > 2 else (0, above[k], 0)
 			nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
@@ -128,12 +130,13 @@ from read import buffer
 rows = {(r["image"], r["reference"]): r for r in json.load(open("light/report.json"))["light_errors"]}
 pixels = buffer("light/trace-hulls", "gbuffer.pixel", "<3f f 32x")
 triangles = [(p[:3], p[3:6], p[6:9]) for p in buffer("light/trace-hulls", "rsm.patch", "<9f 28x") if any(p)]
+spheres = [([sum(c) / 3 for c in zip(*abc)], math.dist(*abc[:2])) for abc in triangles]
 x, t = (buffer(f"light/trace-{method}", "image.radiance", "<3f") for method in ("hulls", "direct"))
 parts = {True: [], False: []}
 for i, (*place, depth) in enumerate(pixels):
 	if depth == 1:
 		continue
-	near = any(math.dist(place, [sum(c) / 3 for c in zip(*abc)]) <= math.dist(*abc[:2]) for abc in triangles)
+	near = any(math.dist(place, centre) <= radius for centre, radius in spheres)
 	apart = sum(abs(a - b) for a, b in zip(x[i], t[i]))
 	error = apart and (apart / sum(t[i]) if sum(t[i]) > 0 else math.inf)
 	parts[near].append((sum((a - b) ** 2 for a, b in zip(x[i], t[i])), sum(t[i]), error))
