@@ -28,7 +28,7 @@ catches() {
 }
 
 same surfels 3 surfels checkerboard:surfels=10000 --method deferred
-same surfels 3 surfels atrium:triangles=10000:texels=32 --from-mesh 12000 --method deferred --set surfels.radius=20 --eye 0,2,0
+same surfels 3 surfels atrium:triangles=10000:texels=32 --from-mesh 4000 --method deferred --set surfels.radius=12 --eye 0,2,0
 same surfels 3 surfels checkerboard:surfels=10000 --method ewa
 same surfels 3 surfels checkerboard:surfels=10000 --method deferred --set surfel_setup.bounds=botsch --set ewa.filter=screen
 catches surfels port.py 's|((f [*] (\(.*\))) / z) / z)|(f * (\1)) / (z * z))|' surfel_setup 'one division in J'
@@ -47,7 +47,8 @@ views="--set octree.levels=3 --set vpl.paths=20"
 same megaviews 2 indirect atrium:triangles=10000:texels=32 --method megaviews $views --set view_map.px=4
 catches megaviews pairs.py 's|size(vs, d, d - rv|size(vs, d - rv, d - rv|' traverse "d' for d in cos α"
 catches megaviews pairs.py 's|size(vs, d, d - rv|size(vs, d, d|' traverse "d for d' in sin ρ"
-same megaviews 2 indirect atrium:triangles=10000:texels=32 --method megaviews $views --set view_map.px=32 --set view_map.apart=0
+same megaviews 2 indirect atrium:triangles=10000:texels=32 --method megaviews --set octree.levels=3 --set vpl.paths=5 --set view_map.px=32 \
+	--set view_map.apart=0
 catches megaviews maps.py 's|for w in ends.1.|for w in ends[1][:1]|' view_map 'two of the four corners of a coarse texel'
 same megaviews 2 indirect dining:triangles=10000:texels=32 --method megaviews $views --set view_map.px=8 --set view_map.multipixel=texels \
 	--set view_map.fill=0.3
