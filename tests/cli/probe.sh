@@ -17,15 +17,22 @@ u32() {
 index=$(u32 $epr/05-mirror_pixel.record.npy 3)
 mirror=$((index % 64)),$((index / 64))
 
-# says PATTERN ARGUMENT...: text that matches and has what the JSON has, which agrees wherever it checks itself.
+# says PATTERN ARGUMENT...: text that matches; with JSON it is kept for `told`.
+mkdir kept
+asked=()
 says() {
 	prints "$@"
 	shift
-	mv stdout text
+	mv stdout "kept/${#asked[@]}.text"
 	run "$@" --json
-	[ "$status" -eq 0 ] && python3 - stdout text <<'PY'
+	[ "$status" -eq 0 ] && mv stdout "kept/${#asked[@]}.json"
+	asked+=("$*")
+}
+# told: what `says` kept: text has what the JSON has, which agrees wherever it checks itself.
+told() {
+	local i good why
+	python3 - ${#asked[@]} > judged <<'PY'
 import json, sys
-answer, lines = json.load(open(sys.argv[1])), {line.strip() for line in open(sys.argv[2])}
 def checks(v):
 	if isinstance(v, dict):
 		return [v[k] for k in v if k == "check"] + [c for m in v.values() for c in checks(m)]
@@ -40,17 +47,26 @@ def told(v):
 		parts = [None if isinstance(m, dict) else told(m) for m in v]
 		return None if None in parts else "[" + ", ".join(parts) + "]" if parts else "none"
 	return ("no", "yes")[v] if isinstance(v, bool) else "%.9g" % v if isinstance(v, float) else str(v)
-def look(v):
+def look(v, lines):
 	for key, member in v.items():
 		text = told(member)
 		if isinstance(member, dict) and text is None:
-			look(member)
+			look(member, lines)
 		assert key == "trace" or text is None or len(text) > 400 or f"{key}: {text}" in lines, (key, text)
-look(answer)
-found = checks(answer)
-sys.exit(0 if found and all(c.startswith("bits agree with") for c in found) else 1)
+for i in range(int(sys.argv[1])):
+	try:
+		answer = json.load(open(f"kept/{i}.json"))
+		look(answer, {line.strip() for line in open(f"kept/{i}.text")})
+		found = checks(answer)
+		print(0 if found and all(c.startswith("bits agree with") for c in found) else 1)
+	except (AssertionError, OSError, ValueError) as error:
+		print(1, repr(error))
 PY
-	verdict $? "JSON of: $*"
+	for i in "${!asked[@]}"; do
+		read -r good why
+		verdict "${good:-1}" "JSON of: ${asked[i]}"
+		[ -z "$why" ] || echo "# $why"
+	done < judged
 }
 
 for trace in $epr $mvr; do
@@ -293,4 +309,5 @@ for file in 16-view_map.depth_node 17-view_map.fused_depth; do
 done
 prints 'bits agree with view_map.depth_node' probe bad --pixel 0,0 --view node0.front
 
+told
 finish
