@@ -113,7 +113,7 @@ refuses 'needs segment.margin for each element of segment.label, which a referen
 # that is a hundredth or a fortieth more turns shadows that are decided.
 rm -rf ref
 for method in megaviews bruteforce; do
-	views=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set octree.levels=5 --set vpl.paths=1000 --set rsm.px=16 --no-images
+	views=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set octree.levels=5 --set vpl.paths=450 --set rsm.px=16 --no-images
 		--set vpl_gather.lights=0 --method "$method")
 	run "${views[@]}" --margins -o ref
 	for more in depth_map.bias=1.01 vpl_gather.bias_plane=1.025; do

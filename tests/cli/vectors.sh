@@ -115,7 +115,7 @@ def load(name, row):
 def f32(x):
     """To the nearest float, ties to even: from a fraction."""
     if x == 0: return 0.0
-    e = -149
+    e = max(-149, abs(x.numerator).bit_length() - x.denominator.bit_length() - 25) # or up to two more
     while abs(x) / Fraction(2) ** e >= 2 ** 24: e += 1
     return math.copysign(float(round(x / Fraction(2) ** e) * Fraction(2) ** e), x)
 def save(name, head, values):
