@@ -152,17 +152,16 @@ static ts_params maps_of_dining(void)
 	return p;
 }
 
+static ts_scene *scene;
+
 static void run_method(const char *method, const ts_params *params, ts_stage_hook hook, void *user)
 {
-	ts_scene *scene;
 	ts_run run;
-	if (ts_scene_load(&scene, "dining", params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_begin(&run, scene, params, 2);
 	run.hook = hook;
 	run.hook_user = user;
 	if (ts_pipeline_run(ts_pipeline_find("soft-shadows", method), &run) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_end(&run);
-	ts_scene_free(scene);
 }
 
 static ts_texel_counts count(const char *method, u32 at, u32 cull)
@@ -204,8 +203,22 @@ static void test_centres(void **state)
 	assert_true(whole.holes == mvr.holes && whole.leaks == mvr.leaks && whole.apart == mvr.apart);
 }
 
+static int begin(void **state)
+{
+	(void)state;
+	ts_params params = maps_of_dining();
+	return ts_scene_load(&scene, "dining:texels=16", &params, NULL) != TS_OK;
+}
+
+static int end(void **state)
+{
+	(void)state;
+	ts_scene_free(scene);
+	return 0;
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(test_winners), cmocka_unit_test(test_centres)};
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	return cmocka_run_group_tests(tests, begin, end);
 }
