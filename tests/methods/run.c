@@ -43,9 +43,9 @@ static void test_threads(void **state)
 	(void)state;
 	static const u32 threads[] = {2, 3, 7};
 	static const char *const methods[] = {"epr", "mvr"};
-	ts_params params = small_params(160, 90);
+	ts_params params = small_params(80, 45);
 	params.lookup_bounces = 3;
-	params.cube_max_px = 64;
+	params.cube_max_px = 32;
 	ts_scene *scene = small_scene(&params);
 	for (u32 m = 0; m < 2; m++) {
 		char *one = digests_of(scene, &params, methods[m], 1, false);
@@ -67,7 +67,7 @@ static void test_threads(void **state)
 static void test_rho_is_area(void **state)
 {
 	(void)state;
-	ts_params side = small_params(240, 135), area = side;
+	ts_params side = small_params(120, 68), area = side;
 	area.density_per_area = 1;
 	area.density_scale = 0.25f;
 	ts_scene *scene = small_scene(&side);
@@ -88,7 +88,7 @@ static void test_epr_counters(void **state)
 {
 	(void)state;
 	for (u32 bounces = 1; bounces <= 3; bounces++) {
-		ts_params params = small_params(240, 135);
+		ts_params params = small_params(120, 68);
 		params.lookup_bounces = bounces;
 		params.reflectors_count = 20;
 		params.points_cull = 0;
@@ -123,7 +123,7 @@ static void test_epr_counters(void **state)
 static void test_adaptive(void **state)
 {
 	(void)state;
-	ts_params params = small_params(240, 135);
+	ts_params params = small_params(120, 68);
 	params.lookup_samples = TS_SAMPLES_ADAPTIVE;
 	ts_scene *scene = small_scene(&params);
 	ts_run run;
@@ -155,9 +155,9 @@ static void test_mvr_counters(void **state)
 {
 	(void)state;
 	for (u32 faces = 0; faces < 2; faces++) {
-		ts_params params = small_params(240, 135);
+		ts_params params = small_params(120, 68);
 		params.mvr_faces = faces;
-		params.cube_max_px = 64;
+		params.cube_max_px = 32;
 		ts_scene *scene = small_scene(&params);
 		ts_run run;
 		i64 texels = 0;
@@ -166,7 +166,7 @@ static void test_mvr_counters(void **state)
 		assert_int_equal(ts_run_counter(&run, "shading operations"), texels);
 		assert_int_equal(ts_run_counter(&run, "geometry traversals"), 1 + scene->info.n_reflectors);
 		if (faces == TS_MVR_FACES_FIXED) {
-			assert_int_equal(ts_run_counter(&run, "cube texels"), 6 * 64 * 64 * (i64)scene->info.n_reflectors);
+			assert_int_equal(ts_run_counter(&run, "cube texels"), 6 * 32 * 32 * (i64)scene->info.n_reflectors);
 		}
 		ts_run_end(&run);
 		ts_scene_free(scene);
@@ -194,9 +194,9 @@ static void test_floats(void **state)
 {
 	(void)state;
 	static const char *const methods[] = {"epr", "mvr"};
-	ts_params params = small_params(240, 135);
+	ts_params params = small_params(120, 68);
 	params.lookup_bounces = 3;
-	params.cube_max_px = 64;
+	params.cube_max_px = 32;
 	ts_scene *scene = small_scene(&params);
 	for (u32 m = 0; m < 2; m++) {
 		ts_run run;
@@ -262,7 +262,7 @@ static void test_lean(void **state)
 	(void)state;
 	ts_params params = small_params(120, 68);
 	params.lookup_bounces = 2;
-	params.cube_max_px = 64;
+	params.cube_max_px = 32;
 	ts_scene *scene = small_scene(&params);
 	for (u32 m = 0; m < 2; m++) {
 		ts_run whole, lean;

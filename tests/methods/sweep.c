@@ -9,8 +9,8 @@ enum { N_RANDOM = 24 };
 static const struct {
 	const char *name, *most;
 } shorter[] = {
-	{"width", "300"},      {"height", "300"}, {"frame", "40"},        {"reflectors.count", "16"},
-	{"cube.max_px", "64"}, {"cube.px", "96"}, {"density.scale", "2"}, {"surfels.from_mesh", "2000"},
+	{"width", "150"},      {"height", "150"}, {"frame", "40"},        {"reflectors.count", "16"},
+	{"cube.max_px", "64"}, {"cube.px", "64"}, {"density.scale", "2"}, {"surfels.from_mesh", "2000"},
 	{NULL, NULL},
 };
 
@@ -44,9 +44,9 @@ static const char *most_of(const ts_param_info *row)
 
 static ts_params base_params(void)
 {
-	ts_params params = small_params(64, 64);
+	ts_params params = small_params(32, 32);
 	params.reflectors_count = 4;
-	params.cube_max_px = 32;
+	params.cube_max_px = 16;
 	return params;
 }
 
