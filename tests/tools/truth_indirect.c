@@ -24,21 +24,14 @@ static double mean(const ts_run *run)
 	return sum / (double)n;
 }
 
-static means means_of(const char *spec, u32 rsm_px)
+static means means_of(const ts_scene *scene, ts_params params, u32 rsm_px)
 {
-	ts_scene *scene;
 	ts_run run;
 	ts_truth *truth;
-	ts_params params;
 	means m;
-	ts_params_default(&params);
-	params.width = 64;
-	params.height = 36;
-	params.reflectors_count = 0;
 	params.rsm_px = rsm_px;
-	params.truth_bounce_rays = 256;
+	params.truth_bounce_rays = 128;
 	params.vpl_gather_near = 1;
-	if (ts_scene_load(&scene, spec, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_begin(&run, scene, &params, 2);
 	assert_int_equal(ts_truth_indirect_begin(&run, "indirect"), TS_OK);
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("direct")), TS_OK);
@@ -52,7 +45,6 @@ static means means_of(const char *spec, u32 rsm_px)
 	m.vpls = mean(&run);
 	ts_truth_free(truth);
 	ts_run_end(&run);
-	ts_scene_free(scene);
 	print_message("%u px: direct %.5f, lights %.5f, bounce %.5f, vpls %.5f\n", (unsigned)rsm_px, m.direct, m.lights,
 	              m.bounce, m.vpls);
 	return m;
@@ -61,8 +53,16 @@ static means means_of(const char *spec, u32 rsm_px)
 static void test_scene(void **state)
 {
 	(void)state;
-	static const char scene[] = "dining:triangles=10000:texels=32";
-	means coarse = means_of(scene, 8), fine = means_of(scene, 64);
+	ts_scene *scene;
+	ts_params params;
+	ts_params_default(&params);
+	params.width = 48;
+	params.height = 27;
+	params.reflectors_count = 0;
+	if (ts_scene_load(&scene, "dining:triangles=10000:texels=32", &params, NULL) != TS_OK)
+		fail_msg("%s", ts_error_message());
+	means coarse = means_of(scene, params, 8), fine = means_of(scene, params, 48);
+	ts_scene_free(scene);
 	assert_true(fine.lights < fine.direct && coarse.lights < coarse.direct);
 	assert_true(fabs(fine.lights / fine.bounce - 1) < 0.05);
 	assert_true(fabs(fine.vpls / fine.lights - 1) < 0.05);
