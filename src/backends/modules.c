@@ -65,7 +65,7 @@ ts_status ts_modules_find(ts_modules *modules, ts_kernel kernel, ts_module *modu
 	*module = (ts_module){.read = NULL};
 	if (modules->folder[0] != 0) return read_module(modules, kernel, module);
 	if (first[0] == first[1]) {
-		return ts_fail("backend %s: built without its kernels; `make` without DEVICES=, with clang installed, adds them",
+		return ts_fail("backend %s: built without its kernels; `make` without DEVICES= adds them, CUDA's by clang",
 		               modules->backend);
 	}
 	if (unpack(modules) != TS_OK) return TS_ERROR;

@@ -177,9 +177,15 @@ refuses 'write them with -o DIR, or judge' vectors
 refuses 'write them with -o DIR, or judge' vectors -o w --check v
 refuses 'leave --force out' vectors --check v --force
 refuses 'needs a value' vectors --check
-refuses 'one argument too many' vectors v
+refuses 'write them with -o DIR' vectors add
 "$touchstone" vectors --check v > /dev/full 2> stderr
 [ $? -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q 'No space left' stderr
 verdict $? 'a full standard output is an error'
 
+run vectors mul add -o "$scratch/two"
+[ "$status" -eq 0 ] && [ "$(cd "$scratch/two" && echo *)" = 'add.in.npy add.out.npy mul.in.npy mul.out.npy vectors.json' ] &&
+	[ "$(grep -c '"rule"' "$scratch/two/vectors.json")" -eq 2 ]
+verdict $? 'the primitives that are named'
+refuses 'no primitive "ad"; the nearest is add' vectors ad -o "$scratch/none"
+refuses 'judges all that are there; leave "add" out' vectors add --check "$scratch/two"
 finish
