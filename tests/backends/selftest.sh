@@ -79,7 +79,8 @@ for compiler in gcc clang; do
 	named $one "not-a-number" $one $compiler -O2 $exact -ffinite-math-only $sly
 done
 named $one "division" $one gcc -O2 $exact -freciprocal-math
-named "src/backends/c/items.c of points" "addition" src/backends/c/items.c gcc -O1 -ffast-math $sly -DOF=points
+named "src/backends/c/items.c of ../../kernels/points/align.h" "addition" src/backends/c/items.c gcc -O1 -ffast-math $sly \
+	-I"${BUILD:-build/release}/gen" '-DITEMS="../../kernels/points/align.h"' '-DITEMS_DEF="items/points/align.def"'
 
 # begin, end TEXT...: that source with it before all else, and before its end.
 begin() { printf '%s\n' "$@" | cat - $one > "$folder/pragma.c"; }
