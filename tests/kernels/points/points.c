@@ -1,7 +1,8 @@
 /* Points: which samples become points, in what order, where, and with what weights. */
+#include "../../whole.h"
 #include "mesh.h"
 
-enum { N = 4000 };
+static u32 n_cases(void) { return whole_or(4000, 1500); }
 
 static bool random_points(mesh *m, ts_v3 corner[3], i32 half_size, f32 least, f32 most)
 {
@@ -86,7 +87,7 @@ static void test_conservative(void **state)
 {
 	(void)state;
 	n_random = 0;
-	for (u32 i = 0; i < N; i++) {
+	for (u32 i = 0; i < n_cases(); i++) {
 		mesh m;
 		ts_v3 corner[3];
 		i32 half_size = i % 2 == 0 ? 129 : 128;
@@ -120,7 +121,7 @@ static void test_places(void **state)
 {
 	(void)state;
 	n_random = 0;
-	for (u32 i = 0; i < N; i++) {
+	for (u32 i = 0; i < n_cases(); i++) {
 		mesh m;
 		ts_v3 corner[3];
 		if (!random_points(&m, corner, 129, 0.01f, 200)) continue;
@@ -163,7 +164,7 @@ static void test_weights(void **state)
 	(void)state;
 	n_random = 0;
 	u32 n_inside = 0;
-	for (u32 i = 0; i < N; i++) {
+	for (u32 i = 0; i < n_cases(); i++) {
 		mesh m;
 		ts_v3 corner[3];
 		if (!random_points(&m, corner, 129, 0.01f, 100)) continue;
@@ -180,7 +181,7 @@ static void test_weights(void **state)
 		}
 		mesh_clear(&m);
 	}
-	assert_true(n_inside > N);
+	assert_true(n_inside > n_cases());
 }
 
 /* Mean points of a random triangle of A samples: the figures of FIGURES 1, which 800 triangles gave, within four
@@ -194,7 +195,7 @@ static void test_mean_count(void **state)
 	for (u32 row = 0; row < 8; row++) {
 		double sum = 0, squares = 0, defined = 0;
 		u32 n = 0;
-		while (n < N) {
+		while (n < n_cases()) {
 			mesh m;
 			ts_v3 corner[3];
 			for (u32 k = 0; k < 3; k++) {

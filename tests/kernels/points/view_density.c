@@ -1,5 +1,6 @@
 /* The densities of iVIR and VIR: their closed forms against constructions in double precision, and the holes that
  * points of such densities leave, by the whole chain of kernels (FIGURES 2). */
+#include "../../whole.h"
 #include "views.h"
 
 enum { N = 20000, SIZE = 96, FULL = 128 };
@@ -300,8 +301,9 @@ static void test_watertight(void **state)
 	for (u32 sort = 0; sort < N_SORTS; sort++) {
 		bool thin = sort == SLIVER || sort == NEAR_SLIVER || sort == PARALLEL_SLIVER;
 		tally sum = {0};
+		u32 n = whole_or(3, 1) * (thin ? 500 : sort == TINY ? 133 : 40);
 		n_random = sort << 24;
-		for (u32 i = 0; i < (thin ? 1500u : sort == TINY ? 400u : 120u); i++) {
+		for (u32 i = 0; i < n; i++) {
 			ts_v3 corner[3];
 			ts_offscreen view = hard_case(corner, sort);
 			if (is_degenerate(corner)) continue;
