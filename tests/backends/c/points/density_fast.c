@@ -1,10 +1,13 @@
 /* The fast densities equal the plain kernel bit for bit: of triangles in all places about many views, biased to the
  * extremes. */
+#include "../../../whole.h"
 #include "../../../kernels/points/views.h"
 #include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
 
-enum { N = 1500, VIEWS = 128 };
+enum { VIEWS = 128 };
+
+static u32 n_meshes(void) { return whole_or(1500, 500); }
 
 /* Points of a lattice lie in borders of regions, where two corners can also be one. */
 static ts_v3 extreme_corner(const ts_offscreen *view)
@@ -44,7 +47,7 @@ static void test_equal(void **state)
 	(void)state;
 	n_random = 0;
 	u64 n_seen = 0;
-	for (u32 i = 0; i < N; i++) {
+	for (u32 i = 0; i < n_meshes(); i++) {
 		mesh m;
 		ts_offscreen views[VIEWS];
 		f32 plain[MESH_TRIANGLES], fast[MESH_TRIANGLES];
@@ -70,7 +73,7 @@ static void test_equal(void **state)
 		for (u32 t = 0; t < MESH_TRIANGLES; t++) n_seen += plain[t] > 0;
 		mesh_clear(&m);
 	}
-	assert_true(n_seen > 40 * N);
+	assert_true(n_seen > 40 * n_meshes());
 }
 
 /* Mirrors of all sizes about an eye; some of them are none, or all but touch a triangle. */
@@ -108,7 +111,7 @@ static void test_equal_of_the_eye(void **state)
 	(void)state;
 	n_random = 0;
 	u32 n_seen = 0, n_within = 0, n_limited = 0;
-	for (u32 i = 0; i < N; i++) {
+	for (u32 i = 0; i < n_meshes(); i++) {
 		mesh m;
 		f32 plain[MESH_TRIANGLES], fast[MESH_TRIANGLES];
 		u32 pieces[2][MESH_TRIANGLES], start = n_random, threads = 1 + random_bits() % 3;
@@ -138,7 +141,7 @@ static void test_equal_of_the_eye(void **state)
 		for (t = 0; t < MESH_TRIANGLES; t++) n_seen += plain[t] > 0;
 		n_limited += (u32)limited[0];
 	}
-	assert_true(n_seen > 20 * N && n_limited > N && n_within > N / 100);
+	assert_true(n_seen > 20 * n_meshes() && n_limited > n_meshes() && n_within > n_meshes() / 100);
 }
 
 int main(void)
