@@ -186,7 +186,7 @@ static void check_segments(const ts_scene *scene, const ts_params *params, u64 *
 static void test_segments(void **state)
 {
 	(void)state;
-	static const char *const specs[] = {SMALL_SCENE, "gallery", "dining"};
+	static const char *const specs[] = {SMALL_SCENE, "gallery:texels=16", "dining:texels=16"};
 	u64 n_more = 0;
 	for (u32 i = 0; i < sizeof specs / sizeof *specs; i++) {
 		ts_params params = tiny_params();
@@ -240,7 +240,7 @@ static void test_unparted(void **state)
 	params.height = 180;
 	params.depth_grid_px = 256;
 	params.segment_method = TS_SEGMENTATION_NONE;
-	if (ts_scene_load(&scene, "gallery", &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_load(&scene, "gallery:texels=16", &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_begin(&run, scene, &params, 2);
 	run.traced = run.margins = true;
 	if (ts_pipeline_run(ts_pipeline_find("indirect", "hulls"), &run) != TS_OK) fail_msg("%s", ts_error_message());

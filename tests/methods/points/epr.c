@@ -41,9 +41,9 @@ static const setting settings[] = {
 
 static ts_params params_of(const setting *s)
 {
-	ts_params params = small_params(96, 54);
-	params.cube_max_px = 48;
-	params.reflectors_px = 32;
+	ts_params params = small_params(64, 36);
+	params.cube_max_px = 32;
+	params.reflectors_px = 24;
 	for (u32 i = 0; i < 6 && s->set[i][0] != NULL; i++) {
 		assert_int_equal(ts_params_set(&params, s->set[i][0], s->set[i][1]), TS_OK);
 	}

@@ -186,7 +186,7 @@ static void test_points(void **state)
 	static const char *const effects[] = {"soft-shadows", "omni-shadows", "reflections"};
 	ts_params params = tiny_params();
 	params.density_rate = TS_RATE_PAPER;
-	params.cube_max_px = 128;
+	params.cube_max_px = 64;
 	ts_scene *scene = small_scene(&params);
 	for (u32 e = 0; e < 3; e++) {
 		params.points_cull = 1;

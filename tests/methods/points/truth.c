@@ -18,8 +18,8 @@ static ts_params small_params(void)
 {
 	ts_params params;
 	ts_params_default(&params);
-	params.width = 320;
-	params.height = 240;
+	params.width = 160;
+	params.height = 120;
 	params.reflectors_count = 3;
 	params.reflectors_px = 48;
 	params.reflectors_shape = TS_SHAPE_MIXED;

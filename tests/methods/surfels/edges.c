@@ -48,7 +48,7 @@ static u32 crumbs_of(u32 sides, const char *method)
 	params.reflectors_count = 0;
 	params.surfels_from_mesh = 6000;
 	params.surfels_sides = sides;
-	params.truth_grid_rays = 8;
+	params.truth_grid_rays = 4;
 	ts_scene *scene = ball(&params);
 	if (ts_truth_surface(&truth, scene, &params, 2, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	surfels_run(&run, scene, &params, method, 2);

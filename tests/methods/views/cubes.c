@@ -136,7 +136,7 @@ static void test_depth(void **state)
 	double before = INFINITY;
 	for (u32 levels = 4; levels <= 8; levels += 2) {
 		ts_params params = tiny_params(levels);
-		params.cube_view_px = 128;
+		params.cube_view_px = 64;
 		ts_scene *scene = small_scene(&params);
 		double now = apart(scene, &params);
 		print_message("%u levels: %.4f\n", levels, now);

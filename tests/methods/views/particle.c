@@ -11,10 +11,10 @@ enum { N_METHODS = 3 };
 
 static ts_params tiny_params(void)
 {
-	ts_params params = small_params(80, 44);
+	ts_params params = small_params(48, 26);
 	params.reflectors_count = 0;
 	params.octree_levels = 5;
-	params.particle_count = 300;
+	params.particle_count = 150;
 	return params;
 }
 

@@ -183,9 +183,9 @@ static void test_memory(void **state)
 	};
 	ts_params params = params_of(16);
 	grove g;
-	grove_plant(&g, 5, 5, 20000, grove_surface, 250, grove_surface);
+	grove_plant(&g, 5, 5, 10000, grove_surface, 250, grove_surface);
 	grove_outcome one = grove_run(&g, scene, &params, 1, NULL, true);
-	assert_true(one.n_pairs > 100000);
+	assert_true(one.n_pairs > 50000);
 	for (u32 i = 0; i < sizeof ways / sizeof *ways; i++) {
 		params.traverse_queue_mb = ways[i].queue_mb;
 		grove_outcome other = grove_run(&g, scene, &params, ways[i].threads, NULL, ways[i].traced);

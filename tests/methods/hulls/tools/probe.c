@@ -1,8 +1,9 @@
 /* What the probe says of hulls and of direct gathering, against the buffers of the run that wrote the trace. */
+#include "../../../whole.h"
 #include "../../../../src/kernels/hulls/hull.h"
 #include "../../../probe/probed.h"
 
-enum { N_TRIED = 50 };
+static u32 n_tries(void) { return whole_or(50, 30); }
 
 static const struct {
 	const char *effect, *method;
@@ -31,7 +32,7 @@ static traced indirect[N_INDIRECT];
 static int make_all(void **state)
 {
 	(void)state;
-	ts_params params = small_params(96, 64);
+	ts_params params = small_params(48, 32);
 	params.depth_grid_px = 64;
 	params.rsm_px = 4;
 	params.lamp_fov = 150; /* a lamp without extent has a cone */
@@ -166,12 +167,12 @@ static void test_indirect(void **state)
 		const traced *t = &indirect[i];
 		u32 n_lit = 0;
 		json_t *answer;
-		for (u32 k = 0; k < N_TRIED; k++) {
+		for (u32 k = 0; k < n_tries(); k++) {
 			u32 pixel = below(t->run.params.width * t->run.params.height);
 			try_pixel(t, pixel);
 			n_lit += try_indirect(t, pixel);
 		}
-		assert_true(n_lit > N_TRIED / 8);
+		assert_true(n_lit > n_tries() / 8);
 		assert_int_equal(ask_triangle(t, 0, &answer), TS_ERROR);
 	}
 }

@@ -1,8 +1,9 @@
 /* What the probe says of surfels, against rays and the buffers of the run that wrote the trace. */
+#include "../../../whole.h"
 #include "../../../../src/kernels/surfels/surfel_setup.h"
 #include "../../../probe/probed.h"
 
-enum { N_TRIED = 50 };
+static u32 n_tries(void) { return whole_or(50, 30); }
 
 static const struct {
 	const char *method;
@@ -20,7 +21,7 @@ static traced surfels[N_SURFELS];
 static int make_all(void **state)
 {
 	(void)state;
-	ts_params params = small_params(96, 64);
+	ts_params params = small_params(64, 40);
 	params.reflectors_count = 0;
 	params.surfels_from_mesh = 6000;
 	params.depth_map_px = 64;
@@ -158,12 +159,12 @@ static void test_surfels(void **state)
 		const traced *t = &surfels[i];
 		u64 n_hidden = 0;
 		json_t *answer;
-		for (u32 k = 0; k < N_TRIED; k++) {
+		for (u32 k = 0; k < n_tries(); k++) {
 			u32 x = below(t->run.params.width), y = below(t->run.params.height);
 			try_pixel(t, y * t->run.params.width + x);
 			n_hidden += try_surfels(t, x, y);
 		}
-		assert_true(n_hidden > N_TRIED);
+		assert_true(n_hidden > n_tries());
 		assert_int_equal(ask_texel(t, "0.+X", 0, 0, &answer), TS_ERROR);
 		assert_int_equal(ask_triangle(t, 0, &answer), TS_ERROR);
 		assert_int_equal(ask_point(t, 0, &answer), TS_ERROR);

@@ -1,10 +1,11 @@
 /* Texels of maps of views, as the probe tells of them, against the buffers of the run and the same in double
  * precision. */
+#include "../../../whole.h"
 #include "../../../probe/probed.h"
 #include "../../../../src/kernels/views/view_map.h"
 #include "../../../../src/methods/views/views.h"
 
-enum { N_TRIED = 250 };
+static u32 n_tries(void) { return whole_or(250, 100); }
 
 static const struct {
 	const char *effect, *method;
@@ -248,7 +249,7 @@ static void test_nodes(void **state)
 		const u32 *depths = data(t, TS_B_view_map_fused_depth);
 		u32 n = t->run.params.view_map_px, n_shown = 0;
 		u64 tally[2] = {0, 0};
-		for (u32 k = 0; k < N_TRIED; k++) {
+		for (u32 k = 0; k < n_tries(); k++) {
 			u32 node = below((u32)count(t, TS_B_view_octree_node)), texel = below(2 * n * n);
 			json_t *told = ask(t, node, false, texel);
 			n_moved += try_chain(t, told, node, texel, tally);
@@ -256,9 +257,9 @@ static void test_nodes(void **state)
 			n_shown += depth_of(told, "depth") != TS_NONE;
 			json_decref(told);
 		}
-		assert_true(n_shown > N_TRIED / 8 && tally[0] > N_TRIED / 8 && tally[1] < tally[0] / 4);
+		assert_true(n_shown > n_tries() / 8 && tally[0] > n_tries() / 8 && tally[1] < tally[0] / 4);
 	}
-	assert_true(n_moved > N_TRIED / 16);
+	assert_true(n_moved > n_tries() / 16);
 }
 
 /* Of a light the map of its leaf is told. */

@@ -5,11 +5,11 @@
 
 static ts_params params_of(u32 px)
 {
-	ts_params params = small_params(96, 64);
+	ts_params params = small_params(64, 40);
 	params.reflectors_count = 0;
 	params.rsm_px = 24;
 	params.octree_levels = 7;
-	params.vpl_paths = 150;
+	params.vpl_paths = 80;
 	params.view_map_px = px;
 	params.view_map_multipixel = TS_MULTIPIXEL_TEXELS;
 	return params;
