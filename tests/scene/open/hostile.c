@@ -31,6 +31,7 @@ static void load_and_tell(const char *path, int to)
 	ts_scene *scene;
 	outcome o = {.end = REFUSED};
 	ts_params_default(&params);
+	params.reflectors_count = 2;
 	if (ts_scene_load(&scene, path, &params, NULL) == TS_OK) o.end = LOADED;
 	if (o.end == LOADED) o.triangles = (u32)scene->n_triangles_file;
 	if (o.end == REFUSED) snprintf(o.text, sizeof o.text, "%s", ts_error_message());
