@@ -20,7 +20,7 @@ static ts_params small_params(void)
 	ts_params_default(&params);
 	params.width = 160;
 	params.height = 120;
-	params.reflectors_count = 3;
+	params.reflectors_count = 2;
 	params.reflectors_px = 48;
 	params.reflectors_shape = TS_SHAPE_MIXED;
 	return params;

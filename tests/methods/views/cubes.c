@@ -134,7 +134,7 @@ static void test_depth(void **state)
 {
 	(void)state;
 	double before = INFINITY;
-	for (u32 levels = 4; levels <= 8; levels += 2) {
+	for (u32 levels = 3; levels <= 7; levels += 2) {
 		ts_params params = tiny_params(levels);
 		params.cube_view_px = 64;
 		ts_scene *scene = small_scene(&params);

@@ -1,11 +1,12 @@
 /* Lists of pairs at once have the entries of those that a traversal leaves, in order; and what is not done at once is
  * refused. */
+#include "../../../whole.h"
 #include "../../../kernels/views/tree.h"
 #include "../../../../src/backends/fast.h"
 #include "../../../../src/kernels/base/sort.h"
 #include "../../../../src/kernels/views/vpl_gather_pairs.h"
 
-enum { N = 300, LISTS = LEAVES + 2, FEW = 1500, MOST_PAIRS = FEW * FEW };
+enum { LISTS = LEAVES + 2, FEW = 1500, MOST_PAIRS = FEW * FEW };
 
 static tree scene, views;
 static ts_cone cones[NODES];
@@ -146,7 +147,7 @@ static void test_equal(void **state)
 	(void)state;
 	u64 n_pairs = 0, n_all = 0;
 	n_random = 0;
-	for (u32 i = 0; i < N; i++) {
+	for (u32 i = 0; i < whole_or(300, 100); i++) {
 		u32 start = n_random, threads = 1 + below(3);
 		traversal t = random_traversal();
 		n_pairs += compare(&t, threads, start);
@@ -161,7 +162,7 @@ static void test_refused(void **state)
 {
 	(void)state;
 	n_random = 0;
-	for (u32 i = 0; i < N; i++) {
+	for (u32 i = 0; i < whole_or(300, 100); i++) {
 		traversal t = random_traversal();
 		ts_vpl_gather_pairs_args args = lists_of(&t, 1);
 		u32 how = below(6), last = t.how.last;
