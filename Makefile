@@ -476,10 +476,10 @@ faults faults-short: deps-test
 	$(Q)$(MAKE) --no-print-directory all
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' scripts/faults $(if $(filter %-short,$@),--short) $(T)
 
-##   release-check      what a release must pass beside .ci/run: test-long, faults, matrix, distros, mutants-src; hours
+##   release-check      what a release must pass beside .ci/run: all of tests with TS_WHOLE=1, faults, matrix, distros, mutants-src; hours
 release-check:
 	$(Q)scripts/install-deps --matrix
-	$(Q)for part in test-long faults matrix distros mutants-src; do $(MAKE) --no-print-directory $$part || exit; done
+	$(Q)for part in test test-long faults matrix distros mutants-src; do TS_WHOLE=1 $(MAKE) --no-print-directory $$part || exit; done
 
 ##   bench              the papers' tables, measured here, and every backend on one frame
 bench: all
