@@ -370,7 +370,7 @@ demo: deps-build
 	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 960x540 -o out/demo --force
 
 ##   test               install what is missing, build, run the tests; T="PARTS OF NAMES"; also with config=asan|ubsan|tsan
-##   test-TIER          the same for a tier of tests/tiers.txt, which `test` leaves out: devices packages long
+##   test-TIER          the same for a tier of tests/tiers.txt, which `test` leaves out: devices ports packages long
 TEST_TIERS := $(patsubst %,test-%,$(shell sed -nE 's/^([a-z]+):.*/\1/p' tests/tiers.txt))
 test $(TEST_TIERS): deps-test
 	$(Q)$(MAKE) --no-print-directory all tests
