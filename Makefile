@@ -139,7 +139,7 @@ TEST_C := $(filter-out $(patsubst %,tests/%,$(shell sed '/^\#/d' tests/apart.txt
 
 # Tests are one program by many names (tests/main.c), but for those that take arguments or define a function of libc or of the
 # library. Linked into each: what tests begin with, and what lifts llvmpipe's limit of loops, which the driver finds by its name.
-ALONE_C := $(patsubst %,tests/%.c,golden/file output/remove ports/candidate study/bench_start)
+ALONE_C := $(patsubst %,tests/%.c,golden/file output/remove ports/candidate study/bench_start study/speed_limits)
 TEST_ALSO_C := tests/begin.c tests/cli/preload/llvmpipe.c
 LIFT := -Wl,--export-dynamic-symbol=LLVMBuildStore
 

@@ -34,6 +34,12 @@ done
 find "${BUILD:-build/release}/obj/src" -name '*.o' -exec nm -A {} + > "$folder/symbols"
 ! grep ' i ' "$folder/symbols" && grep -q '_of_any_width\|_of_16\|_of_4' "$folder/symbols" || [ "$(uname -m)" != x86_64 ]
 result $? "loops for vectors are not chosen by the loader"
+sed -E 's/.*"(.*)".*/\1/' <(tr ')' '\n' < "${BUILD:-build/release}/gen/tests.inc") | grep . | sed "s|.*|${BUILD:-build/release}/obj/tests/&.c.o|" |
+	xargs nm -P --defined-only | awk '$2 ~ /^[TDBRVW]$/ { print $1 }' | sort -u > "$folder/own"
+{ nm -DP --defined-only $(ldconfig -p | awk '/lib(c|m)\.so\.6 / { print $NF }'); nm -P --defined-only "${BUILD:-build/release}/libtouchstone.a"; } \
+	2> "$folder/nm" | awk '$2 ~ /^[TDBRVWi]$/ { print $1 }' | sed 's/@.*//' | sort -u | comm -12 - "$folder/own" > "$folder/out"
+[ "$(wc -l < "$folder/own")" -gt 300 ] && [ ! -s "$folder/out" ]
+result $? "no test of the one program defines what libc or the library has"
 gives 0 " 0 differences" "goldens have the digests of themselves" scripts/house/bits goldens reference
 cp -r reference "$folder/changed"
 sed -i '1s/^[0-9a-f]/x/' "$folder/changed/small-epr/SHA256SUMS"

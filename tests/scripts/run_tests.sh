@@ -7,6 +7,8 @@ cd "$scratch" || exit
 mkdir -p scripts tests/{a,b}
 ln -s "$runner" scripts/run-tests
 ln -s "${runner%/*}/usage.py" scripts/usage.py
+mkdir -p build/{record,cuda,python}
+touch build/{touchstone{,-core},record/touchstone,cuda/libcuda.so.1,python/touchstone}
 echo '# none' > tests/apart.txt
 printf '# tiers\nlate: what is late\n\tb/late.sh\n' > tests/tiers.txt
 
@@ -61,4 +63,6 @@ make_test b/late.sh ':'
 runs 1 'reported no test' 'a test that reports nothing'
 make_test b/late.sh 'echo "ok 1 - no"; exit 3'
 runs 1 'exit status 3' 'a test that ends with another status'
+rm build/record/touchstone
+runs 2 'build/record/touchstone is not built: `make tests` builds it' 'what is not built is named, with what builds it'
 finish
