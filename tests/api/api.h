@@ -72,7 +72,7 @@ static inline void make_folder(char folder[FOLDER])
 static inline void remove_folder(const char *folder)
 {
 	char command[PATH + 16];
-	snprintf(command, sizeof command, "rm -rf %.*s", PATH, folder);
+	snprintf(command, sizeof command, "rm -rf '%.*s'", PATH, folder);
 	assert_int_equal(system(command), 0);
 }
 

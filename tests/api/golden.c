@@ -20,12 +20,12 @@ static void run(const char *format, ...)
 	assert_int_equal(system(command), 0);
 }
 
-static void copy(void) { run("rm -rf %s/golden && cp -r %s %s/golden", folder, GOLDEN, folder); }
+static void copy(void) { run("rm -rf '%s'/golden && cp -r %s '%s'/golden", folder, GOLDEN, folder); }
 
 static ts_status check(ts_golden_judged *judged)
 {
 	char path[PATH];
-	snprintf(path, sizeof path, "%s/golden", folder);
+	snprintf(path, sizeof path, "'%s'/golden", folder);
 	*judged = (ts_golden_judged){.bytes = sizeof *judged};
 	return ts_golden_check(context, judged, path);
 }
@@ -46,7 +46,7 @@ static void test_element(void **state)
 	(void)state;
 	ts_golden_judged judged;
 	copy();
-	run("cd %s/golden/small && name=$(echo *-image.radiance.npy) && printf '\\100' |"
+	run("cd '%s'/golden/small && name=$(echo *-image.radiance.npy) && printf '\\100' |"
 	    "dd of=$name bs=1 seek=$(($(stat -c %%s $name) - 1)) conv=notrunc status=none &&"
 	    "hex=$(sha256sum $name | cut -c1-64) && sed -i \"s/^[^ ]*  $name/$hex  $name/\" ../SHA256SUMS",
 	    folder);
@@ -55,7 +55,7 @@ static void test_element(void **state)
 	assert_string_equal(judged.buffer, "image.radiance");
 	assert_non_null(strstr(judged.text, "element [35, 63, 2]"));
 	copy();
-	run("sed -i '/-image.radiance.npy/s/^../zz/' %s/golden/SHA256SUMS", folder);
+	run("sed -i '/-image.radiance.npy/s/^../zz/' '%s'/golden/SHA256SUMS", folder);
 	refused(check(&judged), "SHA256SUMS");
 }
 
@@ -64,15 +64,15 @@ static void test_params(void **state)
 	(void)state;
 	ts_golden_judged judged;
 	copy();
-	run("sed -i 's/^width=.*/width=65536/' %s/golden/params.txt", folder);
+	run("sed -i 's/^width=.*/width=65536/' '%s'/golden/params.txt", folder);
 	refused(check(&judged), "width");
-	run("sed -i 's/^width=.*/width=8192/;s/^height=.*/height=8192/' %s/golden/params.txt", folder);
+	run("sed -i 's/^width=.*/width=8192/;s/^height=.*/height=8192/' '%s'/golden/params.txt", folder);
 	refused(check(&judged), "a golden has at most");
 	copy();
-	run("sed -i 's/^method=.*/method=magic/' %s/golden/params.txt", folder);
+	run("sed -i 's/^method=.*/method=magic/' '%s'/golden/params.txt", folder);
 	refused(check(&judged), "no such method");
 	copy();
-	run("sed -i 's|^scene=.*|scene=/etc/passwd|' %s/golden/params.txt", folder);
+	run("sed -i 's|^scene=.*|scene=/etc/passwd|' '%s'/golden/params.txt", folder);
 	refused(check(&judged), "not a built-in scene");
 	assert_int_equal(judged.scene[0], 0);
 }
@@ -85,18 +85,18 @@ static void test_beside(void **state)
 	char path[PATH];
 	assert_non_null(rgb);
 	copy();
-	snprintf(path, sizeof path, "%s/golden/preview.png", folder);
+	snprintf(path, sizeof path, "'%s'/golden/preview.png", folder);
 	done(ts_image_write_png(path, rgb, 9, 7, 3, NULL));
 	assert_int_equal(check(&judged), TS_DIFFERENT);
 	assert_int_equal(judged.buffer[0], 0);
 	assert_non_null(strstr(judged.text, "preview.png"));
 	copy();
-	run("printf 'a\\001b\\n' > %s/golden/CHANGES", folder);
+	run("printf 'a\\001b\\n' > '%s'/golden/CHANGES", folder);
 	refused(check(&judged), "CHANGES");
 	copy();
-	run("rm %s/golden/SHA256SUMS", folder);
+	run("rm '%s'/golden/SHA256SUMS", folder);
 	refused(check(&judged), "SHA256SUMS");
-	run("rm -rf %s/golden", folder);
+	run("rm -rf '%s'/golden", folder);
 	refused(check(&judged), "golden");
 	judged.bytes = 8;
 	refused(ts_golden_check(context, &judged, GOLDEN), "bytes");

@@ -19,7 +19,7 @@ refuses 'needs a value' render reflections --size
 refuses 'takes no value' render reflections --json=3
 refuses 'too many' render reflections atrium another
 refuses 'not one of 1|4' render reflections --set eye.samples=3
-run render surfels atrium:triangles=10000 --from-mesh 3000 --size 16x16 --set eye.samples=4
+run render surfels atrium:triangles=10000 --from-mesh 3000 --size 16x16 --set eye.samples=4 -o "$scratch/none"
 [ "$status" -eq 2 ] && grep -q '^touchstone: eye.samples=4: surfels have a filter' "$scratch/stderr"
 verdict $? 'four samples a pixel are refused for surfels'
 refuses 'from 16 to 16384' render reflections --size 100000x100000

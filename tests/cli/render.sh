@@ -113,7 +113,7 @@ run info "$name"
 	grep -q '^  reflectors  *1$' stdout
 verdict $? 'info lists the nodes that --reflector takes'
 
-refuses "mounted" "${small[@]}" -o /proc
+refuses "mounted\|Permission denied" "${small[@]}" -o /proc
 
 for dir in /dev/null /proc/none/x .; do
 	run "${small[@]}" -o $dir

@@ -71,13 +71,6 @@ static inline ts_status traces_hook(const ts_run *run, const ts_stage *stage, vo
 	return ts_trace_write_stage(traces_writer, run, stage);
 }
 
-static inline void traces_shell(const char *format, const char *a)
-{
-	char command[MAX_TEXT];
-	snprintf(command, sizeof command, format, a);
-	assert_int_equal(system(command), 0);
-}
-
 /* All textures become one of 4 x 4 texels, so that a replay reads little. */
 static inline void traces_shrink(ts_scene *scene)
 {

@@ -24,13 +24,13 @@ make_test b/late.sh 'for ((i = 0; i < 300000; i++)); do :; done; echo "ok 1 - la
 runs() {
 	local expected=$1 pattern=$2 name=$3
 	shift 3
-	BUILD=build /usr/bin/python3 - "$@" > stdout 2> stderr <<'PY'
+	BUILD=build /usr/bin/python3 - "${all_s:-10}" "$@" > stdout 2> stderr <<'PY'
 import importlib.machinery, importlib.util, sys
 sys.path.insert(0, "scripts")
 loader = importlib.machinery.SourceFileLoader("run_tests", "scripts/run-tests")
 runner = importlib.util.module_from_spec(importlib.util.spec_from_loader("run_tests", loader))
 loader.exec_module(runner)
-runner.MOST_S = 0.1
+runner.MOST_S, runner.ALL_S = 0.1, float(sys.argv.pop(1))
 runner.run.__defaults__ = (5,)
 sys.exit(runner.main())
 PY
@@ -53,8 +53,9 @@ runs 2 'one of late would be right' 'a tier of none' --tier early
 verdict $? 'in one line'
 echo 'late: what is late' > tests/tiers.txt
 runs 1 'FAILED .*b/late.sh' 'a test of no tier that takes long fails'
-grep -q 'took .* s of processor time, of .* here: shorten it, or list it in tests/tiers.txt' stdout
+grep -q 'took .* s of processor time, of 0.1: shorten it, or list it in tests/tiers.txt' stdout
 verdict $? 'and it is said why'
+all_s=0.001 runs 1 'FAILED  all tests took' 'all tests that take long together fail'
 make_test b/late.sh 'kill -SEGV $$'
 runs 1 'killed by SIGSEGV' 'a crash'
 make_test b/late.sh 'sleep 100'
