@@ -81,7 +81,7 @@ result $? 'and what was edited back'
 mkdir "$folder/bin"
 ln -s /usr/bin/* "$folder/bin"
 rm -f "$folder"/bin/clang*
-[ -z "$(PATH=$folder/bin again)" ] && [ "$(grep -c '^cuda-program: no clang: ' "$folder/log")" -eq 1 ] &&
+[ -z "$(PATH=$folder/bin again)" ] && [ "$(grep -c '^cuda-program: this build has no kernels for CUDA: ' "$folder/log")" -eq 1 ] &&
 	grep -q '^static const u32 first_byte.* = {0\(, 0\)*};$' "$tree/$build/gen/ptx.inc"
 result $? 'without clang there are no kernels, and one line says so'
 echo "1..$n"

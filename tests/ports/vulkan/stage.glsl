@@ -1,6 +1,7 @@
 // What the four stages share. The records, the arithmetic and the rules of CONTRACT.md come from the installed headers
 // (share/touchstone/glsl); the stages are written from METHODS.md, section 2.
 #include "raster/cube.glsl"
+#include "raster/raster.glsl"
 layout(local_size_x = 64) in;
 
 // Of this invocation. Groups stand in rows, because one row of them has too few (maxComputeWorkGroupCount).
