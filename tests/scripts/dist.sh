@@ -28,7 +28,7 @@ verdict $? 'builds without git'
 verdict $? 'makes no tarball without git'
 
 mkdir "$scratch/bin"
-for tool in env gcc git make mkdir nproc pkg-config sed; do ln -s "$(command -v $tool)" "$scratch/bin"; done
+for tool in env gcc git grep make mkdir nproc pkg-config sed; do ln -s "$(command -v $tool)" "$scratch/bin"; done
 said=$(env -u MAKEFLAGS -u MAKELEVEL PATH="$scratch/bin" make -s dist 2>&1)
 [ $? -eq 2 ] && [ "$(grep -vc '^make: ' <<< "$said")" -eq 1 ] && grep -q '^make dist: no xz here' <<< "$said"
 verdict $? 'names xz where it is missing'
