@@ -25,7 +25,7 @@ static void copy(void) { run("rm -rf '%s'/golden && cp -r %s '%s'/golden", folde
 static ts_status check(ts_golden_judged *judged)
 {
 	char path[PATH];
-	snprintf(path, sizeof path, "'%s'/golden", folder);
+	snprintf(path, sizeof path, "%s/golden", folder);
 	*judged = (ts_golden_judged){.bytes = sizeof *judged};
 	return ts_golden_check(context, judged, path);
 }
@@ -85,7 +85,7 @@ static void test_beside(void **state)
 	char path[PATH];
 	assert_non_null(rgb);
 	copy();
-	snprintf(path, sizeof path, "'%s'/golden/preview.png", folder);
+	snprintf(path, sizeof path, "%s/golden/preview.png", folder);
 	done(ts_image_write_png(path, rgb, 9, 7, 3, NULL));
 	assert_int_equal(check(&judged), TS_DIFFERENT);
 	assert_int_equal(judged.buffer[0], 0);
