@@ -14,7 +14,7 @@ static const struct {
 	{NULL, NULL},
 };
 
-/* What a scene is opened with; whatever else is set, the scene stays the same. */
+/* Parameters that a scene depends on; all others leave the scene as it is. */
 static const char *const of_the_scene[] = {"width",
                                            "height",
                                            "seed",

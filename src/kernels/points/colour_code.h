@@ -4,7 +4,7 @@
 #include "../base/num.h"
 #include "../base/vec.h"
 
-/* ---- 13 bits of distance and 19 of colour: what a 32-bit minimum keeps is the nearest ---- */
+/* ---- 13 bits of distance and 19 of colour: a 32-bit minimum keeps the nearest ---- */
 
 #define TS_FAR_BITS 20.0f /* far / near is 2 to this power */
 

@@ -1,4 +1,4 @@
-/* A view in registers: where it stands, what it shows, and its image. */
+/* Views: a camera in registers, and points in view space. */
 #ifndef TS_KERNELS_VIEW_H
 #define TS_KERNELS_VIEW_H
 #include "../base/records.h"

@@ -146,7 +146,7 @@ static void test_power(void **state)
 	ts_scene_free(scene);
 }
 
-/* Of all particles without shadows, the distance bounded by `near`. */
+/* Irradiance from all particles, unshadowed; `near` bounds the distance from below. */
 static double light_at(const ts_gpixel *pixel, const ts_vpl *lights, u32 n, double near, u32 channel)
 {
 	double sum = 0;
