@@ -327,6 +327,10 @@ $(PYTHON_PACKAGE)/made: $(wildcard src/python/touchstone/*.py include/touchstone
 	$(Q)CC='$(CC)' scripts/abi --declarations > $(@D)/declarations.h
 	$(Q)echo libtouchstone.so.$(ABI) > $(@D)/soname && touch $@
 
+# A probe asks about one pixel: the compiler would work for longer than the probe.
+PROBES := $(call object,$(filter src/probe/%,$(LIB_C)) $(wildcard src/methods/*/tools/probe*.c))
+$(PROBES): OWN := $(if $(filter -O2 -O3,$(OPT)),-O1)
+
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
 	$(call keep,$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS))

@@ -1,5 +1,6 @@
 /* Primitives: what IEEE 754 defines, one operation each and the two that compilers like to fuse (CONTRACT rules 4 to
  * 6). */
+#include "../kernels/vectors/vectors_number.h"
 #include "row.h"
 
 FLOAT_ITEM(add_flush, flushed(flushed(A) + flushed(B)))

@@ -1,4 +1,5 @@
 /* Composites of the lattice of samples (kernels/vectors/composites_lattice.h). */
+#include "../kernels/vectors/composites_lattice.h"
 #include "relate.h"
 
 enum { SCALE = 12 };

@@ -1,4 +1,5 @@
 /* Composites of what is seen (kernels/vectors/composites_shade.h). */
+#include "../kernels/vectors/composites_shade.h"
 #include "relate.h"
 
 /* The point at the light, at the end of its range, or anywhere. */

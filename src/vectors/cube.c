@@ -1,5 +1,6 @@
 /* Primitives of cube maps and of what is written to them: places, texels, keys (kernels/raster/cube.h, CONTRACT rule
  * 24). */
+#include "../kernels/vectors/vectors_texture.h"
 #include "row.h"
 
 static void cube_place_reciprocal(u32 *out, const u32 *in)

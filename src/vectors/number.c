@@ -1,4 +1,5 @@
 /* Primitives of kernels/base/num.h and half.h: sanitizing, fixed point, conversions, hashes, elementary functions. */
+#include "../kernels/vectors/vectors_number.h"
 #include "row.h"
 
 static void clamped_chosen(u32 *out, const u32 *in)

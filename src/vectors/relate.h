@@ -2,6 +2,7 @@
  * and values at which a function branches. Values are stored as kernels store them, so that ranges hold. */
 #ifndef TS_VECTORS_RELATE_H
 #define TS_VECTORS_RELATE_H
+#include "../kernels/base/hit.h"
 #include "../kernels/raster/patch.h"
 #include "row.h"
 

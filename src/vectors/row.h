@@ -1,8 +1,7 @@
 /* Shared by the tables of primitives: models of faults, ranges of arguments. */
 #ifndef TS_TRACE_VECTORS_ROW_H
 #define TS_TRACE_VECTORS_ROW_H
-#include "../kernels/vectors/composites.h"
-#include "../kernels/vectors/vectors.h"
+#include "../kernels/vectors/composites_row.h"
 #include "vectors.h"
 
 /* The tables of the primitives that all methods share, each ended by a row without a name. */

@@ -1,4 +1,5 @@
 /* Primitives of textures and display values (kernels/base/texture.h, srgb.h). */
+#include "../kernels/vectors/vectors_texture.h"
 #include "row.h"
 
 /* At most one texel outside. */

@@ -70,10 +70,10 @@ echo '/* edited */' >> "$tree/src/kernels/base/vec.h"
 [ "$(again -n)" = "$(printf '%s\n' "$build"/gen/kernels.*.ptx | sed -E 's/.*kernels\.(.*)\.ptx/\1/' | sort | paste -sd' ')" ]
 result $? 'an edited header of base is read by all folders'
 cp -p src/kernels/base/vec.h "$tree/src/kernels/base"
-sed -i 's/ts_k_cover_of(view, &t, 129)/ts_k_cover_of(view, \&t, 130)/' "$tree/src/kernels/points/splat.h"
+sed -i 's/ts_k_cover_of(view, &t, 129)/ts_k_cover_of(view, \&t, 130)/' "$tree/src/kernels/points/splat_box.h"
 [ "$(again)" = points ] && made=" $(differ) " && [[ $made = *" splat "*" splat_pieces "* && $made != *" align "* ]]
 result $? 'one of points by points, and the modules of its kernels are others'
-cp src/kernels/points/splat.h "$tree/src/kernels/points"
+cp src/kernels/points/splat_box.h "$tree/src/kernels/points"
 [ "$(again)" = points ] && cmp -s "$tree/$build/gen/ptx.inc" "$build/gen/ptx.inc"
 result $? 'and what was edited back'
 

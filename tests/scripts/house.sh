@@ -99,15 +99,18 @@ gives 1 "2 names compared" "names of a method and a stage in code" "$scripts/nam
 rm src/cli/d.c
 gives 0 "0 names compared" "no names in code" "$scripts/named"
 
-mkdir -p src/kernels/points src/stages src/methods tests/kernels include/touchstone
-: > src/kernels/points/lookup.h
-for i in $(seq 30); do
+mkdir -p src/kernels/{points,raster} src/stages src/methods tests/kernels include/touchstone
+: > src/kernels/points/lookup.h > src/kernels/raster/draw.h
+for i in $(seq 65); do
 	: > "src/model/$i.c"
-	echo "obj/$i.o: src/model/$i.c src/model/../kernels/points/lookup.h" > "obj/src/model/$i.d"
+	lookup=$([ "$i" -gt 30 ] || echo src/kernels/points/lookup.h)
+	echo "obj/$i.o: src/model/$i.c $lookup src/model/../kernels/raster/draw.h" > "obj/src/model/$i.d"
 done
-BUILD=. gives 1 "30 of 30  src/kernels/points/lookup.h" "a kernel that rebuilds too much" "$scripts/rebuilt" lookup.h
+BUILD=. gives 1 "30 of 65  src/kernels/points/lookup.h" "a kernel that rebuilds too much" "$scripts/rebuilt" lookup.h
+BUILD=. gives 1 "65 of 65  src/kernels/raster/draw.h" "a rasterizer that does" "$scripts/rebuilt" draw.h
 rm src/model/30.c
-BUILD=. gives 0 "29 of 29  src/kernels/points/lookup.h" "a kernel that does not" "$scripts/rebuilt" lookup.h
+BUILD=. gives 0 "29 of 64  src/kernels/points/lookup.h" "a kernel that does not" "$scripts/rebuilt" lookup.h
+BUILD=. gives 0 "64 of 64  src/kernels/raster/draw.h" "a rasterizer that does not" "$scripts/rebuilt" draw.h
 
 echo 'BUFFER(eye_view, "eye.view", ts_view, "H W", sequence, "", "")' > include/touchstone/records.def
 echo 'bool rows = strcmp(of, "H") == 0;' > src/trace/rows.c

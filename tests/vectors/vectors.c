@@ -4,6 +4,7 @@
 #include "../model/test.h"
 #include "../../src/model/digest.h"
 #include "truth.h"
+#include "../../src/kernels/vectors/vectors.h"
 
 static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 static _Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS], found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];

@@ -3,6 +3,7 @@
 #ifndef TS_KERNELS_SRGB_H
 #define TS_KERNELS_SRGB_H
 #include "num.h"
+#include "vec.h"
 
 TS_CONSTANT f32 ts_srgb_threshold[255] = {
 	0.0001517634955234825611114501953125f,
@@ -268,6 +269,21 @@ TS_FN u32 ts_srgb_byte(f32 l)
 	u32 n = 0u;
 	for (u32 step = 128u; step != 0u; step >>= 1) n += l >= ts_srgb_threshold[n + step - 1u] ? step : 0u;
 	return n;
+}
+
+/* Three channels as a display shows them. */
+TS_FN void ts_k_display(TS_GLOBAL u8 *srgb, ts_v3 value, f32 exposure)
+{
+	srgb[0] = (u8)ts_srgb_byte(value.x * exposure);
+	srgb[1] = (u8)ts_srgb_byte(value.y * exposure);
+	srgb[2] = (u8)ts_srgb_byte(value.z * exposure);
+}
+
+/* Stores linear radiance and, unless srgb is NULL, its display value. */
+TS_FN void ts_k_show(TS_GLOBAL f32 *radiance, TS_GLOBAL u8 *srgb, ts_v3 value, f32 exposure)
+{
+	ts_store3(radiance, value);
+	if (srgb != NULL) ts_k_display(srgb, ts_load3(radiance), exposure);
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* Composites of points: densities (density.h, view_density.h), culling (cull.h), splats (splat.h), reflected rays
+/* Composites of points: densities (density.h, view_density.h), culling (cull.h), splats (splat_box.h), reflected rays
  * (samples.h), the codes of depth and colour in texels (scatter.h, forward.h). */
 #ifndef TS_KERNELS_POINTS_COMPOSITES_H
 #define TS_KERNELS_POINTS_COMPOSITES_H
@@ -7,7 +7,7 @@
 #include "forward.h"
 #include "samples.h"
 #include "scatter.h"
-#include "splat.h"
+#include "splat_box.h"
 #include "view_density.h"
 
 TS_ROW_AT(ts_face)

@@ -4,7 +4,7 @@
 #define TS_KERNELS_CUBE_SIZE_H
 #include "../base/args.h"
 #include "../base/pose.h"
-#include "../raster/raster.h"
+#include "../raster/clip.h"
 
 #define TS_ROWS_ts_cube_size_args(ARG) \
 	ARG(IN, ts_vertex, vertices, scene_vertex) \

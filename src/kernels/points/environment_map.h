@@ -3,7 +3,8 @@
 #ifndef TS_KERNELS_ENVIRONMENT_MAP_H
 #define TS_KERNELS_ENVIRONMENT_MAP_H
 #include "../base/args.h"
-#include "../raster/illuminate.h"
+#include "../base/shade.h"
+#include "../raster/texel_place.h"
 #include "colour_code.h"
 
 #define TS_ROWS_ts_environment_map_args(ARG) \

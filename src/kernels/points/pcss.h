@@ -6,7 +6,7 @@
  *
  * Taps may lie far from the receiver, so their depths are compared with the depth of the receiver's plane there, where
  * that is nearer than the receiver: a surface does not shade itself, however steep. The bias is that of all methods
- * (shadow_test.h). */
+ * (shadow_map.h). */
 #ifndef TS_KERNELS_PCSS_H
 #define TS_KERNELS_PCSS_H
 #include "../base/args.h"

@@ -3,7 +3,7 @@
  * begins at (x / focal, y / focal) and points straight ahead. */
 #ifndef TS_KERNELS_PLANE_H
 #define TS_KERNELS_PLANE_H
-#include "../raster/raster.h"
+#include "../raster/view.h"
 
 typedef struct {
 	ts_v3 n;

@@ -5,7 +5,6 @@
 #define TS_KERNELS_SHADOW_CUBE_SIZE_H
 #include "../base/args.h"
 #include "../base/closest.h"
-#include "../raster/raster.h"
 #include "../base/scene.h"
 
 #define TS_ROWS_ts_shadow_cube_size_args(ARG) \

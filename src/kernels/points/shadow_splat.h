@@ -1,6 +1,6 @@
 /* Splats points, made for the eye's resolution, into the depth maps of cubes (EPR section 5.1; METHODS 10). A point
  * whose splat is smaller than a texel is written into its texel (scatter.h), a larger one as a square of depths
- * (splat.h).
+ * (splat_box.h).
  *
  * The shadow test compares the depth of a receiver with that of each texel, so one depth for a splat of many texels
  * would throw shadows on the surface itself. Each texel therefore gets the depth of the piece's plane, clamped to the
@@ -10,7 +10,7 @@
 #include "../base/args.h"
 #include "plane.h"
 #include "scatter.h"
-#include "splat.h"
+#include "splat_box.h"
 
 #define TS_ROWS_ts_shadow_splat_args(ARG) \
 	ARG(INNER, ts_scatter_args, of, none) /* of depths; its n_writes are those of points smaller than a texel */ \

@@ -6,7 +6,7 @@
 #define TS_KERNELS_VIEW_DENSITY_H
 #include "density.h"
 #include "../raster/offscreen.h"
-#include "../raster/raster.h"
+#include "../raster/clip.h"
 
 /* Rates: by which each texel whose centre sees the triangle gets a sample (watertight); at the least depth of the part
  * in the frustum (exact); at the point closest to the view (the paper); VIR's worst case. */

@@ -3,8 +3,10 @@
  * 18, 22, 24). */
 #ifndef TS_KERNELS_DRAW_H
 #define TS_KERNELS_DRAW_H
+#include "clip.h"
 #include "offscreen.h"
 #include "raster.h"
+#include "target.h"
 #include "../base/band.h"
 #include "../base/surface.h"
 
@@ -14,29 +16,6 @@ TS_FN f32 ts_k_fragment_footprint(const ts_camera_k *view, const ts_corners *t, 
 	if (view->orthographic != 0u) return ts_k_footprint(1.0f / view->focal, view->back, t->n);
 	ts_v3 p = ts_blend(fragment->w, t->a, t->b, t->c);
 	return ts_k_footprint((fragment->z / view->focal) * view->side, ts_sub(p, view->eye), t->n);
-}
-
-/* Texels of one view: keys, or depths alone; the other pointer is NULL. */
-typedef struct {
-	TS_GLOBAL u64 *keys;
-	TS_GLOBAL u32 *depths;
-} ts_target;
-
-TS_FN ts_target ts_k_keys(TS_GLOBAL u64 *keys)
-{
-	ts_target r;
-	r.keys = keys;
-	r.depths = NULL;
-	return r;
-}
-
-TS_FN void ts_k_draw_texel(const ts_target *target, u64 at, f32 z, u32 triangle)
-{
-	if (target->keys != NULL) {
-		ts_min_u64(&target->keys[at], ((u64)ts_f2u(z) << 32) | triangle);
-	} else {
-		ts_min_u32(&target->depths[at], ts_f2u(z));
-	}
 }
 
 TS_FN ts_fragment ts_k_view_fragment(const ts_camera_k *view, const ts_setup *t, const ts_edges *e, const ts_corner *a,

@@ -32,21 +32,6 @@ TS_FN ts_v3 ts_k_eye_radiance(const ts_image_args *args, u64 i)
 	return ts_k_shade_lit(&args->scene, &s, ts_normalize(ts_sub(at.view.eye, s.p)), lit, args->lamps);
 }
 
-/* Three channels as a display shows them. */
-TS_FN void ts_k_display(TS_GLOBAL u8 *srgb, ts_v3 value, f32 exposure)
-{
-	srgb[0] = (u8)ts_srgb_byte(value.x * exposure);
-	srgb[1] = (u8)ts_srgb_byte(value.y * exposure);
-	srgb[2] = (u8)ts_srgb_byte(value.z * exposure);
-}
-
-/* Stores linear radiance and, unless srgb is NULL, its display value. */
-TS_FN void ts_k_show(TS_GLOBAL f32 *radiance, TS_GLOBAL u8 *srgb, ts_v3 value, f32 exposure)
-{
-	ts_store3(radiance, value);
-	if (srgb != NULL) ts_k_display(srgb, ts_load3(radiance), exposure);
-}
-
 /* map over pixels and their samples */
 TS_FN void ts_k_image_item(const ts_image_args *args, u64 i)
 {

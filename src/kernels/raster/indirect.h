@@ -4,7 +4,8 @@
 #define TS_KERNELS_INDIRECT_H
 #include "../base/args.h"
 #include "gpixel.h"
-#include "image.h"
+#include "../base/shade.h"
+#include "../base/srgb.h"
 
 #define TS_BOUNCE_GAIN 8.0f /* light of one bounce is dim beside direct light */
 

@@ -5,7 +5,7 @@
 #include "../base/area.h"
 #include "../base/closest.h"
 #include "../base/surface.h"
-#include "raster.h"
+#include "cover.h"
 
 /* The lattice coordinates of a point p of the plane. */
 TS_FN ts_v2 ts_k_lattice(ts_v3 c, ts_v3 u, ts_v3 v, f32 s, ts_v3 p)

@@ -6,6 +6,7 @@
 #include "../base/args.h"
 #include "draw.h"
 #include "eye_sample.h"
+#include "margin_bounds.h"
 
 /* Two minima per pixel, as f32 bits: the distance to an edge, in 1/256 pixel along the axes; and how far another depth
  * lies behind, in units of the change of both depths per such step in the image. In maps of depths alone the triangle
@@ -47,17 +48,6 @@ TS_FN bool ts_k_is_other(const ts_shown *shown, u32 triangle, f32 z)
 {
 	if (shown->is_empty) return false;
 	return shown->is_known ? shown->triangle != triangle : shown->z != z;
-}
-
-#define TS_MARGIN_REACH 4.0f                       /* edges farther outside do not matter, in 1/256 pixel */
-#define TS_MARGIN_NEAR 0.015625f                   /* nor do depths farther behind than 4 steps + this share of depth */
-#define TS_MARGIN_ROUNDING 0.00000095367431640625f /* share of a depth that rounding may change: 8 ulps */
-#define TS_MARGIN_ALPHA 0.00390625f                /* an alpha this near its cutoff is undecided */
-#define TS_MARGIN_NOWHERE 1048576.0f               /* where nothing is compared, or the comparison is exact */
-
-TS_FN void ts_k_least_bits(TS_GLOBAL u32 *least, f32 margin)
-{
-	if (margin <= TS_MARGIN_REACH) ts_min_u32(least, ts_f2u(ts_put(margin)));
 }
 
 /* Least distance to an edge line, positive inside: |E| / (|dx| + |dy|). */

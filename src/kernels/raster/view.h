@@ -4,6 +4,8 @@
 #include "../base/records.h"
 #include "../base/vec.h"
 
+#define TS_MAX_CORNERS 8 /* of a triangle that five planes cut */
+
 /* A corner in view space (X, Y, z axial) with its weights on the source triangle. */
 typedef struct {
 	f32 x, y, z;
@@ -46,6 +48,14 @@ TS_FN ts_corner ts_k_to_view(const ts_camera_k *view, ts_v3 p)
 	r.z = -ts_dot(view->back, d);
 	r.w = ts_v3_make(0.0f, 0.0f, 0.0f);
 	return r;
+}
+
+TS_FN ts_v2 ts_k_project(const ts_camera_k *view, const ts_corner *p)
+{
+	f32 z = view->orthographic != 0u ? 1.0f : p->z;
+	f32 x = (view->focal * p->x) / z;
+	f32 y = (view->focal * p->y) / z;
+	return ts_v2_make((f32)view->width * 0.5f + x, (f32)view->height * 0.5f - y);
 }
 
 #endif

@@ -6,8 +6,9 @@
 #define TS_KERNELS_DEFERRED_H
 #include "../base/args.h"
 #include "../raster/gpixel.h"
-#include "../raster/image.h"
-#include "../raster/shadow_test.h"
+#include "../raster/shadow_map.h"
+#include "../base/shade.h"
+#include "../base/srgb.h"
 
 #define TS_SHADER_IS_PHONG 0u
 #define TS_SHADER_IS_NPR 1u

@@ -4,7 +4,7 @@
 #define TS_KERNELS_DEFERRED_MARGIN_H
 #include "../base/args.h"
 #include "deferred.h"
-#include "../raster/shadow_test_margin.h"
+#include "../raster/shadow_map_margin.h"
 
 #define TS_ROWS_ts_deferred_margin_args(ARG) \
 	ARG(INNER, ts_deferred_args, of, none) \

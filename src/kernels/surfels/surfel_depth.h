@@ -5,7 +5,8 @@
 #ifndef TS_KERNELS_SURFEL_DEPTH_H
 #define TS_KERNELS_SURFEL_DEPTH_H
 #include "../base/args.h"
-#include "../raster/draw.h"
+#include "../raster/offscreen.h"
+#include "../raster/target.h"
 #include "fragment.h"
 
 TS_FN void ts_k_disc_draw(const ts_disc *disc, const ts_camera_k *view, f32 epsilon, u32 surfel,

@@ -7,7 +7,7 @@
 #define TS_KERNELS_SURFEL_MARGIN_H
 #include "../base/args.h"
 #include "surfel_blend.h"
-#include "../raster/margin.h"
+#include "../raster/margin_bounds.h"
 
 #define TS_ROWS_ts_surfel_margin_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \

@@ -18,7 +18,7 @@
 #ifndef TS_KERNELS_SURFEL_SETUP_H
 #define TS_KERNELS_SURFEL_SETUP_H
 #include "../base/args.h"
-#include "../raster/raster.h"
+#include "../raster/view.h"
 
 #define TS_FILTER_IS_MIN 0u    /* r = min(r3D, r2D) */
 #define TS_FILTER_IS_OBJECT 1u /* r3D */

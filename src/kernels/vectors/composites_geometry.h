@@ -1,5 +1,5 @@
 /* Composites of triangles: edges, closest points (closest.h), rays (hit.h), footprints (surface.h), clipping
- * (raster.h). */
+ * (clip.h). */
 #ifndef TS_KERNELS_COMPOSITES_GEOMETRY_H
 #define TS_KERNELS_COMPOSITES_GEOMETRY_H
 #include "../base/area.h"

@@ -1,9 +1,9 @@
 /* Composites of shading: lights and the BRDF (shade.h), surfaces with their textures (surface.h, texture.h), the bias
- * of depth maps (shadow_test.h). */
+ * of depth maps (shadow_map.h). */
 #ifndef TS_KERNELS_COMPOSITES_SHADE_H
 #define TS_KERNELS_COMPOSITES_SHADE_H
 #include "../base/shade.h"
-#include "../raster/shadow_test.h"
+#include "../raster/shadow_map.h"
 #include "composites_row.h"
 
 TS_VECTOR(light)

@@ -1,6 +1,8 @@
-/* Primitives of raster.h: projection, snapping, edges, coverage, interpolation (CONTRACT rules 15 to 22). */
+/* Primitives of rasterization: projection, snapping, edges, coverage, interpolation (CONTRACT rules 15 to 22). */
 #ifndef TS_KERNELS_VECTORS_RASTER_H
 #define TS_KERNELS_VECTORS_RASTER_H
+#include "../raster/clip.h"
+#include "../raster/cover.h"
 #include "../raster/raster.h"
 #include "vectors_row.h"
 

@@ -3,7 +3,8 @@
 #ifndef TS_KERNELS_CUBE_VIEW_H
 #define TS_KERNELS_CUBE_VIEW_H
 #include "../base/args.h"
-#include "../raster/illuminate.h"
+#include "../raster/cube.h"
+#include "../raster/texel_place.h"
 #include "paraboloid.h"
 
 #define TS_ROWS_ts_cube_view_args(ARG) \

@@ -7,7 +7,7 @@
 #define TS_KERNELS_VIEW_MAP_MARGIN_H
 #include "../base/args.h"
 #include "view_map.h"
-#include "../raster/shadow_test_margin.h"
+#include "../raster/shadow_map_margin.h"
 
 #define TS_MARGIN_SINE 0.0000002384185791015625f /* divided by its sine: the rounding error of the sine of a cone */
 #define TS_MARGIN_LEAST_SINE 0.00048828125f

@@ -1,4 +1,4 @@
-/* Primitives of light that is gathered (kernels/hulls/gaussian.h, form_factor.h, gloss.h). */
+/* Primitives of light that is gathered (kernels/hulls/gaussian.h, form_factor.h). */
 #include "../../kernels/hulls/vectors.h"
 #include "../../vectors/row.h"
 

@@ -1,7 +1,7 @@
 /* Mip chains of the batch's cubes, from level 0. */
 #ifndef TS_METHODS_ILLUMINATE_H
 #define TS_METHODS_ILLUMINATE_H
-#include "../../kernels/raster/illuminate.h"
+#include "../../kernels/raster/texel_place.h"
 #include "../stages.h"
 
 extern const ts_launch ts_mip_averaged;

@@ -1,7 +1,7 @@
 /* Arguments that comparisons with depth maps share. */
 #ifndef TS_METHODS_SHADOW_TEST_H
 #define TS_METHODS_SHADOW_TEST_H
-#include "../../kernels/raster/shadow_test.h"
+#include "../../kernels/raster/shadow_map.h"
 #include "../stages.h"
 
 /* The values of a comparison with the maps of the batch. */

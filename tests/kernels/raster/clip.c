@@ -2,6 +2,7 @@
  * fragments that see what a ray in double precision sees. */
 #include "../seeded.h"
 #include "../../whole.h"
+#include "../../../src/kernels/raster/clip.h"
 #include "../../../src/kernels/raster/raster.h"
 
 enum { N = 30000 };

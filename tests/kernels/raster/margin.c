@@ -3,6 +3,7 @@
  * undecided, and most is decided. The figures themselves where they can be told. */
 #include "../points/views.h"
 #include "../../../src/kernels/raster/depth_map.h"
+#include "../../../src/kernels/raster/margin.h"
 #include "../../../src/kernels/raster/shadow_test_margin.h"
 
 enum { SIZE = 64, N_TEXELS = SIZE * SIZE, N_MESHES = 200, N_TRIANGLES = 24, N_RECEIVERS = 1000, N_STEPS = 12 };

@@ -4,7 +4,7 @@
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/points/shadow_splat.h"
-#include "../../../kernels/points/splat_pieces.h"
+#include "../../../kernels/raster/cube.h"
 #include "../../fast.h"
 #include "../../wide.h"
 

@@ -3,7 +3,7 @@
 #ifndef TS_BACKENDS_SPLAT_LIVE_H
 #define TS_BACKENDS_SPLAT_LIVE_H
 #include "../../../kernels/raster/cube.h"
-#include "../../../kernels/raster/raster.h"
+#include "../../../kernels/raster/cover.h"
 
 typedef struct ts_splat_args ts_splat_args;
 

@@ -2,7 +2,7 @@
  * the box. */
 #ifndef TS_BACKENDS_VIEW_PLANES_H
 #define TS_BACKENDS_VIEW_PLANES_H
-#include "../../../kernels/raster/raster.h"
+#include "../../../kernels/raster/view.h"
 
 enum { TS_GROUP = 32, TS_PLANES = 5 };
 

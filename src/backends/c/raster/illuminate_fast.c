@@ -1,6 +1,8 @@
 /* Fast path of MVR's shading, with the same bits: texels beside each other are brought into the view together, and
  * those of one material are shaded together. */
-#include "../../../kernels/raster/illuminate.h"
+#include "../../../kernels/base/shade.h"
+#include "../../../kernels/raster/cube.h"
+#include "../../../kernels/raster/texel_place.h"
 #include "../../fast.h"
 #include "light_batch.h"
 #include "surface_rows.h"

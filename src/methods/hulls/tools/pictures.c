@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include "../../../image/falsecolour.h"
 #include "../../../kernels/raster/gbuffer.h"
-#include "../../../kernels/raster/raster.h"
+#include "../../../kernels/raster/view.h"
 #include "../../../kernels/hulls/segment_box.h"
 #include "../../../kernels/base/srgb.h"
 #include "tools.h"

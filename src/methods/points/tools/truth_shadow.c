@@ -1,6 +1,6 @@
 /* Truth of shadows by rays: how many samples of each light reach what the eye sees (iVIR sections 4 and 6; METHODS
  * 17), by the very samples that the methods have depth maps of, or by so many that a light is an area. As
- * kernels/raster/shadow_test.h has it a sample reaches what lies outside of its view's image or before its near plane.
+ * kernels/raster/shadow_map.h has it a sample reaches what lies outside of its view's image or before its near plane.
  *
  * A ray goes from the sample towards the point, so that it meets what faces the sample, as the sample's depth map
  * does. The point's own triangle stops no ray, and nothing does that is nearer than 2^-20 of the greatest coordinate,

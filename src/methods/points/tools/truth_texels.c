@@ -9,7 +9,7 @@
 #include <float.h>
 #include <math.h>
 #include <omp.h>
-#include "../../../kernels/raster/shadow_test.h"
+#include "../../../kernels/raster/shadow_map.h"
 #include "../../../kernels/points/colour_code.h"
 #include "../../stages.h"
 #include "../../../truth/query.h"

@@ -1,7 +1,7 @@
 /* Parts of answers that families share: lamps and their depth maps, the G-buffer, reflective shadow maps. */
 #ifndef TS_RASTER_TOOLS_PROBE_H
 #define TS_RASTER_TOOLS_PROBE_H
-#include "../../../kernels/raster/shadow_test.h"
+#include "../../../kernels/raster/shadow_map.h"
 #include "../../../probe/parts.h"
 
 /* ---- lamps and their views (probe_lamps.c) ---- */

@@ -1,0 +1,109 @@
+/* Conservative rasterization: the pixels that a convex polygon touches, by integer edge functions (CONTRACT rule 19). */
+#ifndef TS_KERNELS_COVER_H
+#define TS_KERNELS_COVER_H
+#include "snap.h"
+
+/* The square of half size h around (x, y) meets the half plane of edge a, b; turned: the polygon's area is negative. */
+TS_FN bool ts_k_square_meets(ts_snapped a, ts_snapped b, bool turned, i32 x, i32 y, i64 half_size)
+{
+	i64 e = ts_k_edge(a, b, x, y);
+	i64 dx = b.x - a.x;
+	i64 dy = b.y - a.y;
+	i64 reach = half_size * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
+	return (turned ? -e : e) + reach >= 0;
+}
+
+/* A convex polygon of snapped corners for the conservative test: its edges and its box (CONTRACT rule 19). */
+typedef struct {
+	ts_snapped v[TS_MAX_CORNERS];
+	u32 n;
+	bool turned;
+	ts_box touched;
+	i32 half_size;
+} ts_cover;
+
+TS_FN void ts_k_cover_finish(ts_cover *c, i32 half_size)
+{
+	i64 area = 0;
+	for (u32 i = 2u; i < c->n; i++) area += ts_k_edge(c->v[0], c->v[i - 1u], c->v[i].x, c->v[i].y);
+	c->turned = area < 0;
+	c->half_size = half_size;
+	c->touched = ts_k_touched_box(c->v, c->n, half_size);
+}
+
+/* Does the pixel touch the polygon? The pixel lies in c->touched (rule 19). */
+TS_FN bool ts_k_touches(const ts_cover *c, i32 i, i32 j)
+{
+	for (u32 k = 0u; k < c->n; k++) {
+		ts_snapped b = c->v[k + 1u < c->n ? k + 1u : 0u];
+		if (!ts_k_square_meets(c->v[k], b, c->turned, i * 256 + 128, j * 256 + 128, c->half_size)) return false;
+	}
+	return true;
+}
+
+/* Inside where x i + y j + c >= 0. */
+typedef struct {
+	i64 x, y, c;
+} ts_line;
+typedef struct {
+	ts_line edge[TS_MAX_CORNERS];
+	u32 n;
+} ts_lines;
+
+/* ts_k_touches as lines: e grows by 256 dx and 256 dy from texel to texel (rule 19). */
+TS_FN void ts_k_lines(ts_lines *r, const ts_cover *cover)
+{
+	i64 sign = cover->turned ? -1 : 1;
+	r->n = cover->n;
+	for (u32 k = 0u; k < cover->n; k++) {
+		ts_snapped a = cover->v[k];
+		ts_snapped b = cover->v[k + 1u < cover->n ? k + 1u : 0u];
+		i64 dx = b.x - a.x;
+		i64 dy = b.y - a.y;
+		i64 reach = cover->half_size * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
+		r->edge[k].x = -sign * dy * 256;
+		r->edge[k].y = sign * dx * 256;
+		r->edge[k].c = sign * (dx * (128 - a.y) - dy * (128 - a.x)) + reach;
+	}
+}
+
+TS_FN bool ts_k_inside_lines(const ts_lines *l, i32 i, i32 j)
+{
+	for (u32 k = 0u; k < l->n; k++) {
+		if (l->edge[k].x * i + l->edge[k].y * j + l->edge[k].c < 0) return false;
+	}
+	return true;
+}
+
+/* The samples of a row that touch: none, or all from first to last, since the polygon is convex. */
+typedef struct {
+	i32 first, last;
+} ts_span;
+
+/* The floor of a / b, b > 0. */
+TS_FN i64 ts_k_floor_quotient(i64 a, i64 b)
+{
+	i64 q = a / b;
+	return q * b > a ? q - 1 : q;
+}
+
+/* The part of row j of `box` that the triangle may touch: each edge, as a line, cuts the row. */
+TS_FN ts_span ts_k_touched_row(const ts_lines *l, ts_box box, i32 j)
+{
+	i64 first = box.x0;
+	i64 last = box.x1;
+	for (u32 k = 0u; k < l->n; k++) {
+		i64 x = l->edge[k].x;
+		i64 c = l->edge[k].y * j + l->edge[k].c;
+		if (x == 0 && c < 0) last = first - 1;
+		i64 at = x > 0 ? -ts_k_floor_quotient(c, x) : x < 0 ? ts_k_floor_quotient(c, -x) : 0;
+		if (x > 0 && at > first) first = at;
+		if (x < 0 && at < last) last = at;
+	}
+	ts_span r;
+	r.first = first <= box.x1 ? (i32)first : box.x1 + 1;
+	r.last = first <= last ? (i32)last : r.first - 1;
+	return r;
+}
+
+#endif
