@@ -1,26 +1,12 @@
 #!/bin/bash
 # `compare` of two images: what differs, in each form; the options that it takes and refuses; display values against
-# radiance; tolerances; and the JUnit XML of every end.
+# radiance; tolerances. JUnit of what could not be made: junit.sh.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
-schema=$(realpath tests/cli/junit.xsd)
-ending=$(realpath tests/cli/preload/end.c)
+. "$(dirname "$0")/images.bash"
 cd "$scratch" || exit 2
+writes_two
 
-# writes NAME: the PNG that the Python on standard input makes of `pixels`, 10 x 4 of [128, 128, 128].
-writes() {
-	cat > change.py && python3 - "$1" <<'PY'
-import struct, sys, zlib
-width, height = 10, 4
-pixels = [[128, 128, 128] for _ in range(width * height)]
-exec(open("change.py").read())
-rows = b"".join(b"\0" + bytes(sum(pixels[y * width:(y + 1) * width], [])) for y in range(height))
-def chunk(kind, data):
-	return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-head = struct.pack(">IIBBBBB", width, height, 8, {3: 2, 4: 6}[len(pixels[0])], 0, 0, 0)
-open(sys.argv[1], "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
-PY
-}
 # ends STATUS NAME ARGUMENT...: the comparison ends so.
 ends() {
 	local expected=$1 name=$2
@@ -29,23 +15,6 @@ ends() {
 	[ "$status" -eq "$expected" ]
 	verdict $? "$name: ${*:3}"
 }
-# suits TESTS FAILURES ERRORS SKIPPED NAME: j.xml suits the schema and counts so many.
-suits() {
-	xmllint --noout --schema "$schema" j.xml 2> lint && python3 - "${@:1:4}" <<'PY'
-import sys, xml.dom.minidom
-suite = xml.dom.minidom.parse("j.xml").documentElement
-keys = ["tests", "failures", "errors", "skipped"]
-assert [suite.getAttribute(k) for k in keys] == sys.argv[1:], [suite.getAttribute(k) for k in keys]
-for key, element in zip(keys, ["testcase", "failure", "error", "skipped"]):
-	assert len(suite.getElementsByTagName(element)) == int(suite.getAttribute(key)), key
-PY
-	verdict $? "$5"
-}
-
-writes a.png <<< ''
-writes b.png <<'PY'
-pixels[12][1], pixels[12][2], pixels[30][0] = 138, 148, 108
-PY
 writes mask.png <<'PY'
 pixels[12] = [0, 0, 0]
 PY
@@ -165,56 +134,5 @@ refuses '--exposure: a.png and a.png both hold sRGB codes; leave it out$' compar
 refuses '--exposure auto: needs a scene' compare r/epr.png r/epr.exr --exposure auto
 cp r/epr.exr named.png
 refuses 'named.png holds linear radiance, and r/epr.png sRGB codes;' compare r/epr.png named.png
-
-# JUnit of comparisons that could not be made.
-# breaks TEXT NAME ARGUMENT...: exit code 2, and the file has one error, whose message holds the text.
-breaks() {
-	local text=$1 name=$2
-	shift 2
-	rm -f j.xml
-	run compare "$@" --junit j.xml
-	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -qF -- "$text" j.xml
-	verdict $? "an error in JUnit: $name"
-	suits 1 0 1 0 "which suits the schema: $name"
-}
-breaks 'none.png: No such file' 'no candidate' a.png none.png
-breaks 'the reference has 10 x 4' 'another size' a.png r/epr.png
-breaks 'holds linear radiance' 'another kind' r/epr.png r/epr.exr
-breaks '--forced: means something for traces only' 'an option that means nothing' a.png b.png --forced
-breaks 'none/trace.json' 'no trace' r/trace-epr none
-breaks 'does not say which buffer' 'no buffer' "$buffer" "j.npy"
-breaks '&lt;&amp;&gt;&quot;?\xe9' 'a name of any bytes' a.png $'<&>"\e\xe9'
-breaks 'ï¿½?.png' 'a name that is UTF-8 and no XML' a.png $'ï¿½\xef\xbf\xbe.png'
-cp a.png $'<&>"\e\xe9.png'
-run compare b.png $'<&>"\e\xe9.png' --junit j.xml
-[ "$status" -eq 1 ] && grep -qF 'name="&lt;&amp;&gt;&quot;?\xe9.png"' j.xml
-verdict $? 'a case with such a name'
-suits 1 1 0 0 'suits the schema too'
-if ${CC:-gcc} -shared -fPIC -o end.so "$ending" -ldl 2> stderr; then
-	{ TOUCHSTONE_END='signal 11' TOUCHSTONE_END_AT=now LD_PRELOAD=$scratch/end.so "$touchstone" compare a.png a.png -o end --junit j.xml; } 2> stderr
-	[ $? -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q '<error message="the run ended by signal 11' j.xml
-	verdict $? 'an error in JUnit: a run that a signal ended'
-	suits 1 0 1 0 'which suits the schema'
-fi
-rm j.xml
-run compare a.png b.png --junit j.xml --rmse x
-[ "$status" -eq 2 ] && grep -qF -- '--rmse: &quot;x&quot; is not a number' j.xml
-verdict $? 'an error in JUnit: a value that is none'
-suits 1 0 1 0 'which suits the schema'
-refuses '/dev/full: cannot be written' compare a.png b.png --junit /dev/full
-
-# JUnit of traces.
-run compare r/trace-epr r/trace-epr --junit j.xml --ignore image.srgb,image.radiance
-[ "$status" -eq 0 ] && grep -q 'classname="touchstone.epr"' j.xml
-verdict $? 'JUnit of a trace'
-xmllint --noout --schema "$schema" j.xml 2> lint
-verdict $? 'suits the schema'
-python3 - <<'PY'
-import xml.dom.minidom
-suite = xml.dom.minidom.parse("j.xml").documentElement
-times = [float(c.getAttribute("time")) for c in suite.getElementsByTagName("testcase")]
-assert 0 < sum(times) <= float(suite.getAttribute("time")) and times[-1] == 0, times  # the last is ignored
-PY
-verdict $? 'whose cases take no longer together than the suite'
 
 finish

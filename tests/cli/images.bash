@@ -1,0 +1,34 @@
+# Two small images, and what judges the JUnit XML of a comparison. Read after tap.bash, in the root.
+junit_schema=$(realpath tests/cli/junit.xsd)
+
+# writes NAME: the PNG that the Python on standard input makes of `pixels`, 10 x 4 of [128, 128, 128].
+writes() {
+	cat > change.py && python3 - "$1" <<'PY'
+import struct, sys, zlib
+width, height = 10, 4
+pixels = [[128, 128, 128] for _ in range(width * height)]
+exec(open("change.py").read())
+rows = b"".join(b"\0" + bytes(sum(pixels[y * width:(y + 1) * width], [])) for y in range(height))
+def chunk(kind, data):
+	return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+head = struct.pack(">IIBBBBB", width, height, 8, {3: 2, 4: 6}[len(pixels[0])], 0, 0, 0)
+open(sys.argv[1], "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+PY
+}
+# writes_two: a.png, and b.png, of which 3 values of 2 pixels differ.
+writes_two() {
+	writes a.png <<< ''
+	writes b.png <<< 'pixels[12][1], pixels[12][2], pixels[30][0] = 138, 148, 108'
+}
+# suits TESTS FAILURES ERRORS SKIPPED NAME: j.xml suits the schema and counts so many.
+suits() {
+	xmllint --noout --schema "$junit_schema" j.xml 2> lint && python3 - "${@:1:4}" <<'PY'
+import sys, xml.dom.minidom
+suite = xml.dom.minidom.parse("j.xml").documentElement
+keys = ["tests", "failures", "errors", "skipped"]
+assert [suite.getAttribute(k) for k in keys] == sys.argv[1:], [suite.getAttribute(k) for k in keys]
+for key, element in zip(keys, ["testcase", "failure", "error", "skipped"]):
+	assert len(suite.getElementsByTagName(element)) == int(suite.getAttribute(key)), key
+PY
+	verdict $? "$5"
+}

@@ -1,0 +1,63 @@
+#!/bin/bash
+# The JUnit XML of comparisons: of every end that is an error, of names of any bytes, and of traces.
+. "$(dirname "$0")/tap.bash"
+. "$(dirname "$0")/traces.bash"
+. "$(dirname "$0")/images.bash"
+ending=$(realpath tests/cli/preload/end.c)
+cd "$scratch" || exit 2
+writes_two
+run "${frame[@]:0:${#frame[@]}-1}" --method epr --trace-only scene,eye,image -o r
+verdict "$status" 'pictures and a trace'
+
+# JUnit of comparisons that could not be made.
+# breaks TEXT NAME ARGUMENT...: exit code 2, and the file has one error, whose message holds the text.
+breaks() {
+	local text=$1 name=$2
+	shift 2
+	rm -f j.xml
+	run compare "$@" --junit j.xml
+	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -qF -- "$text" j.xml
+	verdict $? "an error in JUnit: $name"
+	suits 1 0 1 0 "which suits the schema: $name"
+}
+breaks 'none.png: No such file' 'no candidate' a.png none.png
+breaks 'the reference has 10 x 4' 'another size' a.png r/epr.png
+breaks 'holds linear radiance' 'another kind' r/epr.png r/epr.exr
+breaks '--forced: means something for traces only' 'an option that means nothing' a.png b.png --forced
+breaks 'none/trace.json' 'no trace' r/trace-epr none
+breaks 'does not say which buffer' 'no buffer' r/trace-epr/*image.srgb.npy j.npy
+breaks '&lt;&amp;&gt;&quot;?\xe9' 'a name of any bytes' a.png $'<&>"\e\xe9'
+breaks 'ï¿½?.png' 'a name that is UTF-8 and no XML' a.png $'ï¿½\xef\xbf\xbe.png'
+cp a.png $'<&>"\e\xe9.png'
+run compare b.png $'<&>"\e\xe9.png' --junit j.xml
+[ "$status" -eq 1 ] && grep -qF 'name="&lt;&amp;&gt;&quot;?\xe9.png"' j.xml
+verdict $? 'a case with such a name'
+suits 1 1 0 0 'suits the schema too'
+if ${CC:-gcc} -shared -fPIC -o end.so "$ending" -ldl 2> stderr; then
+	{ TOUCHSTONE_END='signal 11' TOUCHSTONE_END_AT=now LD_PRELOAD=$scratch/end.so "$touchstone" compare a.png a.png -o end --junit j.xml; } 2> stderr
+	[ $? -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q '<error message="the run ended by signal 11' j.xml
+	verdict $? 'an error in JUnit: a run that a signal ended'
+	suits 1 0 1 0 'which suits the schema'
+fi
+rm j.xml
+run compare a.png b.png --junit j.xml --rmse x
+[ "$status" -eq 2 ] && grep -qF -- '--rmse: &quot;x&quot; is not a number' j.xml
+verdict $? 'an error in JUnit: a value that is none'
+suits 1 0 1 0 'which suits the schema'
+refuses '/dev/full: cannot be written' compare a.png b.png --junit /dev/full
+
+# JUnit of traces.
+run compare r/trace-epr r/trace-epr --junit j.xml --ignore image.srgb,image.radiance
+[ "$status" -eq 0 ] && grep -q 'classname="touchstone.epr"' j.xml
+verdict $? 'JUnit of a trace'
+xmllint --noout --schema "$junit_schema" j.xml 2> lint
+verdict $? 'suits the schema'
+python3 - <<'PY'
+import xml.dom.minidom
+suite = xml.dom.minidom.parse("j.xml").documentElement
+times = [float(c.getAttribute("time")) for c in suite.getElementsByTagName("testcase")]
+assert 0 < sum(times) <= float(suite.getAttribute("time")) and times[-1] == 0, times  # the last is ignored
+PY
+verdict $? 'whose cases take no longer together than the suite'
+
+finish
