@@ -1,4 +1,4 @@
-/* Conservative rasterization: the pixels that a convex polygon touches, by integer edge functions (CONTRACT rule 19). */
+/* Conservative rasterization: the pixels that a convex polygon touches, by integer edge functions (rule 19). */
 #ifndef TS_KERNELS_COVER_H
 #define TS_KERNELS_COVER_H
 #include "snap.h"
