@@ -49,5 +49,5 @@ plants() {
 	rm -r damaged
 }
 plants ts_dot base/vec.py 'x + y' 'x - y'
-plants ts_k_snap raster/raster.py 8 9
+plants ts_k_snap raster/snap.py 8 9
 finish

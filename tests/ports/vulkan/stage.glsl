@@ -1,7 +1,8 @@
 // What the four stages share. The records, the arithmetic and the rules of CONTRACT.md come from the installed headers
 // (share/touchstone/glsl); the stages are written from METHODS.md, section 2.
 #include "raster/cube.glsl"
-#include "raster/raster.glsl"
+#include "raster/clip.glsl"
+#include "raster/cover.glsl"
 layout(local_size_x = 64) in;
 
 // Of this invocation. Groups stand in rows, because one row of them has too few (maxComputeWorkGroupCount).
