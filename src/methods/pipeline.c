@@ -1,5 +1,6 @@
 /* Running the steps of a pipeline, in batches where it says so, and forgetting what nobody reads any more. */
 #include <assert.h>
+#include <stdio.h>
 #include "pipeline.h"
 
 static bool stores(const ts_step *step, const ts_params *params)
@@ -52,6 +53,17 @@ static void forget(const ts_pipeline *pipeline, const ts_step *next, ts_run *run
 	}
 }
 
+/* Progress up to a step, and so many thousandths of a step more. */
+static void show(const ts_run *run, const ts_step *step, u64 thousandths)
+{
+	char label[64];
+	const ts_step *first = ts_pipeline_steps(run->pipeline), *end = step;
+	while (end->stage != NULL) end++;
+	snprintf(label, sizeof label, "%s%s%s", run->pipeline->name, step > first ? ", after " : "",
+	         step > first ? step[-1].stage : "");
+	ts_progress(label, (u64)(step - first) * 1000 + thousandths, (u64)(end - first) * 1000);
+}
+
 static ts_status run_steps(const ts_step *step, const ts_step *end, ts_run *run)
 {
 	for (; step < end; step++) {
@@ -60,23 +72,24 @@ static ts_status run_steps(const ts_step *step, const ts_step *end, ts_run *run)
 		bool takes = ts_pipeline_takes(step, &run->params, run->traced) && (run->margins || !step->only_margins) &&
 		             !(run->arrival && step->only_ordered);
 		if (takes && ts_run_stage(run, stage) != TS_OK) return TS_ERROR;
+		if (run->n_units == run->plan.units) show(run, step + 1, 0);
 	}
 	return TS_OK;
 }
 
 /* Batch after batch; a scene without reflectors is one empty batch. */
-static ts_status run_batches(const ts_pipeline *pipeline, const ts_step *step, const ts_step *end, ts_run *run)
+static ts_status run_batches(const ts_step *step, const ts_step *end, ts_run *run)
 {
 	u32 n = run->plan.units;
 	for (u32 first = 0; first == 0 || first < n; first += run->plan.batch) {
 		run->first_unit = first;
 		run->n_units = n - first < run->plan.batch ? n - first : run->plan.batch;
-		ts_progress(pipeline->name, first, n);
+		if (first > 0) show(run, step, (u64)(end - step) * 1000 * first / n);
 		if (run_steps(step, end, run) != TS_OK) return TS_ERROR;
 	}
 	run->first_unit = 0;
 	run->n_units = n;
-	ts_progress(pipeline->name, n, n);
+	show(run, end, 0);
 	return TS_OK;
 }
 
@@ -109,7 +122,7 @@ static ts_status run_method(const ts_pipeline *pipeline, ts_run *run)
 	const ts_step *end;
 	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step = end) {
 		end = step_after(step);
-		ts_status status = step->each_batch ? run_batches(pipeline, step, end, run) : run_steps(step, end, run);
+		ts_status status = step->each_batch ? run_batches(step, end, run) : run_steps(step, end, run);
 		if (status != TS_OK) return status;
 		forget(pipeline, end, run);
 	}
@@ -158,12 +171,13 @@ static u64 bytes_at(const ts_pipeline *pipeline, const ts_step *step, const ts_p
 	return bytes;
 }
 
-u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean)
+u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed, bool lean)
 {
-	const ts_expected expected = ts_pipeline_expect(pipeline, scene, params);
+	const ts_params params = ts_pipeline_params(pipeline, typed);
+	const ts_expected expected = ts_pipeline_expect(pipeline, scene, &params);
 	u64 peak = 0;
 	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
-		u64 bytes = bytes_at(pipeline, step, params, &expected.sizes, lean);
+		u64 bytes = bytes_at(pipeline, step, &params, &expected.sizes, lean);
 		peak = bytes > peak ? bytes : peak;
 	}
 	return add(peak, expected.work);

@@ -56,7 +56,7 @@ typedef struct ts_pipeline {
 	const char *lower; /* like that of the effect; NULL: that of the effect */
 	struct {
 		const char *param, *value;
-	} sets; /* a parameter and the value that it always has for the method; or NULL */
+	} sets; /* a parameter of stages and the value that it always has for the method; or NULL. Scenes are made before */
 } ts_pipeline;
 
 /* All pipelines, grouped by effect, ended by NULL. The effect of the first is the default. */
@@ -80,8 +80,8 @@ ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed
 /* Makes a plan from parameters and counts. request may be NULL. */
 void ts_plan_make(ts_plan *plan, const ts_pipeline *pipeline, const ts_params *typed, const ts_counts *counts,
                   const ts_request *request);
-/* Makes the run's plan, and one batch of all units. counts: those of a trace; NULL: those of the run's scene, before
- * the first stage. */
+/* Makes the run's parameters those of ts_pipeline_params, its plan, and one batch of all units. counts: those of a
+ * trace; NULL: those of the run's scene, before the first stage. */
 void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts *counts, const ts_request *request);
 /* The expectation before a run. */
 ts_expected ts_pipeline_expect(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed);
@@ -103,6 +103,6 @@ const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id);
 u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes);
 /* The estimated peak of the frame's buffers and of work memory, in bytes, before a run, without the buffers of traces;
  * `lean` as in ts_run. */
-u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean);
+u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed, bool lean);
 
 #endif

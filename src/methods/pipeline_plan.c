@@ -37,6 +37,7 @@ void ts_plan_make(ts_plan *plan, const ts_pipeline *pipeline, const ts_params *t
 void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts *counts, const ts_request *request)
 {
 	const ts_counts fresh = ts_scene_counts(run->scene);
+	run->params = ts_pipeline_params(pipeline, &run->params);
 	ts_plan_make(&run->plan, pipeline, &run->params, counts != NULL ? counts : &fresh, request);
 	run->pipeline = pipeline;
 	run->first_unit = 0;

@@ -1,5 +1,5 @@
 /* A plan: values that a method derives from parameters, counts and a request. A plan is made before the first stage
- * (ts_pipeline_plan) and only read from then on; parameters stay as typed. */
+ * (ts_pipeline_plan) and only read from then on. */
 #ifndef TS_STAGES_PLAN_H
 #define TS_STAGES_PLAN_H
 #include "../model/param.h"

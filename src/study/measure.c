@@ -28,21 +28,6 @@ static void measure_faces(ts_measure *m, const ts_frame *frame)
 	m->mean_diameter = m->n_in_sight > 0 ? (double)sum / m->n_in_sight : 0;
 }
 
-/* Pipelines that work in batches show their own progress. */
-static void show_progress(const ts_run *run, const ts_stage *stage, const char *method)
-{
-	char label[64];
-	u64 done = 0, total = 0;
-	for (const ts_step *step = ts_pipeline_steps(run->pipeline); step->stage != NULL; step++) {
-		total++;
-		if (strcmp(step->stage, stage->name) == 0) done = total;
-	}
-	if (run->n_units == run->plan.units) {
-		snprintf(label, sizeof label, "%s, after %s", method, stage->name);
-		ts_progress(label, done, total);
-	}
-}
-
 /* Rays through the texels of what the stage wrote, where they can judge it. */
 static ts_status judge_texels(ts_measure *m, const ts_run *run, const ts_stage *stage)
 {
@@ -76,7 +61,6 @@ static void add_moved(ts_measure *m, const ts_run *run, const ts_stage *stage)
 static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *user)
 {
 	ts_measure *m = user;
-	show_progress(run, stage, m->method->name);
 	add_moved(m, run, stage);
 	for (const ts_buffer_id *at = ts_stage_outputs(stage); *at != TS_N_BUFFERS; at++) {
 		ts_buffer_id id = *at;

@@ -29,12 +29,10 @@ ts_status ts_load_match(const ts_trace *reference, const ts_trace *candidate)
 		return ts_fail("%s is of method %s; %s, of %s, cannot be its reference", candidate->dir,
 		               candidate->pipeline->name, reference->dir, reference->pipeline->name);
 	}
-	ts_params wanted = ts_pipeline_params(reference->pipeline, &reference->params);
-	ts_params found = ts_pipeline_params(reference->pipeline, &candidate->params);
 	for (size_t row = 0; row < n && candidate->has_params; row++) {
 		char ours[64], theirs[64];
-		ts_params_format(&wanted, row, ours, sizeof ours);
-		ts_params_format(&found, row, theirs, sizeof theirs);
+		ts_params_format(&reference->params, row, ours, sizeof ours);
+		ts_params_format(&candidate->params, row, theirs, sizeof theirs);
 		if (strcmp(ours, theirs) != 0) {
 			return ts_fail("%s/trace.json: parameter %s is %s; %s would be right, as in %s", candidate->dir,
 			               table[row].name, theirs, ours, reference->dir);

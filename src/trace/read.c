@@ -85,6 +85,7 @@ static ts_status add_params(ts_trace *trace, const char *path, json_t *params)
 			return ts_fail("%s: %s", path, ts_error_message());
 		}
 	}
+	trace->params = ts_pipeline_params(trace->pipeline, &trace->params);
 	return TS_OK;
 }
 

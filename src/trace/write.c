@@ -191,14 +191,15 @@ void ts_trace_write_free(ts_trace_writer *w)
 	free(w);
 }
 
-u64 ts_trace_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params,
+u64 ts_trace_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed,
                       const ts_trace_options *options)
 {
-	const ts_expected expected = ts_pipeline_expect(pipeline, scene, params);
+	const ts_params params = ts_pipeline_params(pipeline, typed);
+	const ts_expected expected = ts_pipeline_expect(pipeline, scene, &params);
 	u64 bytes = 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_step *step = ts_pipeline_maker(pipeline, (ts_buffer_id)id);
-		if (options->without[id] || (step != NULL && !ts_pipeline_takes(step, params, true))) continue;
+		if (options->without[id] || (step != NULL && !ts_pipeline_takes(step, &params, true))) continue;
 		if (step != NULL && step->only_margins && !options->margins) continue;
 		if (step == NULL && !ts_emit_is_scene((ts_buffer_id)id)) continue;
 		bool batches = step != NULL && step->each_batch && ts_emit_is_batched((ts_buffer_id)id);

@@ -39,7 +39,7 @@ ts_status ts_trace_write_end(ts_trace_writer *writer, const ts_run *run);
 void ts_trace_write_free(ts_trace_writer *writer);
 
 /* The expected size of all files together in bytes, before running. */
-u64 ts_trace_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params,
+u64 ts_trace_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed,
                       const ts_trace_options *options);
 
 #endif

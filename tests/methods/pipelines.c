@@ -1,5 +1,6 @@
 /* The rows of effects and methods, and what is asked of them instead of their names. */
 #include "small.h"
+#include "../../src/model/core.h"
 
 static void assert_is(const ts_pipeline *pipeline, const char *effect, const char *name)
 {
@@ -55,12 +56,54 @@ static void test_reads(void **state)
 	}
 }
 
+typedef struct {
+	u64 done, total;
+	u32 n;
+} seen;
+
+static void see(void *user, const char *label, u64 done, u64 total)
+{
+	seen *s = user;
+	assert_true(label[0] != 0 && done >= s->done && done <= total && (s->n == 0 || total == s->total));
+	*s = (seen){done, total, s->n + 1};
+}
+
+/* In batches too. */
+static void test_progress(void **state)
+{
+	(void)state;
+	ts_params params = small_params(32, 18);
+	params.reflectors_count = 3;
+	params.cube_max_px = 16;
+	params.lamp_views = params.lamp_cubes = 4;
+	params.lamp_views_a_pass = 2;
+	params.depth_map_px = 32;
+	params.surfels_from_mesh = 1000;
+	params.particle_count = 16;
+	params.vpl_paths = 16;
+	ts_scene *scene = small_scene(&params);
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+		seen s = {0};
+		ts_run run;
+		const ts_listener before = ts_listen(&(ts_listener){.progress = see, .user = &s});
+		ts_run_begin(&run, scene, &params, 1);
+		ts_status status = ts_pipeline_run(*at, &run);
+		ts_listen(&before);
+		if (status != TS_OK) fail_msg("%s: %s", (*at)->name, ts_error_message());
+		if (s.done != s.total || s.n < 4)
+			fail_msg("%s: %u calls, to %u of %u", (*at)->name, s.n, (u32)s.done, (u32)s.total);
+		ts_run_end(&run);
+	}
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_effects),
 		cmocka_unit_test(test_making),
 		cmocka_unit_test(test_reads),
+		cmocka_unit_test(test_progress),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* Plans: what each method derives from parameters, counts and requests, by the closed forms of its file; parameters
- * stay as typed; a replay follows what a trace holds. */
+/* Plans: what each method derives from parameters, counts and requests, by the closed forms of its file; what a method
+ * sets itself reaches its stages; a replay follows what a trace holds. */
 #include "small.h"
 #include "../../src/kernels/points/view_density.h"
 
@@ -33,8 +33,9 @@ static ts_plan plan_of(const char *effect, const char *method, const ts_params *
 {
 	ts_run run;
 	ts_run_begin(&run, scene, p, 1);
+	const ts_params taken = ts_pipeline_params(find(effect, method), p);
 	ts_pipeline_plan(find(effect, method), &run, counts, request);
-	assert_memory_equal(&run.params, p, sizeof *p);
+	assert_memory_equal(&run.params, &taken, sizeof taken);
 	assert_int_equal(run.n_units, run.plan.units);
 	ts_run_end(&run);
 	return run.plan;
@@ -109,7 +110,36 @@ static void test_request(void **state)
 	assert_int_equal(plan_of("soft-shadows", "mvr", &p, &counts, &request).units, 150);
 }
 
-/* What a method sets itself is in its plan, not in the parameters. */
+/* The radiance of the picture. */
+static void picture_of(f32 *radiance, const ts_pipeline *pipeline, const ts_params *p)
+{
+	ts_run run;
+	ts_run_begin(&run, scene, p, 1);
+	assert_int_equal(ts_pipeline_run(pipeline, &run), TS_OK);
+	memcpy(radiance, ts_frame_data(&run.frame, TS_B_image_radiance), 64 * 36 * 3 * sizeof *radiance);
+	ts_run_end(&run);
+}
+
+/* The example of RECIPES: its picture is that of --set, whatever is typed. */
+static void test_sets_picture(void **state)
+{
+	(void)state;
+	static f32 plain[64 * 36 * 3], asked[64 * 36 * 3], own[64 * 36 * 3];
+	const ts_pipeline *mvr = find("reflections", "mvr");
+	ts_pipeline supersample = *mvr;
+	supersample.steps = ts_pipeline_steps(mvr);
+	supersample.sets.param = "mvr.filter";
+	supersample.sets.value = "supersample";
+	ts_params p = params;
+	picture_of(plain, mvr, &p);
+	picture_of(own, &supersample, &p);
+	p.mvr_filter = TS_MVR_SUPERSAMPLE;
+	picture_of(asked, mvr, &p);
+	assert_memory_equal(own, asked, sizeof own);
+	assert_memory_not_equal(own, plain, sizeof own);
+}
+
+/* And in the plan. */
 static void test_sets(void **state)
 {
 	(void)state;
@@ -145,8 +175,9 @@ static void test_counts(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_table),   cmocka_unit_test(test_reflections), cmocka_unit_test(test_shadows),
-		cmocka_unit_test(test_request), cmocka_unit_test(test_sets),        cmocka_unit_test(test_counts),
+		cmocka_unit_test(test_table),   cmocka_unit_test(test_reflections),  cmocka_unit_test(test_shadows),
+		cmocka_unit_test(test_request), cmocka_unit_test(test_sets_picture), cmocka_unit_test(test_sets),
+		cmocka_unit_test(test_counts),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }
