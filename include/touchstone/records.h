@@ -15,12 +15,34 @@
 #define TS_RECORD_COUNT_5 [5]
 #define TS_RECORD_COUNT_6 [6]
 #define TS_RECORD_COUNT_9 [9]
+/* A program may have macros of these names, and keeps them. */
+#pragma push_macro("RECORD")
+#pragma push_macro("FIELD")
+#pragma push_macro("RECORD_END")
+#pragma push_macro("DIM")
+#pragma push_macro("SUM")
+#pragma push_macro("INDEX")
+#pragma push_macro("BUFFER")
+#undef RECORD
+#undef FIELD
+#undef RECORD_END
+#undef DIM
+#undef SUM
+#undef INDEX
+#undef BUFFER
 #define RECORD(name, doc) typedef struct {
 #define FIELD(type, name, count, doc) TS_RECORD_TYPE_##type name TS_RECORD_COUNT_##count;
 #define RECORD_END(name, bytes) \
 	} \
 	name;
 #include <touchstone/records.def>
+#pragma pop_macro("RECORD")
+#pragma pop_macro("FIELD")
+#pragma pop_macro("RECORD_END")
+#pragma pop_macro("DIM")
+#pragma pop_macro("SUM")
+#pragma pop_macro("INDEX")
+#pragma pop_macro("BUFFER")
 #undef TS_RECORD_TYPE_f32
 #undef TS_RECORD_TYPE_i32
 #undef TS_RECORD_TYPE_u32
