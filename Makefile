@@ -224,8 +224,14 @@ $(BUILD)/touchstone-core: $(CORE_O)
 	$(call say,LINK,$@)
 	$(Q)said=$$($(CC) $(LINK_FLAGS) $(CORE_STATIC) $^ $(CORE_LIBS) -o $@ 2>&1) || { echo "$$said"; exit 1; }
 
-# What a trace says of its maker.
-$(call object,src/backends/c/run.c): OWN := -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
+# The fast paths whose kernels have the text that they were written for.
+FAST_PATHS := $(BUILD)/gen/fast.inc
+$(FAST_PATHS): scripts/fast-paths src/backends/kernels.h src/families.def $(wildcard src/kernels/*/* src/backends/c/*/fast.def) include/touchstone/records.def
+	$(Q)mkdir -p $(@D)
+	$(Q)scripts/fast-paths $@
+$(call object,src/backends/c/run.c): $(FAST_PATHS)
+# And what a trace says of its maker.
+$(call object,src/backends/c/run.c): OWN := -I$(BUILD)/gen -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
 ##   golden             runs the cases of reference/cases.txt again and compares; writes nothing
 golden:
 	$(Q)$(MAKE) --no-print-directory $(BUILD)/touchstone-core

@@ -10,10 +10,11 @@ typedef bool ts_fast_path(const void *args, u64 n, u32 threads);
  * see `at_once` of ts_backend. False: as above. */
 typedef bool ts_at_once(const void *source, const void *args, u64 n, u32 threads);
 
-/* Every fast path, once: FAST(kernel), and AT_ONCE(kernel). */
+/* Every fast path, once: FAST(kernel, checksum), and AT_ONCE(kernel, checksum). The build leaves out those whose
+ * kernel's text has another checksum (scripts/fast-paths). */
 #define FAMILY(name) FAMILY_FILE(FAMILY_C, name, fast.def)
-#define FAST(kernel) ts_fast_path ts_c_fast_##kernel;
-#define AT_ONCE(kernel) ts_at_once ts_c_at_once_##kernel;
+#define FAST(kernel, checksum) ts_fast_path ts_c_fast_##kernel;
+#define AT_ONCE(kernel, checksum) ts_at_once ts_c_at_once_##kernel;
 #include "../families.def"
 #undef AT_ONCE
 #undef FAST

@@ -1,4 +1,5 @@
 /* The reference backend: a threaded loop over the items of a kernel. The Makefile gives TS_FLAGS. */
+#include <stdatomic.h>
 #include "../../model/core.h"
 #include "../../model/order.h"
 #include "../fast.h"
@@ -27,23 +28,32 @@ static kernel_items *const kernels[TS_N_KERNELS] = {
 };
 #undef KERNEL
 
-#define FAMILY(name) FAMILY_FILE(FAMILY_C, name, fast.def)
-#define FAST(kernel) [TS_KERNEL_##kernel] = ts_c_fast_##kernel,
+#define EDITED(kernel)
 #define AT_ONCE(kernel)
+#define FAST(kernel) [TS_KERNEL_##kernel] = ts_c_fast_##kernel,
 static ts_fast_path *const paths[TS_N_KERNELS] = {
-#include "../../families.def"
+#include "fast.inc"
 };
-#undef AT_ONCE
 #undef FAST
+#undef AT_ONCE
 
 #define FAST(kernel)
 #define AT_ONCE(kernel) [TS_KERNEL_##kernel] = ts_c_at_once_##kernel,
 static ts_at_once *const shortcuts[TS_N_KERNELS] = {
-#include "../../families.def"
+#include "fast.inc"
 };
 #undef AT_ONCE
+#undef EDITED
+
+/* Names of kernels whose fast path was left out by the build. */
+#define AT_ONCE(kernel)
+#define EDITED(kernel) [TS_KERNEL_##kernel] = #kernel,
+static const char *const edited[TS_N_KERNELS] = {
+#include "fast.inc"
+};
+#undef EDITED
+#undef AT_ONCE
 #undef FAST
-#undef FAMILY
 
 enum { CHUNKS_A_THREAD = 64, LEAST_ITEMS = 16 };
 
@@ -74,11 +84,20 @@ u64 ts_c_scan(u32 *counts, u64 n)
 	return sum;
 }
 
+/* Says once that a kernel runs without its fast path. */
+static void say_edited(ts_kernel kernel)
+{
+	static atomic_bool said[TS_N_KERNELS];
+	if (edited[kernel] == NULL || atomic_exchange(&said[kernel], true)) return;
+	ts_say("%s runs without its fast path: the kernel was edited before the build", edited[kernel]);
+}
+
 static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
 	(void)frame;
 	const ts_c_backend *c = (const ts_c_backend *)backend;
 	ts_fast_path *fast = c->no_fast_paths ? NULL : paths[launch->kernel];
+	if (!c->no_fast_paths) say_edited(launch->kernel);
 	if (fast == NULL || !fast(args, n, c->threads)) ts_c_launch(launch->kernel, args, n, c->threads);
 	return TS_OK;
 }
@@ -87,6 +106,7 @@ static bool at_once(ts_backend *backend, ts_kernel kernel, const void *source, c
 {
 	const ts_c_backend *c = (const ts_c_backend *)backend;
 	ts_at_once *shortcut = c->no_fast_paths ? NULL : shortcuts[kernel];
+	if (!c->no_fast_paths) say_edited(kernel);
 	return shortcut != NULL && shortcut(source, args, n, c->threads);
 }
 
