@@ -2,7 +2,7 @@
 # The recipes of reference/CI.md, as they stand there, on three goldens of which one differs: the merged JUnit XML is that of one
 # run. Slurm is a real one, of one node, where it is installed; a stand-in for its array runs everywhere.
 . "$(dirname "$0")/tap.bash"
-page=$PWD/reference/CI.md
+root=$PWD page=$PWD/reference/CI.md
 export OMP_WAIT_POLICY=passive
 cd "$scratch" || exit 2
 mkdir bin && ln -s "$touchstone" bin/touchstone
@@ -111,17 +111,21 @@ if /usr/bin/python3 -c 'import yaml' 2> found; then
 	/usr/bin/python3 - <<'PY' > commands
 import yaml
 flow = yaml.safe_load(open("workflow.yml"))
-shard, merge = flow["jobs"]["shard"], flow["jobs"]["merge"]
+jobs = flow["jobs"]
+build, shard, merge = jobs["build"], jobs["shard"], jobs["merge"]
 matrix = shard["strategy"]["matrix"]["shard"]
-run = {step["name"]: step["run"] for job in (shard, merge) for step in job["steps"] if "run" in step}
-assert merge["needs"] == "shard" and "make deps && make" in run["build"], "built"
-assert all("uses" in step or "run" in step for job in (shard, merge) for step in job["steps"]), "steps"
+run = {step["name"]: step["run"] for job in jobs.values() for step in job["steps"] if "name" in step}
+assert shard["needs"] == "build" and merge["needs"] == "shard", "the order of jobs"
+assert all("uses" in step or "run" in step for job in jobs.values() for step in job["steps"]), "steps"
+open("built", "w").write("\n".join(line for line in (run["build"] + run["unpack"]).splitlines() if line.startswith("make ")))
 assert f"/{len(matrix)} " in run["check"] and matrix == list(range(1, len(matrix) + 1)), "the matrix is all shards"
 for i in matrix:
 	print(run["check"].replace("${{ matrix.shard }}", str(i)), "|| :")
 print(run["merge"])
 PY
 	verdict $? 'a matrix of GitHub Actions is YAML'
+	grep -q 'make deps-build' built && (cd "$root" && env -u MAKEFLAGS TS_INSTALL=0 bash -e <(sed 's/\bmake\b/make -n/g; s/&& tar .*//' "$scratch/built")) > made 2>&1
+	verdict $? 'what it makes can be made'
 	mkdir shards
 	bash commands > merged 2> said
 	judged $? 'and its commands work'
