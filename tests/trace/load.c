@@ -143,19 +143,26 @@ static void test_match(void **state)
 	traces_drop(candidate);
 }
 
-/* Surfels are lit by the scene's lights, whatever is typed: old traces and ports tell that as the parameter. */
+/* Surfels are lit by the scene's lights, whatever is typed, or told by an old trace or a port. */
 static void test_set_by_method(void **state)
 {
 	(void)state;
-	ts_trace reference = *traces[TRACES_SURFELS], candidate = reference;
-	assert_int_equal(reference.params.lamp_source, TS_LAMP_LAMP);
-	candidate.params.lamp_source = TS_LAMP_SCENE;
-	assert_int_equal(ts_load_match(&reference, &candidate), TS_OK);
-	assert_int_equal(ts_load_match(&candidate, &reference), TS_OK);
-	candidate.params.image_exposure += 1;
-	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);
-	assert_told("parameter image.exposure");
-	reference = candidate = *traces[TRACES_PCSS];
+	const char *dir = scratch_path("typed");
+	char path[MAX_TEXT];
+	assert_int_equal(traces[TRACES_SURFELS]->params.lamp_source, TS_LAMP_SCENE);
+	assert_int_equal(mkdir(dir, 0700), 0);
+	snprintf(path, sizeof path, "%s/trace.json", dir);
+	FILE *json = fopen(path, "w");
+	fprintf(
+		json,
+		"{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"pipeline\": \"deferred\", \"effect\": "
+		"\"surfels\", \"order\": \"canonical\", \"params\": {\"lamp.source\": \"lamp\"}, \"buffers\": []}\n");
+	assert_int_equal(fclose(json), 0);
+	ts_trace *typed;
+	if (ts_trace_open_folder(&typed, dir) != TS_OK) fail_msg("%s", ts_error_message());
+	assert_int_equal(typed->params.lamp_source, TS_LAMP_SCENE);
+	traces_drop(typed);
+	ts_trace reference = *traces[TRACES_PCSS], candidate = reference;
 	candidate.params.lamp_source = TS_LAMP_LAMP;
 	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);
 	assert_told("parameter lamp.source");
