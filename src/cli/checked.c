@@ -32,7 +32,8 @@ static void report_found(ts_report *report, const void *user)
 
 static void add(ts_outcomes *outcomes, const ts_checked *c)
 {
-	static const ts_outcome of[TS_N_CASE_ENDS] = {TS_PASSED, TS_LEFT_OUT, TS_KNOWN, TS_FAILED, TS_BROKEN, TS_BROKEN};
+	static const ts_outcome of[TS_N_CASE_ENDS] = {TS_PASSED, TS_LEFT_OUT, TS_KNOWN, TS_FAILED,
+	                                              TS_BROKEN, TS_BROKEN,   TS_BROKEN};
 	bool differs = c->first != TS_N_BUFFERS;
 	const char *stage = differs ? ts_checked_stage(c) : "";
 	ts_outcomes_add(outcomes, c->of->name, ts_case_word(c->end), of[c->end], c->why, c->seconds);
@@ -72,6 +73,6 @@ static ts_status tell(const ts_goldens *goldens, const ts_checked *checked, u32 
 	return told;
 }
 
-void ts_golden_failed(const ts_cli *cli) { ts_tell_failed(cli, "golden check"); }
+void ts_golden_failed(const ts_cli *cli, ts_status status) { ts_tell_failed(cli, "golden check", status); }
 
 ts_golden_teller *const ts_golden_tell = tell;

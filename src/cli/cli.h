@@ -6,6 +6,7 @@
 #include "backends.h"
 #include "../study/job.h"
 #include "../study/words.h"
+#include "worker.h"
 
 /* Groups of options, in the order of `help`. */
 typedef enum {
@@ -96,6 +97,7 @@ typedef struct {
 		u32 seconds, mib; /* at most; 0: no limit */
 		bool none;
 	} worker;
+	ts_steps *steps; /* NULL without a worker */
 } ts_cli;
 
 typedef struct {
@@ -105,7 +107,9 @@ typedef struct {
 	u32 min_arguments, max_arguments;
 	bool options[TS_N_OPTIONS]; /* those it takes */
 	ts_status (*run)(ts_cli *cli);
-	void (*failed)(const ts_cli *cli); /* called after an error ended the command and was printed; NULL: nothing */
+	size_t kept; /* bytes at ts_cli.steps, which begin with those; 0: the work has no steps */
+	/* Called after TS_ERROR or TS_SKIPPED ended the command and was printed; NULL: nothing. */
+	void (*failed)(const ts_cli *cli, ts_status status);
 	void (*print_more)(void);          /* prints the tables of `help NAME`; NULL: there are none */
 } ts_command;
 
@@ -154,7 +158,7 @@ ts_status ts_judging_check(const ts_cli *cli);
 ts_status ts_help_command(ts_cli *cli);
 ts_status ts_digest_command(ts_cli *cli);
 ts_status ts_golden_command(ts_cli *cli);
-void ts_golden_failed(const ts_cli *cli);
+void ts_golden_failed(const ts_cli *cli, ts_status status);
 ts_status ts_merge_command(ts_cli *cli);
 ts_status ts_render_command(ts_cli *cli);
 void ts_render_help(void);
@@ -163,7 +167,7 @@ ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
 /* Write the file of --junit if nothing was judged. */
-void ts_compare_failed(const ts_cli *cli);
+void ts_compare_failed(const ts_cli *cli, ts_status status);
 ts_status ts_report_command(ts_cli *cli);
 ts_status ts_vectors_command(ts_cli *cli);
 ts_status ts_probe_command(ts_cli *cli);

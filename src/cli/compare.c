@@ -216,4 +216,4 @@ ts_status ts_compare_command(ts_cli *cli)
 	return status;
 }
 
-void ts_compare_failed(const ts_cli *cli) { ts_tell_failed(cli, "compare"); }
+void ts_compare_failed(const ts_cli *cli, ts_status status) { ts_tell_failed(cli, "compare", status); }

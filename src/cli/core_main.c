@@ -13,7 +13,7 @@ const ts_command ts_command_table[] = {
      TS_OPT(NO_FAST_PATHS), TS_OPT(FLUSH_DENORMALS), .run = ts_digest_command},
 	{"golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/", 1, 2, TS_OPT(SHARD), TS_OPT(THREADS),
      TS_OPT(NO_FAST_PATHS), TS_OPT(BACKEND), TS_OPT(BASELINE), TS_OPT(SKIP), TS_OPT(REASON), TS_OPT(GOLDENS),
-     TS_OPT(QUIET), .run = ts_golden_command},
+     TS_OPT(QUIET), .run = ts_golden_command, .kept = sizeof(ts_golden_kept)},
 	{"help", "[COMMAND]", "what a command does and takes", 0, 1, .run = ts_help_command},
 	{0},
 };

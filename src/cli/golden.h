@@ -62,6 +62,7 @@ typedef enum {
 	TS_CASE_DIFFERENT,
 	TS_CASE_MISSING,
 	TS_CASE_UNUSABLE,
+	TS_CASE_LOST, /* with the process that ran it */
 	TS_N_CASE_ENDS,
 } ts_case_end;
 typedef struct {
@@ -72,6 +73,11 @@ typedef struct {
 	char text[TS_CASE_TEXT]; /* the difference, or the error */
 	double seconds;
 } ts_checked;
+/* What the worker keeps for one that follows it. */
+typedef struct {
+	ts_steps steps; /* cases */
+	ts_checked checked[TS_MAX_CASES];
+} ts_golden_kept;
 /* The stage of the first buffer that differs. */
 const char *ts_checked_stage(const ts_checked *checked);
 /* "same", "different", ... */

@@ -6,7 +6,8 @@
 
 const char *ts_case_word(ts_case_end end)
 {
-	static const char *const words[TS_N_CASE_ENDS] = {"same", "skipped", "known", "different", "missing", "unusable"};
+	static const char *const words[TS_N_CASE_ENDS] = {"same",    "skipped",  "known", "different",
+	                                                  "missing", "unusable", "lost"};
 	return words[end];
 }
 
@@ -129,6 +130,39 @@ static void check(ts_checked *checked, const ts_goldens *goldens, const ts_case 
 	checked->seconds = ts_seconds() - began;
 }
 
+/* What an earlier worker found, and this one has the texts of. */
+static void recall(ts_checked *checked, const ts_goldens *goldens, const ts_case *c)
+{
+	checked->of = c;
+	checked->why = "";
+	if (checked->end == TS_CASE_SKIPPED) checked->why = ts_baseline_find(&goldens->skips, c->name, NULL)->reason;
+	if (checked->end == TS_CASE_KNOWN) checked->why = ts_baseline_find(&goldens->known, c->name, NULL)->reason;
+}
+
+/* The case that an earlier worker was lost on. */
+static void lose(ts_checked *checked, const ts_steps *steps, const ts_case *c)
+{
+	*checked = (ts_checked){.of = c, .end = TS_CASE_LOST, .first = TS_N_BUFFERS, .why = ""};
+	snprintf(checked->text, sizeof checked->text, "%s: %s", c->name, steps->why);
+}
+
+/* The next case, by this worker, unless it is the one that an earlier worker was lost on. */
+static void take_step(ts_golden_kept *kept, const ts_goldens *goldens, const ts_case *c)
+{
+	ts_steps *steps = &kept->steps;
+	ts_checked *checked = &kept->checked[steps->n];
+	steps->began = ts_seconds();
+	steps->at_work = true;
+	if (steps->why[0] != 0)
+		lose(checked, steps, c);
+	else
+		check(checked, goldens, c);
+	steps->why[0] = 0;
+	steps->n++;
+	steps->at_work = false;
+	steps->began = ts_seconds();
+}
+
 static ts_status print_line(const ts_checked *checked, bool quiet)
 {
 	if (quiet && checked->end < TS_CASE_DIFFERENT) return TS_OK;
@@ -152,19 +186,26 @@ static ts_status sum_up(const ts_checked *checked, u32 n, bool print)
 		       (unsigned)skipped);
 	}
 	if (first == NULL) return count[TS_CASE_DIFFERENT] != 0 ? TS_DIFFERENT : TS_OK;
+	if (first->end == TS_CASE_LOST) return ts_fail("golden: %s", first->text);
 	return ts_fail("golden: %s; \"golden new\" proposes and \"golden bless\" accepts a golden", first->text);
 }
 
 ts_status ts_golden_check_action(const ts_goldens *goldens)
 {
-	static ts_checked checked[TS_MAX_CASES];
+	static ts_golden_kept alone;
 	const ts_cli *cli = goldens->cli;
+	ts_golden_kept *kept = cli->steps != NULL ? (ts_golden_kept *)cli->steps : &alone;
+	ts_checked *checked = kept->checked;
 	bool print = !cli->job.output.json && !cli->judging.tap;
 	u32 n = 0;
 	for (u32 i = 0; i < ts_goldens_count(goldens); i++) {
 		if (!ts_shard_has(cli->job.shard, i)) continue;
-		check(&checked[n], goldens, ts_goldens_case(goldens, i));
-		if (print && print_line(&checked[n], cli->job.output.quiet) != TS_OK) return TS_ERROR;
+		bool told = n < kept->steps.n;
+		if (told)
+			recall(&checked[n], goldens, ts_goldens_case(goldens, i));
+		else
+			take_step(kept, goldens, ts_goldens_case(goldens, i));
+		if (!told && print && print_line(&checked[n], cli->job.output.quiet) != TS_OK) return TS_ERROR;
 		n++;
 	}
 	if (cli->job.shard.of > 0 && n == 0) ts_shard_say_empty(cli->job.shard, ts_goldens_count(goldens));

@@ -1,5 +1,6 @@
 /* What was judged, in the forms that were asked for. */
 #include "tell.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../study/folder.h"
@@ -84,18 +85,21 @@ ts_status ts_tell(ts_cli *cli, const ts_telling *t, bool print)
 	return status;
 }
 
-void ts_tell_failed(const ts_cli *cli, const char *command)
+void ts_tell_failed(const ts_cli *cli, const char *command, ts_status status)
 {
 	ts_outcomes outcomes;
 	char class_name[64], relaxed[TS_RELAXED_TEXT], why[1024];
-	if (cli->judging.junit == NULL || cli->judging.told) return;
+	bool skipped = status == TS_SKIPPED;
 	snprintf(why, sizeof why, "%s", ts_error_message());
+	if (skipped && cli->judging.tap) printf("1..0 # SKIP %s\n", why);
+	if (cli->judging.junit == NULL || cli->judging.told) return;
 	snprintf(class_name, sizeof class_name, "touchstone.%.*s", (int)strcspn(command, " "), command);
 	const ts_telling telling = {.command = command, .outcomes = &outcomes, .relaxed = relaxed};
 	ts_relaxed_text(relaxed, cli);
 	if (ts_outcomes_begin(&outcomes, "case", class_name) == TS_OK) {
-		ts_outcomes_add(&outcomes, "comparison", "not compared", TS_BROKEN, "", 0);
-		ts_outcomes_line(&outcomes, why);
+		ts_outcomes_add(&outcomes, "comparison", "not compared", skipped ? TS_LEFT_OUT : TS_BROKEN, skipped ? why : "",
+		                0);
+		if (!skipped) ts_outcomes_line(&outcomes, why);
 		if (!outcomes.failed) write_junit(cli, &telling);
 	}
 	ts_outcomes_end(&outcomes);

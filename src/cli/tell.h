@@ -20,6 +20,6 @@ typedef struct {
 } ts_telling;
 /* Writes all output that cli asks for. `print`: also prints the report, unless it was printed as it came. */
 ts_status ts_tell(ts_cli *cli, const ts_telling *telling, bool print);
-/* Writes the file of --junit if nothing was judged. */
-void ts_tell_failed(const ts_cli *cli, const char *command);
+/* Writes the file of --junit if nothing was judged, by TS_ERROR or TS_SKIPPED; the latter as TAP too. */
+void ts_tell_failed(const ts_cli *cli, const char *command, ts_status status);
 #endif

@@ -47,16 +47,15 @@ static sigset_t awaited(void)
 }
 
 /* The set is blocked. */
-static end wait_for(pid_t worker, const sigset_t *set, uint32_t seconds)
+static end wait_for(pid_t worker, const sigset_t *set, const ts_steps *steps, uint32_t seconds)
 {
 	end e = {.late = false};
-	double until = ts_seconds() + seconds;
 	while (waitpid(worker, &e.status, WNOHANG) != worker) {
-		double left = until - ts_seconds();
+		double left = steps->began + seconds - ts_seconds();
 		struct timespec time = {left > 0 ? (time_t)left : 0, left > 0 ? (long)(1e9 * (left - (time_t)left)) : 0};
 		int number = sigtimedwait(set, NULL, seconds != 0 && !e.late ? &time : &(struct timespec){3600, 0});
 		if (is_passed_on(number)) kill(worker, number);
-		e.late |= seconds != 0 && ts_seconds() >= until;
+		e.late |= seconds != 0 && ts_seconds() >= steps->began + seconds;
 		if (e.late) kill(worker, SIGKILL);
 	}
 	return e;
@@ -73,21 +72,29 @@ static int say(const char *format, ...)
 	return TS_ERROR;
 }
 
-/* The command's exit code, or the signal that it dies of. */
-static int conclude(end e, const word *said, uint32_t seconds)
+/* Why the worker was lost; "": it was not, or somebody sent it a signal. */
+static void find_why(char *why, size_t room, end e, const word *said, uint32_t seconds)
 {
-	ts_left_clear();
-	if (WIFEXITED(e.status) && said->ended && WEXITSTATUS(e.status) == said->code) return said->code;
-	if (e.late) return say("stopped after %u s, as --timeout asks; no result", (unsigned)seconds);
-	if (WIFEXITED(e.status)) {
-		return say("a library ended the run with exit code %d, for want of memory or threads; no result",
-		           WEXITSTATUS(e.status));
+	int number = WIFSIGNALED(e.status) ? WTERMSIG(e.status) : 0;
+	why[0] = 0;
+	if (e.late) {
+		snprintf(why, room, "stopped after %u s, as --timeout asks", (unsigned)seconds);
+	} else if (number == 0 && !(said->ended && WEXITSTATUS(e.status) == said->code)) {
+		snprintf(why, room, "a library ended the run with exit code %d, for want of memory or threads",
+		         WEXITSTATUS(e.status));
+	} else if (number == SIGKILL) {
+		snprintf(why, room, "the run was killed, as systems do where memory ends");
+	} else if (number != 0 && !is_passed_on(number)) {
+		snprintf(why, room, "the run ended by signal %d, %s, perhaps for want of memory or threads", number,
+		         strsignal(number));
 	}
+}
+
+/* The worker's exit code, or the signal that it died of. */
+static int conclude(end e, const word *said)
+{
+	if (WIFEXITED(e.status)) return said->code;
 	int number = WTERMSIG(e.status);
-	if (number == SIGKILL) return say("the run was killed, as systems do where memory ends; no result");
-	if (!is_passed_on(number))
-		return say("the run ended by signal %d, %s, perhaps for want of memory or threads; no result", number,
-		           strsignal(number));
 	sigset_t own;
 	sigemptyset(&own);
 	sigaddset(&own, number);
@@ -109,15 +116,33 @@ static int work_alone(int (*work)(void *user), void *user, word *said, uint32_t 
 	return code;
 }
 
-int ts_worker_run(int (*work)(void *user), void *user, uint32_t seconds, uint32_t mib)
+void *ts_worker_memory(size_t bytes)
 {
-	word *said = mmap(NULL, sizeof *said, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-	if (said == MAP_FAILED || ts_left_share() != TS_OK) return say("no memory for what two processes share");
+	void *memory = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+	return memory != MAP_FAILED ? memory : NULL;
+}
+
+int ts_worker_run(int (*work)(void *user), void *user, ts_steps *steps, uint32_t seconds, uint32_t mib)
+{
+	char why[sizeof steps->why] = "";
+	word *said = ts_worker_memory(sizeof *said);
+	if (steps == NULL) steps = ts_worker_memory(sizeof *steps);
+	if (said == NULL || steps == NULL || ts_left_share() != TS_OK) return say("no memory for what two processes share");
 	sigset_t before, set = awaited();
-	pid_t parent = getpid();
+	pid_t parent = getpid(), worker;
 	sigprocmask(SIG_BLOCK, &set, &before);
-	pid_t worker = fork();
-	if (worker > 0) return conclude(wait_for(worker, &set, seconds), said, seconds);
+	do {
+		memcpy(steps->why, why, sizeof why);
+		steps->at_work = said->ended = false;
+		steps->began = ts_seconds();
+		worker = fork();
+		if (worker <= 0) break;
+		end e = wait_for(worker, &set, steps, seconds);
+		ts_left_clear();
+		find_why(why, sizeof why, e, said, seconds);
+		if (why[0] == 0) return conclude(e, said);
+	} while (steps->at_work);
+	if (worker > 0) return say("%s; no result", why);
 	sigprocmask(SIG_SETMASK, &before, NULL);
 	if (worker < 0) return say("cannot start a process: %s; --no-worker does without", strerror(errno));
 	prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/images.bash"
-ending=$(realpath tests/cli/preload/end.c)
+ending=$(realpath tests/cli/preload/end.c) goldens=$(realpath reference)
 cd "$scratch" || exit 2
 writes_two
 run "${frame[@]:0:${#frame[@]}-1}" --method epr --trace-only scene,eye,image -o r
@@ -45,6 +45,12 @@ run compare a.png b.png --junit j.xml --rmse x
 verdict $? 'an error in JUnit: a value that is none'
 suits 1 0 1 0 'which suits the schema'
 refuses '/dev/full: cannot be written' compare a.png b.png --junit /dev/full
+
+# And of what was skipped.
+OCL_ICD_VENDORS=/nonexistent run golden check small-epr --goldens "$goldens" --backend opencl --junit j.xml --tap
+[ "$status" -eq 77 ] && grep -qx '1..0 # SKIP backend opencl: no OpenCL device; .*' stdout && grep -q '<skipped message=".*no OpenCL device' j.xml
+verdict $? 'JUnit and TAP of a device that is not there'
+suits 1 0 0 1 'which suits the schema'
 
 # JUnit of traces.
 run compare r/trace-epr r/trace-epr --junit j.xml --ignore image.srgb,image.radiance

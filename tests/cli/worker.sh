@@ -104,6 +104,32 @@ ending 'fill out/mine' "${tiny[@]}" -o out --force --set seed=1
 [ "$status" -eq 2 ] && [ -e out/mine ] && rm out/mine && diff -r out before > stdout && leaves 'before out '
 verdict $? '--force keeps a file that appeared, and all else'
 
+# Goldens: a case that ends its process loses its own verdict.
+mkdir three
+for i in 1 2 3; do
+	echo "case-$i: mvr dining:triangles=10000:texels=16 --size 24x16 --reflectors 0 --set seed=$i"
+done > three/cases.txt
+run golden new --goldens three
+accepts three case-{1,2,3}
+# loses HOW TEXT OPTION...: the verdict of case-2, with that text, and no other.
+loses() {
+	{ TOUCHSTONE_END=$1 TOUCHSTONE_END_AT=$scratch/now/here TOUCHSTONE_END_OPEN=case-2 LD_PRELOAD=$scratch/end.so timeout 100 \
+		"$touchstone" golden check --goldens three --junit j.xml "${@:3}" > stdout 2> stderr; } 2> said
+	[ $? -eq 2 ] && [ "$(sed 's/ .*//' stdout | xargs)" = 'same lost same 2' ] && [ "$(wc -l < stderr)" -eq 1 ] &&
+		grep -q "^lost  *case-2  case-2: $2" stdout && grep -q "^touchstone: golden: case-2: $2" stderr &&
+		grep -q 'tests="3" failures="0" errors="1"' j.xml && grep -A1 'name="case-2"' j.xml | grep -q "<error message=\"case-2: $2"
+	verdict $? "a case that ends by $1 loses its own verdict"
+}
+loses 'signal 11' 'the run ended by signal 11'
+loses 'signal 9' 'the run was killed'
+loses exit 'a library ended the run with exit code 1'
+loses wait 'stopped after 2 s, as --timeout asks' --timeout 2
+loses 'signal 11' 'the run ended by signal 11' --memory 4000
+{ TOUCHSTONE_END='signal 15' TOUCHSTONE_END_OPEN=case-2 LD_PRELOAD=$scratch/end.so "$touchstone" golden check --goldens three > stdout 2> stderr; } 2> said
+[ $? -eq 143 ] && [ "$(sed 's/ .*//' stdout)" = same ] && [ ! -s stderr ]
+verdict $? 'a signal that was sent ends all cases'
+rm -r three j.xml said
+
 # Two at a time.
 TOUCHSTONE_END=wait TOUCHSTONE_END_AT=$scratch/now/here LD_PRELOAD=$scratch/end.so "$touchstone" "${tiny[@]}" -o two \
 	> /dev/null 2>&1 &

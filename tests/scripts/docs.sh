@@ -64,7 +64,7 @@ plant "there is no method megaview" README.md 's/^| `megaviews`/| `megaview`/'
 plant "truth vpls is not in the table" README.md '/^| vpls |/d'
 plant "effect omni-shadows is not shown" README.md 's/render omni-shadows/render shadows/'
 plant "there is no table epr-4 of bench" README.md 's/bench epr-1 /bench epr-4 /'
-plant ".ci/run does not run make test-long" CONTRIBUTING.md 's/runs both, `make test-devices`/runs both, `make test-long`, &/'
+plant ".ci/run does not run make test-long" CONTRIBUTING.md 's/, the second, `make test-devices`/, `make test-long`&/'
 plant ".ci/run runs make golden" CONTRIBUTING.md 's/`make faults-short`, `make golden`/`make faults-short`/'
 planted
 plant "tests/kernels/points/cull.c has no test_nil" METHODS.md 's/test_survivors/test_nil/'
