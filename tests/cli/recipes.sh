@@ -129,7 +129,22 @@ PY
 	mkdir shards
 	bash commands > merged 2> said
 	judged $? 'and its commands work'
+	recipe GitLab > gitlab.yml
+	/usr/bin/python3 - <<'PY' > commands
+import yaml
+flow = yaml.safe_load(open("gitlab.yml"))
+check, merge = flow["check"], flow["merge"]
+assert [flow[job]["stage"] for job in ("build", "check", "merge")] == flow["stages"], "stages"
+assert set(flow["build"]["script"]) <= set(open("workflow.yml").read().replace("          ", "").splitlines()), "built as there"
+for i in range(1, check["parallel"] + 1):
+	print(f"CI_NODE_INDEX={i} CI_NODE_TOTAL={check['parallel']};", check["script"][1], "|| :")
+print(merge["script"][1])
+PY
+	verdict $? 'stages of GitLab are YAML, and build as there'
+	mkdir shards
+	bash commands > merged 2> said
+	judged $? 'and their commands work'
 else
-	skip 'a matrix of GitHub Actions' python3-yaml
+	skip 'GitHub Actions, GitLab' python3-yaml
 fi
 finish
