@@ -29,9 +29,10 @@ bashcompletiondir = $(datarootdir)/bash-completion/completions
 zshcompletiondir = $(datarootdir)/zsh/site-functions
 pythondir = $(exec_prefix)/lib/python3/dist-packages
 
-SHOWN_VERSION := sed -n 's/^\#define TS_VERSION "\(.*\)"/\1/p'
-VERSION := $(shell $(SHOWN_VERSION) src/model/core.h)
-NUMBERS := $(subst ., ,$(VERSION))
+SHOWN_NUMBERS := sed -n 's/^\#define TS_VERSION_[A-Z]* //p'
+NUMBERS := $(shell $(SHOWN_NUMBERS) include/touchstone/status.h)
+space := $(subst ,, )
+VERSION := $(subst $(space),.,$(NUMBERS))
 # Of the soname: a program that was built with 0.1 does not run with 0.2.
 ABI := $(firstword $(NUMBERS))$(if $(filter 0,$(firstword $(NUMBERS))),.$(word 2,$(NUMBERS)))
 PKG_CONFIG ?= pkg-config
@@ -211,6 +212,27 @@ Libs: -L$${libdir} -ltouchstone
 Libs.private: $(filter -fopenmp,$(THREADED)) $(LIBS) -lstdc++ -Wl,-rpath,$${libdir}/touchstone
 endef
 export TOUCHSTONE_PC
+
+# For find_package of CMake: a target with the shared library. Paths are found from where the file stands.
+define TOUCHSTONE_CMAKE
+if(NOT TARGET touchstone::touchstone)
+  add_library(touchstone::touchstone SHARED IMPORTED)
+  set_target_properties(touchstone::touchstone PROPERTIES
+    IMPORTED_LOCATION "$${CMAKE_CURRENT_LIST_DIR}/../../libtouchstone.so.$(ABI)"
+    INTERFACE_INCLUDE_DIRECTORIES "$${CMAKE_CURRENT_LIST_DIR}/$(shell realpath -ms --relative-to=$(libdir)/cmake/touchstone $(includedir))")
+endif()
+endef
+define TOUCHSTONE_CMAKE_VERSION
+set(PACKAGE_VERSION $(VERSION))
+string(FIND "$${PACKAGE_FIND_VERSION}." "$(ABI)." at)
+if(at EQUAL 0 AND NOT PACKAGE_FIND_VERSION VERSION_GREATER PACKAGE_VERSION)
+  set(PACKAGE_VERSION_COMPATIBLE TRUE)
+endif()
+if(PACKAGE_FIND_VERSION VERSION_EQUAL PACKAGE_VERSION)
+  set(PACKAGE_VERSION_EXACT TRUE)
+endif()
+endef
+export TOUCHSTONE_CMAKE TOUCHSTONE_CMAKE_VERSION
 
 ##   core               static command for digests and goldens: build/core/touchstone-core
 CORE_BUILD ?= $(if $(filter command%,$(origin BUILD)),$(BUILD),build/core)
@@ -470,7 +492,7 @@ distros distros-short:
 ##   mutants            defects planted in sources and traces: each must be found where it was planted
 mutants: deps-test
 	$(Q)$(MAKE) --no-print-directory all
-	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK="$(CXX) $(LINK_FLAGS) -Wl,-rpath,$(abspath $(BUILD))" \
+	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK="$(CXX) $(LINK_FLAGS) -Wl,-rpath,'$(abspath $(BUILD))'" \
 		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(T)
 
 ##   mutants-src        mutants of src/, each run by the tests that reach it, and how many they kill; T="PARTS OF NAMES"; an hour
@@ -526,7 +548,7 @@ PYTHON := $(DESTDIR)$(pythondir)/touchstone
 REFERENCE := $(filter-out reference/RECIPES.md reference/PICTURES.md,$(wildcard $(patsubst %,reference/*.%,md json png)))
 COMMANDS := $(shell sed -nE 's/^\t\{"([a-z]+)",.*/\1/p' src/cli/commands.c)
 install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(ALL_PTX) $(PYTHON_PACKAGE)/made
-	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DATA)/examples $(DOC)/reference $(MAN) \
+	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/cmake/touchstone $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DATA)/examples $(DOC)/reference $(MAN) \
 		$(BASH_COMPLETION) $(ZSH_COMPLETION) $(PYTHON)
 	install -m 755 $(BUILD)/installed/touchstone $(BIN)/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(LIB)/libtouchstone.a
@@ -535,6 +557,8 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	ln -sfn libtouchstone.so.$(VERSION) $(LIB)/libtouchstone.so.$(ABI)
 	ln -sfn libtouchstone.so.$(ABI) $(LIB)/libtouchstone.so
 	printf '%s\n' "$$TOUCHSTONE_PC" | install -m 644 /dev/stdin $(LIB)/pkgconfig/touchstone.pc
+	printf '%s\n' "$$TOUCHSTONE_CMAKE" | install -m 644 /dev/stdin $(LIB)/cmake/touchstone/touchstoneConfig.cmake
+	printf '%s\n' "$$TOUCHSTONE_CMAKE_VERSION" | install -m 644 /dev/stdin $(LIB)/cmake/touchstone/touchstoneConfigVersion.cmake
 	install -m 644 $(wildcard include/touchstone/*.h) $(INCLUDE)
 	scripts/assembled include/touchstone/records.def | install -m 644 /dev/stdin $(INCLUDE)/records.def
 	install -m 755 scripts/spirv-exact $(DATA)/spirv-exact
@@ -561,7 +585,7 @@ uninstall:
 	rm -f $(BIN)/touchstone $(LIB)/pkgconfig/touchstone.pc $(MAN)/touchstone.1 $(COMMANDS:%=$(MAN)/touchstone-%.1)
 	rm -f $(BASH_COMPLETION)/touchstone $(ZSH_COMPLETION)/_touchstone
 	rm -f $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.$(ABI) .so.$(VERSION))
-	rm -rf $(LIB)/touchstone $(INCLUDE) $(DATA) $(DOC)/kernels $(PYTHON)
+	rm -rf $(LIB)/touchstone $(LIB)/cmake/touchstone $(INCLUDE) $(DATA) $(DOC)/kernels $(PYTHON)
 	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE $(REFERENCE))
 	for folder in $(DOC)/reference $(DOC); do [ ! -d $$folder ] || rmdir --ignore-fail-on-non-empty $$folder; done
 
@@ -571,7 +595,7 @@ installcheck: | $(filter install,$(MAKECMDGOALS))
 		BIN='$(BIN)' LIB='$(LIB)' INCLUDE='$(INCLUDE)' PYTHON='$(PYTHON)' ABI='$(ABI)' MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
 
 ##   dist               build/touchstone-VERSION.tar.xz of the last commit, the same bytes each time
-DIST = build/touchstone-$(shell git show HEAD:src/model/core.h 2>/dev/null | $(SHOWN_VERSION))
+DIST = build/touchstone-$(subst $(space),.,$(shell git show HEAD:include/touchstone/status.h 2>/dev/null | $(SHOWN_NUMBERS)))
 dist:
 	$(Q)[ -e .git ] || { echo "make dist: no git checkout here, whose last commit would be packed" >&2; exit 2; }
 	$(Q)command -v xz > /dev/null || { echo "make dist: no xz here; scripts/install-deps --test installs it" >&2; exit 2; }

@@ -12,6 +12,11 @@ extern "C" {
 #define TS_API
 #endif
 
+/* The version of these headers; ts_version() is that of the library. */
+#define TS_VERSION_MAJOR 0
+#define TS_VERSION_MINOR 1
+#define TS_VERSION_PATCH 0
+
 /* Also the exit codes of the command. */
 typedef enum {
 	TS_OK = 0,        /* same, or done */

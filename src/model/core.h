@@ -10,7 +10,9 @@
 extern "C" {
 #endif
 
-#define TS_VERSION "0.1.0"
+#define TS_DOTTED_TEXT(a, b, c) #a "." #b "." #c
+#define TS_DOTTED(a, b, c) TS_DOTTED_TEXT(a, b, c)
+#define TS_VERSION TS_DOTTED(TS_VERSION_MAJOR, TS_VERSION_MINOR, TS_VERSION_PATCH)
 /* The version of the numeric contract, reference/CONTRACT.md. */
 #define TS_CONTRACT_VERSION 1
 
