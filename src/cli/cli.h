@@ -110,7 +110,7 @@ typedef struct {
 	size_t kept; /* bytes at ts_cli.steps, which begin with those; 0: the work has no steps */
 	/* Called after TS_ERROR or TS_SKIPPED ended the command and was printed; NULL: nothing. */
 	void (*failed)(const ts_cli *cli, ts_status status);
-	void (*print_more)(void);          /* prints the tables of `help NAME`; NULL: there are none */
+	void (*print_more)(void); /* prints the tables of `help NAME`; NULL: there are none */
 } ts_command;
 
 typedef struct ts_option ts_option;
