@@ -128,7 +128,7 @@ loses 'signal 11' 'the run ended by signal 11' --memory 4000
 { TOUCHSTONE_END='signal 15' TOUCHSTONE_END_OPEN=case-2 LD_PRELOAD=$scratch/end.so "$touchstone" golden check --goldens three > stdout 2> stderr; } 2> said
 [ $? -eq 143 ] && [ "$(sed 's/ .*//' stdout)" = same ] && [ ! -s stderr ]
 verdict $? 'a signal that was sent ends all cases'
-rm -r three j.xml said
+rm -r three j.xml said now
 
 # Two at a time.
 TOUCHSTONE_END=wait TOUCHSTONE_END_AT=$scratch/now/here LD_PRELOAD=$scratch/end.so "$touchstone" "${tiny[@]}" -o two \
