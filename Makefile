@@ -250,7 +250,7 @@ $(BUILD)/touchstone-core: $(CORE_O)
 FAST_PATHS := $(BUILD)/gen/fast.inc
 $(FAST_PATHS): scripts/fast-paths src/backends/kernels.h src/families.def $(wildcard src/kernels/*/* src/backends/c/*/fast.def) include/touchstone/records.def
 	$(Q)mkdir -p $(@D)
-	$(Q)scripts/fast-paths $@
+	$(Q)CC='$(CC)' scripts/fast-paths $@
 $(call object,src/backends/c/run.c): $(FAST_PATHS)
 # And what a trace says of its maker.
 $(call object,src/backends/c/run.c): OWN := -I$(BUILD)/gen -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
