@@ -349,9 +349,10 @@ docs: $(MANUAL)/made
 
 # The package for Python: its sources, what it reads of the headers, and the name of the library.
 PYTHON_PACKAGE := $(BUILD)/python/touchstone
-$(PYTHON_PACKAGE)/made: $(wildcard src/python/touchstone/*.py include/touchstone/*) scripts/abi $(BUILD)/flags
+PYTHON_SOURCES := $(wildcard src/python/touchstone/*.py) src/python/touchstone/py.typed
+$(PYTHON_PACKAGE)/made: $(PYTHON_SOURCES) $(wildcard include/touchstone/*) scripts/abi $(BUILD)/flags
 	$(call say,PYTHON,$(@D))
-	$(Q)mkdir -p $(@D) && install -m 644 src/python/touchstone/*.py $(@D)
+	$(Q)mkdir -p $(@D) && install -m 644 $(PYTHON_SOURCES) $(@D)
 	$(Q)CC='$(CC)' scripts/abi --declarations > $(@D)/declarations.h
 	$(Q)echo libtouchstone.so.$(ABI) > $(@D)/soname && touch $@
 
@@ -573,7 +574,7 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	install -m 644 $(MANUAL)/*.1 $(MAN)
 	install -m 644 scripts/completion $(BASH_COMPLETION)/touchstone
 	install -m 644 scripts/completion $(ZSH_COMPLETION)/_touchstone
-	install -m 644 $(patsubst src/python/touchstone/%,$(PYTHON_PACKAGE)/%,$(wildcard src/python/touchstone/*.py)) $(PYTHON_PACKAGE)/declarations.h \
+	install -m 644 $(PYTHON_SOURCES) $(PYTHON_PACKAGE)/declarations.h \
 		$(PYTHON_PACKAGE)/soname $(PYTHON)
 	install -m 644 README.md CHANGELOG.md LICENSE $(DOC)
 	rm -rf $(DOC)/kernels

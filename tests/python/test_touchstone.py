@@ -3,36 +3,12 @@ import gc
 import json
 import os
 import pathlib
+import re
 
 import numpy as np
 import pytest
 import touchstone
-
-pytest_plugins = ["touchstone.pytest"]
-SMALL = {"width": 64, "height": 36, "reflectors.count": 2, "cube.max_px": 16}
-
-
-@pytest.fixture(scope="module")
-def context():
-	return touchstone.Context(threads=2)
-
-
-@pytest.fixture(scope="module")
-def scene(context):
-	return context.open_scene("atrium:triangles=10000:texels=32", SMALL)
-
-
-@pytest.fixture(scope="module")
-def reference(context, scene):
-	return context.run(scene, "reflections", "epr", SMALL)
-
-
-def test_tables():
-	assert touchstone.backends()[0] == "c"
-	assert ("surfels", "ewa") in [(m.effect, m.name) for m in touchstone.methods()]
-	assert touchstone.stages("reflections", "epr")[-1].name == "image"
-	assert touchstone.buffers()["scene.vertex"].dtype.itemsize == 80
-	assert all(row.dtype.itemsize == row.element_bytes for row in touchstone.buffers().values())
+from conftest import SMALL
 
 
 def test_arrays_are_views(context, scene):
@@ -199,3 +175,116 @@ def test_vectors(context):
 		context.check_vectors("cross", found)
 	with pytest.raises(touchstone.Error, match="no primitive"):
 		context.vectors("magic")
+
+
+def test_a_method_runs_on_from_ones_own_buffers(context, scene, reference):
+	same = context.continue_from(reference, {"pose.vertex": reference["pose.vertex"].copy()})
+	assert list(same) == list(reference) and all(np.array_equal(same[name], reference[name]) for name in same)
+	made = [name for name in same if same[name].ctypes.data != reference[name].ctypes.data]
+	assert "image.srgb" in made and "splat.depth_index" in made and "scene.vertex" not in made
+	mine = reference["points.record"].copy()
+	mine["length"] *= np.float32(0.25)
+	trace = context.continue_from(reference, {"points.record": mine})
+	changed = {name for name in trace if not np.array_equal(trace[name], reference[name])}
+	assert {"points.record", "splat.depth_index", "image.srgb"} <= changed and "points.key" not in changed
+	assert np.array_equal(trace["points.record"], mine)
+	by_hand = reference.candidate()
+	by_hand["points.record"] = mine
+	for stage in ("splat", "lookup"):
+		for name, array in context.replayed(stage, reference, by_hand).items():
+			by_hand[name] = array
+	assert all(np.array_equal(trace[name], by_hand[name]) for name in by_hand)
+	still = context.continue_from(reference, {"points.record": mine, "splat.depth_index": reference["splat.depth_index"]})
+	assert np.array_equal(still["splat.depth_index"], reference["splat.depth_index"])
+
+
+def test_what_a_method_cannot_run_on_from(context, scene, reference):
+	mine = reference["points.record"]
+	for buffers, line in (({"points.recrd": mine}, "points.recrd: the reference has no such buffer"),
+	                      ({"points.record": mine["length"]}, "points.record: dtype float32; "),
+	                      ({"points.record": mine[:0]}, r"stage splat: points.offset: element 9966: .* would be right"),
+	                      ({"points.record": mine.reshape(1, -1)}, "points.record: its shape is none of points")):
+		with pytest.raises(touchstone.Error, match=line) as raised:
+			context.continue_from(reference, buffers)
+		assert "\n" not in str(raised.value)
+	part = context.run(scene, "reflections", "epr", SMALL, buffers=["points.record", "image.srgb"])
+	with pytest.raises(touchstone.Error, match="no file of cube_size.face, .*points.offset"):
+		context.continue_from(part, {"points.record": mine})
+
+
+def test_what_the_documents_show(tmp_path, monkeypatch):
+	shown = re.findall(r"^\t(.*)", touchstone.__doc__, re.M)
+	recipe = pathlib.Path("reference/RECIPES.md").read_text().split("## Try a stage in NumPy\n")[1].split("\n## ")[0]
+	monkeypatch.chdir(tmp_path)
+	for lines in (shown, ["import touchstone", *re.findall("^ {4}(.*)", recipe, re.M)]):
+		code = "\n".join(lines).replace('"atrium"', '"atrium:triangles=10000:texels=32"').replace('"epr")', f'"epr", {SMALL})')
+		code = re.sub('"width": 480, "height": 270', str(SMALL)[1:-1], code).replace("my_keys", 'reference["eye.depth_triangle"]')
+		ran = {}
+		exec(code, ran)
+		assert not np.array_equal(ran["trace"]["image.srgb"], ran["reference"]["image.srgb"])
+	assert (tmp_path / "mine.png").exists()
+
+
+def test_truth(context, scene, reference):
+	truth = context.truth(scene, "reflections", "B", SMALL)
+	light = touchstone.light_metrics(truth.radiance, reference["image.radiance"])
+	shown = touchstone.metrics(truth.srgb, reference["image.srgb"])
+	assert 0 < light.relative < 1 and 20 < shown.psnr < 60 and not truth.estimated
+	pixel = truth.radiance[0, 0].copy()
+	kept = truth.radiance
+	del truth
+	gc.collect()
+	assert np.array_equal(kept[0, 0], pixel)
+	with pytest.raises(touchstone.Error, match="magic"):
+		context.truth(scene, "reflections", "magic", SMALL)
+
+
+def test_digests_of_a_run_that_keeps_nothing(context, scene, reference):
+	assert context.digests(scene, "reflections", "epr", SMALL) == {name: reference.digest(name) for name in reference}
+
+
+def test_what_traces_and_scenes_say(context, scene, reference):
+	about = reference.about
+	assert (about.effect, about.method, about.arrival) == ("reflections", "epr", 0) and about.has_params
+	assert reference.takes("splat") and not reference.takes("hull")
+	assert reference.shape("image.srgb") == (36, 64, 3)
+	assert scene.info()["triangles"] == len(reference["scene.triangle"])
+	with pytest.raises(touchstone.Error, match="mvr"):
+		reference.match(context.run(scene, "reflections", "mvr", SMALL))
+	point = reference.probe_point(5)
+	assert reference.probe_point_key(*map(int, point["key"].split(","))) == point
+
+
+def test_reprs_are_short(context, scene, reference):
+	port = reference.candidate()
+	port["image.srgb"] = np.zeros_like(reference["image.srgb"])
+	page = context.page()
+	page.add(reference)
+	verdicts = context.compare(reference, port)
+	for one, wanted in ((context, "c, device 0"), (scene, "'atrium:triangles=10000:texels=32'"),
+	                    (port, "epr of reflections, 1 buffers"), (page, "1 parts")):
+		assert wanted in repr(one) and len(repr(one)) < 100
+	assert verdicts.first.line in repr(verdicts) and "no difference" in repr(context.compare(reference, reference))
+
+
+@pytest.mark.parametrize("name", [b"\xe9t\xe9", os.fsdecode(b"\xe9t\xe9"), pathlib.Path("plain")])
+def test_any_path(context, scene, reference, tmp_path, name):
+	at = os.path.join(os.fsencode(tmp_path) if isinstance(name, bytes) else tmp_path, name)
+	inside = lambda file: os.path.join(at, os.fsencode(file) if isinstance(name, bytes) else file)
+	context.write(at, scene, "reflections", "mvr", SMALL)
+	trace = context.open(at)
+	assert os.fsencode(trace.about.folder) == os.fsencode(at)
+	file = next(one for one in os.listdir(os.fsdecode(at)) if one.endswith("image.srgb.npy"))
+	assert np.array_equal(context.open_npy(inside(file))["image.srgb"], trace["image.srgb"])
+	listed = context.open_list(at, {"image.srgb": file}, trace)
+	assert list(listed) == ["image.srgb"] and context.compare(trace, listed, stages="image", ignore="image.radiance")
+	trace.save(inside("saved"))
+	touchstone.write_png(inside("image.png"), trace["image.srgb"])
+	assert touchstone.read_image(inside("image.png")).shape == (36, 64, 3)
+	page = context.page()
+	page.add(trace)
+	page.write(inside("page.html"))
+	assert {"saved", "image.png", "page.html"} < set(os.listdir(os.fsdecode(at)))
+	with pytest.raises(touchstone.Error, match="scene.gltf") as raised:
+		context.open_scene(inside("scene.gltf"))
+	str(raised.value).encode()
