@@ -605,6 +605,10 @@ dist:
 		env -u XZ_OPT -u XZ_DEFAULTS xz -T1 -f $$part && mv -f $$part.xz $(DIST).tar.xz
 	@echo $(DIST).tar.xz
 
+##   wheel              build/touchstone-VERSION-py3-none-PLATFORM.whl: the package for Python with the library, the same bytes each time
+wheel: $(BUILD)/libtouchstone.so $(BUILD)/libtouchstone-image.so $(PYTHON_PACKAGE)/made
+	$(Q)scripts/wheel $(BUILD) $(VERSION) build
+
 ##   clean              removes build/
 clean:
 	rm -rf build
@@ -616,4 +620,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release-check bench style format deps-build deps-test install uninstall installcheck dist docs clean help FORCE
+.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release-check bench style format deps-build deps-test install uninstall installcheck dist wheel docs clean help FORCE
