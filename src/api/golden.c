@@ -14,8 +14,7 @@ static ts_status find_method(const ts_pipeline **pipeline, const ts_golden_said 
 {
 	*pipeline = ts_pipeline_find(said->effect, said->method);
 	if (*pipeline == NULL) return ts_fail("%s: %s by %s: no such method", dir->path, said->effect, said->method);
-	if (!ts_builtin_is(said->scene)) return ts_fail("%s: \"%s\" is not a built-in scene", dir->path, said->scene);
-	if (ts_golden_bound(&said->params) == TS_OK) return TS_OK;
+	if (ts_golden_bound(said) == TS_OK) return TS_OK;
 	return ts_fail("%s: %s", dir->path, ts_error_message());
 }
 
@@ -41,7 +40,7 @@ static ts_status check(ts_golden_judged *judged, const ts_golden_dir *dir, const
 	const ts_pipeline *pipeline;
 	ts_golden_said said;
 	ts_golden stored, computed;
-	char text[TS_GOLDEN_TEXT] = "";
+	char text[TS_GOLDEN_TEXT] = "", above[TS_GOLDEN_PATH + 4];
 	if (ts_golden_read_params(&said, dir) != TS_OK || find_method(&pipeline, &said, dir) != TS_OK) return TS_ERROR;
 	memcpy(judged->effect, said.effect, sizeof judged->effect);
 	memcpy(judged->method, said.method, sizeof judged->method);
@@ -49,7 +48,8 @@ static ts_status check(ts_golden_judged *judged, const ts_golden_dir *dir, const
 	ts_status status = ts_golden_read(&stored, dir, pipeline);
 	if (status == TS_OK) status = ts_golden_check_changes(dir);
 	if (status == TS_OK) {
-		status = ts_golden_make(&computed, dir->path, pipeline, said.scene, &said.params, how);
+		snprintf(above, sizeof above, "%s/..", dir->path);
+		status = ts_golden_make(&computed, dir->path, pipeline, &said, above, ts_scene_load, how);
 		if (status == TS_OK) status = compare(text, dir, &stored, &computed, pipeline);
 		ts_golden_free(&computed);
 	}

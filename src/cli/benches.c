@@ -31,6 +31,6 @@ ts_status ts_bench_command(ts_cli *cli)
 	if (TS_PARAM(&cli->job.params, truth_rays) > 0)
 		return ts_fail("bench %s: truth.rays=%u: tables judge by whole truths; leave it out", row->name,
 		               (unsigned)TS_PARAM(&cli->job.params, truth_rays));
-	cli->job.scene.camera = TS_CAMERA_CIRCLE;
+	cli->job.scene.options.camera = TS_CAMERA_CIRCLE;
 	return ts_bench_run(row, &cli->job);
 }

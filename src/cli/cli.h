@@ -97,7 +97,8 @@ typedef struct {
 		u32 seconds, mib; /* at most; 0: no limit */
 		bool none;
 	} worker;
-	ts_steps *steps; /* NULL without a worker */
+	ts_steps *steps;     /* NULL without a worker */
+	char no_device[512]; /* why the backend has none; "": it has one */
 } ts_cli;
 
 typedef struct {
@@ -107,7 +108,8 @@ typedef struct {
 	u32 min_arguments, max_arguments;
 	bool options[TS_N_OPTIONS]; /* those it takes */
 	ts_status (*run)(ts_cli *cli);
-	size_t kept; /* bytes at ts_cli.steps, which begin with those; 0: the work has no steps */
+	bool says_skipped; /* also runs where the backend has no device, to say of each case that it was skipped */
+	size_t kept;       /* bytes at ts_cli.steps, which begin with those; 0: the work has no steps */
 	/* Called after TS_ERROR or TS_SKIPPED ended the command and was printed; NULL: nothing. */
 	void (*failed)(const ts_cli *cli, ts_status status);
 	void (*print_more)(void); /* prints the tables of `help NAME`; NULL: there are none */

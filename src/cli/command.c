@@ -102,6 +102,10 @@ static int run(void *user)
 		u32 *n = &cli->job.how.threads;
 		*n = *n == 0 ? ts_threads_all() : ts_threads_ready(*n);
 	}
+	if (status == TS_SKIPPED && t->command->says_skipped) {
+		snprintf(cli->no_device, sizeof cli->no_device, "%s", ts_error_message());
+		status = TS_OK;
+	}
 	if (status == TS_OK) status = t->command->run(cli);
 	if (cli->job.how.backend != NULL) cli->job.how.backend->close(cli->job.how.backend);
 	return end(t, status);

@@ -10,7 +10,7 @@
 #define BACKEND TS_OPT(BACKEND), TS_OPT(DEVICE), TS_OPT(WORK_GROUP), TS_OPT(BUILD), TS_OPT(INEXACT), TS_OPT(REQUIRE)
 
 const char *const ts_program = "touchstone";
-const ts_preview ts_golden_preview = {ts_image_write_png, ts_image_decode_optional};
+const ts_golden_files ts_golden_by = {ts_image_write_png, ts_image_decode_optional, ts_scene_load};
 
 const ts_command ts_command_table[] = {
 	{"render",
@@ -111,10 +111,10 @@ const ts_command ts_command_table[] = {
      TS_OPT(METHOD), TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS), TS_OPT(SET), HOW, TS_OPT(FLUSH_DENORMALS),
      .run = ts_digest_command},
 	{"golden",
-     "ACTION [CASE]",
+     "ACTION [CASE...]",
      "check, new or bless: the goldens of reference/",
      1,
-     2,
+     TS_MAX_ARGUMENTS,
      HOW,
      TS_OPT(SHARD),
      TS_OPT(BASELINE),
@@ -129,6 +129,7 @@ const ts_command ts_command_table[] = {
      TS_OPT(JSON),
      .run = ts_golden_command,
      .kept = sizeof(ts_golden_kept),
+     .says_skipped = true,
      .failed = ts_golden_failed},
 	{"merge", "DIR...", "results of shards, put together", 1, TS_MAX_ARGUMENTS, TS_OPT(JUNIT), TS_OPT(TAP),
      TS_OPT(OUTPUT), TS_OPT(FORCE), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_merge_command},

@@ -3,7 +3,7 @@
 #include "golden.h"
 
 const char *const ts_program = "touchstone-core";
-const ts_preview ts_golden_preview = {NULL, NULL};
+const ts_golden_files ts_golden_by = {NULL, NULL, ts_builtin_open};
 ts_golden_teller *const ts_golden_tell = NULL;
 const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, NULL};
 
@@ -11,9 +11,9 @@ const ts_command ts_command_table[] = {
 	{"digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", 0, 1, TS_OPT(EFFECT),
      TS_OPT(METHOD), TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS), TS_OPT(SET), TS_OPT(THREADS),
      TS_OPT(NO_FAST_PATHS), TS_OPT(FLUSH_DENORMALS), .run = ts_digest_command},
-	{"golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/", 1, 2, TS_OPT(SHARD), TS_OPT(THREADS),
-     TS_OPT(NO_FAST_PATHS), TS_OPT(BACKEND), TS_OPT(BASELINE), TS_OPT(SKIP), TS_OPT(REASON), TS_OPT(GOLDENS),
-     TS_OPT(QUIET), .run = ts_golden_command, .kept = sizeof(ts_golden_kept)},
+	{"golden", "ACTION [CASE...]", "check, new or bless: the goldens of reference/", 1, TS_MAX_ARGUMENTS, TS_OPT(SHARD),
+     TS_OPT(THREADS), TS_OPT(NO_FAST_PATHS), TS_OPT(BACKEND), TS_OPT(BASELINE), TS_OPT(SKIP), TS_OPT(REASON),
+     TS_OPT(GOLDENS), TS_OPT(QUIET), .run = ts_golden_command, .kept = sizeof(ts_golden_kept)},
 	{"help", "[COMMAND]", "what a command does and takes", 0, 1, .run = ts_help_command},
 	{0},
 };

@@ -1,4 +1,5 @@
-/* `golden check|new|bless [CASE]`: digests under reference/. */
+/* `golden check|new|bless [CASE...]`: digests under reference/. */
+#include <fnmatch.h>
 #include <stdio.h>
 #include <string.h>
 #include "../scene/sources.h"
@@ -14,13 +15,6 @@ static const struct {
 };
 
 enum { N_ACTIONS = sizeof actions / sizeof *actions };
-
-u32 ts_goldens_count(const ts_goldens *goldens) { return goldens->only != NULL ? 1 : goldens->n_cases; }
-
-const ts_case *ts_goldens_case(const ts_goldens *goldens, u32 i)
-{
-	return goldens->only != NULL ? goldens->only : &goldens->cases[i];
-}
 
 /* What one action alone has a use for. */
 static ts_status check_options(const ts_cli *cli, u32 action)
@@ -71,11 +65,28 @@ static ts_status read_lists(ts_goldens *goldens, const ts_cli *cli)
 	return status;
 }
 
-static ts_status run_action(ts_goldens *goldens, u32 action, const char *name)
+/* Those that a name or a pattern means are marked. */
+static ts_status mark(bool meant[TS_MAX_CASES], const ts_goldens *goldens, const char *name)
 {
-	goldens->only = name != NULL ? ts_cases_find(goldens, name) : NULL;
-	if (name != NULL && goldens->only == NULL) return TS_ERROR;
-	return actions[action].run(goldens);
+	bool any = false;
+	for (u32 i = 0; i < goldens->n_cases; i++) {
+		if (fnmatch(name, goldens->cases[i].name, 0) == 0) meant[i] = any = true;
+	}
+	return any || ts_cases_find(goldens, name) != NULL ? TS_OK : TS_ERROR;
+}
+
+/* In the order of cases.txt, each once. */
+static ts_status choose(ts_goldens *goldens, const char *const *names, u32 n)
+{
+	bool meant[TS_MAX_CASES] = {false};
+	for (u32 i = 0; i < n; i++) {
+		if (mark(meant, goldens, names[i]) != TS_OK) return TS_ERROR;
+	}
+	goldens->n_chosen = 0;
+	for (u32 i = 0; i < goldens->n_cases; i++) {
+		if (n == 0 || meant[i]) goldens->chosen[goldens->n_chosen++] = &goldens->cases[i];
+	}
+	return TS_OK;
 }
 
 ts_status ts_golden_command(ts_cli *cli)
@@ -97,7 +108,12 @@ ts_status ts_golden_command(ts_cli *cli)
 	if (ts_selftest_require() != TS_OK || ts_golden_dir_open(&goldens.dir, NULL, dir) != TS_OK) return TS_ERROR;
 	ts_status status = ts_cases_read(&goldens);
 	if (status == TS_OK) status = read_lists(&goldens, cli);
-	if (status == TS_OK) status = run_action(&goldens, action, cli->n_arguments > 1 ? cli->arguments[1] : NULL);
+	if (status == TS_OK) status = choose(&goldens, cli->arguments + 1, cli->n_arguments - 1);
+	if (status == TS_OK && cli->no_device[0] != 0 && actions[action].run != ts_golden_check_action) {
+		ts_fail("%s", cli->no_device);
+		status = TS_SKIPPED;
+	}
+	if (status == TS_OK) status = actions[action].run(&goldens);
 	ts_golden_dir_close(&goldens.dir);
 	ts_baseline_free(&goldens.known);
 	ts_baseline_free(&goldens.skips);
@@ -109,7 +125,7 @@ void ts_case_path(char path[TS_CASE_PATH], const ts_goldens *goldens, const ts_c
 	snprintf(path, TS_CASE_PATH, "%s/%s%s", goldens->dir.path, c->name, suffix);
 }
 
-ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how)
+ts_status ts_case_compute(ts_golden *golden, const ts_goldens *goldens, const ts_case *c, const ts_how *how)
 {
-	return ts_golden_make(golden, c->name, c->pipeline, c->scene, &c->params, how);
+	return ts_golden_make(golden, c->name, c->pipeline, &c->said, goldens->dir.path, ts_golden_by.open, how);
 }

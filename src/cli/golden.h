@@ -7,14 +7,13 @@
 #include "baseline.h"
 #include "cli.h"
 
-enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_CASE_TEXT = TS_GOLDEN_TEXT };
+enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_TEXT = TS_GOLDEN_TEXT };
 
 /* A line of cases.txt. */
 typedef struct {
-	char name[TS_CASE_NAME];   /* of a-z, 0-9 and -: also its folder */
-	char scene[TS_CASE_SCENE]; /* a built-in one */
+	char name[TS_CASE_NAME]; /* of a-z, 0-9 and -: also its folder */
 	const ts_pipeline *pipeline;
-	ts_params params;
+	ts_golden_said said;
 	bool small; /* small files are stored as they are */
 } ts_case;
 
@@ -25,7 +24,8 @@ typedef struct {
 	ts_case cases[TS_MAX_CASES];
 	u32 n_cases;
 	ts_baseline known, skips;
-	const ts_case *only; /* the only case to work on; NULL: all */
+	const ts_case *chosen[TS_MAX_CASES]; /* cases to work on */
+	u32 n_chosen;
 } ts_goldens;
 
 enum { TS_CASE_PATH = TS_GOLDEN_PATH + TS_CASE_NAME + 8 };
@@ -52,7 +52,7 @@ ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir
 
 /* Runs a case as ts_golden_compute does; refuses a case that does not fit the machine. Release by ts_golden_free, also
  * after a failure. */
-ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how);
+ts_status ts_case_compute(ts_golden *golden, const ts_goldens *goldens, const ts_case *c, const ts_how *how);
 
 /* The outcome of the check of a case. */
 typedef enum {
@@ -87,21 +87,18 @@ const char *ts_case_word(ts_case_end end);
 typedef ts_status ts_golden_teller(const ts_goldens *goldens, const ts_checked *checked, u32 n, ts_status status);
 extern ts_golden_teller *const ts_golden_tell;
 
-/* The number of cases to work on, and the i-th. */
-u32 ts_goldens_count(const ts_goldens *goldens);
-const ts_case *ts_goldens_case(const ts_goldens *goldens, u32 i);
-
 /* The actions. */
 ts_status ts_golden_check_action(const ts_goldens *goldens);
 ts_status ts_golden_new_action(const ts_goldens *goldens);
 ts_status ts_golden_bless_action(const ts_goldens *goldens);
 
-/* Write and read previews; NULL in a program that cannot. Each program has its own. */
+/* What writes and reads previews, NULL in a program that cannot, and opens scenes. Each program has its own. */
 typedef struct {
 	ts_status (*write)(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels,
 	                   const ts_image_text *texts);
 	ts_golden_decoder *read;
-} ts_preview;
-extern const ts_preview ts_golden_preview;
+	ts_golden_opener *open;
+} ts_golden_files;
+extern const ts_golden_files ts_golden_by;
 
 #endif

@@ -45,7 +45,7 @@ static ts_status check_proposal(const ts_goldens *goldens, const ts_case *c, con
 		return TS_ERROR;
 	}
 	ts_how plain = {.threads = goldens->cli->job.how.threads, .no_fast_paths = true};
-	status = ts_case_compute(&computed, c, &plain);
+	status = ts_case_compute(&computed, goldens, c, &plain);
 	if (status == TS_OK) status = ts_case_compare(text, c, dir, &proposed, &computed);
 	if (status == TS_DIFFERENT) {
 		ts_fail("golden bless: %s: this build computes something else: %s; run \"golden new %s\"", c->name, text,
@@ -135,25 +135,32 @@ static ts_status bless(const ts_goldens *goldens, const ts_case *c, const ts_gol
 	return status;
 }
 
-ts_status ts_golden_bless_action(const ts_goldens *goldens)
+static ts_status bless_case(const ts_goldens *goldens, const ts_case *c)
 {
-	const ts_case *only = goldens->only;
 	ts_golden_dir proposed;
 	char name[TS_CASE_NAME + 8], path[TS_CASE_PATH];
-	if (only == NULL) return ts_fail("golden bless: which case? Write golden bless CASE --reason TEXT");
-	const char *reason = goldens->cli->golden.reason;
-	if (reason == NULL) return ts_fail("golden bless: no reason; write --reason TEXT");
-	if (ts_reason_check(reason) != TS_OK) return ts_fail("golden bless: %s", ts_error_message());
-	if (check_build(&goldens->cli->job) != TS_OK) return TS_ERROR;
-	ts_case_path(path, goldens, only, ".new");
+	ts_case_path(path, goldens, c, ".new");
 	ts_folder_clear(path, 0);
-	snprintf(name, sizeof name, "%s.new", only->name);
+	snprintf(name, sizeof name, "%s.new", c->name);
 	if (!ts_golden_has(&goldens->dir, name)) {
-		return ts_fail("golden bless: nothing new: run \"golden new %s\" first", only->name);
+		return ts_fail("golden bless: nothing new: run \"golden new %s\" first", c->name);
 	}
 	if (ts_golden_dir_open(&proposed, &goldens->dir, name) != TS_OK) return TS_ERROR;
-	ts_status status = bless(goldens, only, &proposed);
+	ts_status status = bless(goldens, c, &proposed);
 	ts_golden_dir_close(&proposed);
-	if (status == TS_OK) printf("blessed    %s\n", only->name);
+	if (status == TS_OK && !goldens->cli->job.output.quiet) printf("blessed    %s\n", c->name);
+	return status;
+}
+
+ts_status ts_golden_bless_action(const ts_goldens *goldens)
+{
+	const char *reason = goldens->cli->golden.reason;
+	if (goldens->cli->n_arguments < 2) {
+		return ts_fail("golden bless: which case? Write golden bless CASE --reason TEXT");
+	}
+	if (reason == NULL) return ts_fail("golden bless: no reason; write --reason TEXT");
+	if (ts_reason_check(reason) != TS_OK) return ts_fail("golden bless: %s", ts_error_message());
+	ts_status status = check_build(&goldens->cli->job);
+	for (u32 i = 0; i < goldens->n_chosen && status == TS_OK; i++) status = bless_case(goldens, goldens->chosen[i]);
 	return status;
 }

@@ -1,9 +1,8 @@
-/* reference/cases.txt: NAME: [EFFECT/]METHOD SCENE [OPTION...] a line; without an effect, reflections. The file is
- * untrusted. */
+/* reference/cases.txt: NAME: [EFFECT/]METHOD SCENE [OPTION...] a line; without an effect, reflections; a file's path
+ * goes from reference/. The file is untrusted. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../scene/sources.h"
 #include "golden.h"
 #include "../study/methods.h"
 
@@ -11,8 +10,24 @@ enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100 };
 
 /* A line after its name is a command line of its own. */
 static const ts_command line_command = {
-	"golden",    "[EFFECT/]METHOD SCENE [OPTION...]", "", 2, 2, TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS),
+	"golden",
+	"[EFFECT/]METHOD SCENE [OPTION...]",
+	"",
+	2,
+	2,
+	TS_OPT(SIZE),
+	TS_OPT(FRAME),
+	TS_OPT(REFLECTORS),
 	TS_OPT(SET),
+	TS_OPT(CAMERA),
+	TS_OPT(EYE),
+	TS_OPT(TARGET),
+	TS_OPT(FOV),
+	TS_OPT(REFLECTOR),
+	TS_OPT(MIRROR),
+	TS_OPT(LAMP),
+	TS_OPT(ANIMATION),
+	TS_OPT(FROM_MESH),
 };
 
 bool ts_case_name(const char *text)
@@ -72,16 +87,29 @@ static ts_status find_method(ts_case *c, ts_cli *cli)
 	return c->pipeline != NULL ? TS_OK : ts_fail("no method \"%.60s\" of %s", method, effect);
 }
 
+/* In the order of the options, so that the order in which they were typed changes nothing. */
+static ts_status take_places(ts_case *c, const ts_cli *cli)
+{
+	ts_status status = TS_OK;
+	for (u32 option = 0; option < TS_N_OPTIONS; option++) {
+		const char *name = ts_option_table[option].name;
+		for (u32 i = 0; i < cli->n_typed && status == TS_OK && ts_place_is(name); i++) {
+			if (cli->typed[i].option == option) status = ts_golden_place(&c->said, name, cli->typed[i].text);
+		}
+	}
+	return status;
+}
+
 static ts_status take_line(ts_case *c, ts_cli *cli)
 {
 	const char *scene = cli->arguments[1];
 	if (find_method(c, cli) != TS_OK) return TS_ERROR;
-	c->params = cli->job.params;
-	if (!ts_builtin_is(scene) || strlen(scene) >= TS_CASE_SCENE) {
-		return ts_fail("\"%.60s\" is not a built-in scene", scene);
-	}
-	strcpy(c->scene, scene);
-	return ts_golden_bound(&c->params);
+	snprintf(c->said.effect, sizeof c->said.effect, "%s", c->pipeline->effect->name);
+	snprintf(c->said.method, sizeof c->said.method, "%s", c->pipeline->name);
+	c->said.params = cli->job.params;
+	if (strlen(scene) >= TS_GOLDEN_SCENE) return ts_fail("\"%.60s...\": beyond %d bytes", scene, TS_GOLDEN_SCENE - 1);
+	strcpy(c->said.scene, scene);
+	return take_places(c, cli) == TS_OK ? ts_golden_bound(&c->said) : TS_ERROR;
 }
 
 static ts_status read_case(ts_goldens *goldens, char *line)

@@ -23,7 +23,7 @@ static ts_status compute_again(char *text, const ts_goldens *goldens, const ts_c
 {
 	ts_golden again;
 	char name[TS_EMIT_NAME];
-	ts_status status = ts_case_compute(&again, c, &goldens->cli->job.how);
+	ts_status status = ts_case_compute(&again, goldens, c, &goldens->cli->job.how);
 	for (u32 id = 0; id < TS_N_BUFFERS && status == TS_OK; id++) {
 		if (strcmp(computed->sums.hex[id], again.sums.hex[id]) == 0) continue;
 		ts_emit_name(name, c->pipeline, (ts_buffer_id)id);
@@ -39,8 +39,8 @@ ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir
                           const ts_golden *computed)
 {
 	ts_status status = ts_golden_compare(text, TS_CASE_TEXT, stored, computed, c->pipeline, c->small);
-	if (status != TS_OK || ts_golden_preview.read == NULL) return status;
-	return ts_golden_check_preview(text, dir, computed, ts_golden_preview.read);
+	if (status != TS_OK || ts_golden_by.read == NULL) return status;
+	return ts_golden_check_preview(text, dir, computed, ts_golden_by.read);
 }
 
 static ts_case_end compare(char *text, const ts_goldens *goldens, const ts_case *c, const ts_golden_dir *dir)
@@ -52,7 +52,7 @@ static ts_case_end compare(char *text, const ts_goldens *goldens, const ts_case 
 	if (status == TS_OK) status = ts_golden_check_changes(dir);
 	if (status == TS_OK) {
 		bool listed = ts_baseline_find(&goldens->known, c->name, NULL) != NULL;
-		status = ts_case_compute(&computed, c, &goldens->cli->job.how);
+		status = ts_case_compute(&computed, goldens, c, &goldens->cli->job.how);
 		if (status == TS_OK) status = ts_case_compare(text, c, dir, &stored, &computed);
 		if (status == TS_DIFFERENT && listed) status = compute_again(text, goldens, c, &computed);
 		ts_golden_free(&computed);
@@ -114,15 +114,20 @@ static void judge_known(ts_checked *checked, const ts_goldens *goldens)
 	checked->end = known ? TS_CASE_KNOWN : TS_CASE_DIFFERENT;
 }
 
+/* NULL: the case is not skipped. */
+static const char *why_skipped(const ts_goldens *goldens, const ts_case *c)
+{
+	const ts_entry *skip = ts_baseline_find(&goldens->skips, c->name, NULL);
+	if (skip != NULL) return skip->reason;
+	return goldens->cli->no_device[0] != 0 ? goldens->cli->no_device : NULL;
+}
+
 static void check(ts_checked *checked, const ts_goldens *goldens, const ts_case *c)
 {
 	double began = ts_seconds();
-	const ts_entry *skip = ts_baseline_find(&goldens->skips, c->name, NULL);
-	*checked = (ts_checked){.of = c, .end = TS_CASE_SKIPPED, .first = TS_N_BUFFERS, .why = ""};
-	if (skip != NULL) {
-		checked->why = skip->reason;
-		return;
-	}
+	*checked = (ts_checked){.of = c, .end = TS_CASE_SKIPPED, .first = TS_N_BUFFERS, .why = why_skipped(goldens, c)};
+	if (checked->why != NULL) return;
+	checked->why = "";
 	checked->end = check_case(checked->text, goldens, c);
 	if (checked->end >= TS_CASE_MISSING) snprintf(checked->text, sizeof checked->text, "%s", ts_error_message());
 	checked->first = ts_golden_named(checked->text, c->pipeline);
@@ -135,7 +140,7 @@ static void recall(ts_checked *checked, const ts_goldens *goldens, const ts_case
 {
 	checked->of = c;
 	checked->why = "";
-	if (checked->end == TS_CASE_SKIPPED) checked->why = ts_baseline_find(&goldens->skips, c->name, NULL)->reason;
+	if (checked->end == TS_CASE_SKIPPED) checked->why = why_skipped(goldens, c);
 	if (checked->end == TS_CASE_KNOWN) checked->why = ts_baseline_find(&goldens->known, c->name, NULL)->reason;
 }
 
@@ -172,7 +177,7 @@ static ts_status print_line(const ts_checked *checked, bool quiet)
 }
 
 /* Prints the counts, and says how the command ends. */
-static ts_status sum_up(const ts_checked *checked, u32 n, bool print)
+static ts_status sum_up(const ts_cli *cli, const ts_checked *checked, u32 n, bool print)
 {
 	u32 count[TS_N_CASE_ENDS] = {0};
 	const ts_checked *first = NULL;
@@ -185,7 +190,11 @@ static ts_status sum_up(const ts_checked *checked, u32 n, bool print)
 		printf("%u passed, %u failed, %u skipped\n", (unsigned)passed, (unsigned)(n - passed - skipped),
 		       (unsigned)skipped);
 	}
-	if (first == NULL) return count[TS_CASE_DIFFERENT] != 0 ? TS_DIFFERENT : TS_OK;
+	if (first == NULL && cli->no_device[0] == 0) return count[TS_CASE_DIFFERENT] != 0 ? TS_DIFFERENT : TS_OK;
+	if (first == NULL) {
+		ts_fail("%s", cli->no_device);
+		return TS_SKIPPED;
+	}
 	if (first->end == TS_CASE_LOST) return ts_fail("golden: %s", first->text);
 	return ts_fail("golden: %s; \"golden new\" proposes and \"golden bless\" accepts a golden", first->text);
 }
@@ -198,18 +207,19 @@ ts_status ts_golden_check_action(const ts_goldens *goldens)
 	ts_checked *checked = kept->checked;
 	bool print = !cli->job.output.json && !cli->judging.tap;
 	u32 n = 0;
-	for (u32 i = 0; i < ts_goldens_count(goldens); i++) {
+	for (u32 i = 0; i < goldens->n_chosen; i++) {
 		if (!ts_shard_has(cli->job.shard, i)) continue;
 		bool told = n < kept->steps.n;
 		if (told)
-			recall(&checked[n], goldens, ts_goldens_case(goldens, i));
+			recall(&checked[n], goldens, goldens->chosen[i]);
 		else
-			take_step(kept, goldens, ts_goldens_case(goldens, i));
+			take_step(kept, goldens, goldens->chosen[i]);
 		if (!told && print && print_line(&checked[n], cli->job.output.quiet) != TS_OK) return TS_ERROR;
 		n++;
 	}
-	if (cli->job.shard.of > 0 && n == 0) ts_shard_say_empty(cli->job.shard, ts_goldens_count(goldens));
-	ts_status status = sum_up(checked, n, print && !cli->job.output.quiet);
+	if (cli->job.shard.of > 0 && n == 0) ts_shard_say_empty(cli->job.shard, goldens->n_chosen);
+	ts_status status = sum_up(cli, checked, n, print && !cli->job.output.quiet);
 	if (ts_golden_tell != NULL && ts_golden_tell(goldens, checked, n, status) != TS_OK) return TS_ERROR;
-	return status == TS_ERROR ? sum_up(checked, n, false) : status;
+	if (status != TS_OK && status != TS_DIFFERENT) return sum_up(cli, checked, n, false);
+	return status;
 }

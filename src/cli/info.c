@@ -18,7 +18,7 @@ ts_status ts_info_command(ts_cli *cli)
 	ts_scene *scene = NULL;
 	const ts_job *job = &cli->job;
 	ts_status status = ts_client_open(&context, cli);
-	if (status == TS_OK) status = ts_scene_open(context, &scene, cli->arguments[0], &job->params, &job->scene);
+	if (status == TS_OK) status = ts_scene_open(context, &scene, cli->arguments[0], &job->params, &job->scene.options);
 	if (status == TS_OK) status = print(scene, job->output.json);
 	ts_scene_free(scene);
 	ts_context_close(context);

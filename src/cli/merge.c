@@ -76,6 +76,21 @@ static ts_status check_whole(const ts_parts *p)
 	               n_missing == 1 ? "is" : "are", missing, n_missing == 1 ? "its folder" : "their folders");
 }
 
+/* An error is worst, then a difference, then that there was no device. */
+static const ts_part *worst_of(ts_parts *p)
+{
+	static const ts_status order[] = {TS_OK, TS_SKIPPED, TS_DIFFERENT, TS_ERROR};
+	const ts_part *worst = &p->part[0];
+	for (u32 k = 0; k < 4; k++) {
+		for (u32 i = 0; i < p->n; i++) {
+			if (json_integer_value(json_object_get(p->part[i].shard, "status")) != order[k]) continue;
+			worst = &p->part[i];
+			p->status = order[k];
+		}
+	}
+	return worst;
+}
+
 static ts_status put_together(ts_cli *cli, ts_parts *p)
 {
 	qsort(p->part, p->n, sizeof *p->part, by_index);
@@ -83,18 +98,15 @@ static ts_status put_together(ts_cli *cli, ts_parts *p)
 		if (check_run(&p->part[i], &p->part[0]) != TS_OK) return TS_ERROR;
 	}
 	if (check_whole(p) != TS_OK) return TS_ERROR;
-	u32 worst = 0;
-	for (u32 i = 0; i < p->n; i++) {
-		ts_status status = (ts_status)json_integer_value(json_object_get(p->part[i].shard, "status"));
-		if (status > p->status) worst = i;
-		if (status > p->status) p->status = status;
-	}
+	const ts_part *worst = worst_of(p);
 	p->command = text_of(&p->part[0], "command");
 	p->class_name = text_of(&p->part[0], "class");
 	p->cases = json_object_get(p->part[0].shard, "cases");
 	ts_status status = strcmp(p->command, "render") == 0 ? ts_merge_series(cli, p) : ts_merge_rows(cli, p);
-	if (status != TS_OK || p->status != TS_ERROR) return status == TS_OK ? p->status : status;
-	return ts_fail("merge: shard %u in %s ended with an error", (unsigned)p->part[worst].index, p->part[worst].dir);
+	if (status != TS_OK || p->status < TS_ERROR) return status == TS_OK ? p->status : status;
+	ts_fail("merge: shard %u in %s %s", (unsigned)worst->index, worst->dir,
+	        p->status == TS_ERROR ? "ended with an error" : "had no device");
+	return p->status;
 }
 
 ts_status ts_merge_command(ts_cli *cli)

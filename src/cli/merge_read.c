@@ -86,7 +86,8 @@ static ts_status take_shard(ts_part *part)
 	json_int_t index = json_integer_value(json_object_get(shard, "index"));
 	json_int_t of = json_integer_value(json_object_get(shard, "of"));
 	json_int_t status = json_integer_value(json_object_get(shard, "status"));
-	bool good = of >= 1 && of <= TS_MOST_SHARDS && index >= 1 && index <= of && status >= TS_OK && status <= TS_ERROR;
+	bool good = of >= 1 && of <= TS_MOST_SHARDS && index >= 1 && index <= of && status >= TS_OK;
+	good &= status <= TS_ERROR || status == TS_SKIPPED;
 	for (u32 i = 0; i < 3; i++) good &= json_is_string(json_object_get(shard, texts[i]));
 	for (u32 i = 0; i < 2; i++) good &= are_strings(json_object_get(shard, lists[i]));
 	part->index = (u32)index;

@@ -99,14 +99,14 @@ static json_t *sum_of(const merged *m, const char *key)
 
 static json_t *verdict_of(const merged *m)
 {
-	const char *verdict = "same";
+	const char *verdict = "skipped";
 	for (u32 i = 0; i < m->parts->n; i++) {
 		const char *own = json_string_value(json_object_get(m->parts->part[i].report, "verdict"));
 		if (own == NULL) {
 			ts_part_damaged(&m->parts->part[i], "it has no verdict");
 			return NULL;
 		}
-		if (strcmp(own, "different") == 0) verdict = "different";
+		if (strcmp(verdict, "different") != 0 && strcmp(own, "skipped") != 0) verdict = own;
 	}
 	return json_string(verdict);
 }

@@ -114,54 +114,16 @@ static ts_status take_mirrors(void *to, const ts_option *option, const char *tex
 	return ts_params_set(&job->params, "reflectors.count", text);
 }
 
-/* The n numbers of text. */
-static ts_status take_floats(f32 *to, u32 n, const ts_option *option, const char *text)
+static ts_status take_place(void *to, const ts_option *option, const char *text)
 {
-	char *end = NULL;
-	const char *at = text;
-	for (u32 i = 0; i < n; i++, at = end + 1) {
-		to[i] = strtof(at, &end);
-		if (end == at || *end != (i + 1 < n ? ',' : 0))
-			return ts_fail("--%s: \"%s\" is not %s", option->name, text, option->argument);
-	}
-	return TS_OK;
-}
-
-static ts_status take_eye(void *to, const ts_option *option, const char *text)
-{
-	ts_job *job = &((ts_cli *)to)->job;
-	job->scene.eye = job->eye;
-	return take_floats(job->eye, 3, option, text);
-}
-
-static ts_status take_target(void *to, const ts_option *option, const char *text)
-{
-	ts_job *job = &((ts_cli *)to)->job;
-	job->scene.target = job->target;
-	return take_floats(job->target, 3, option, text);
-}
-
-static ts_status take_lamp(void *to, const ts_option *option, const char *text)
-{
-	ts_job *job = &((ts_cli *)to)->job;
-	job->scene.lamp = job->lamp;
-	return take_floats(job->lamp, 3, option, text);
-}
-
-static ts_status take_mirror(void *to, const ts_option *option, const char *text)
-{
-	ts_job *job = &((ts_cli *)to)->job;
-	if (job->scene.n_mirrors == TS_MAX_MIRRORS) return ts_fail("--mirror: at most %u can be given", TS_MAX_MIRRORS);
-	job->scene.mirrors = (const f32(*)[4])job->mirrors;
-	return take_floats(job->mirrors[job->scene.n_mirrors++], 4, option, text);
+	if (ts_place_set(&((ts_cli *)to)->job.scene, option->name, text) == TS_OK) return TS_OK;
+	return ts_fail("--%s", ts_error_message());
 }
 
 static ts_status take_fov(void *to, const ts_option *option, const char *text)
 {
-	(void)option;
-	ts_job *job = &((ts_cli *)to)->job;
-	job->scene.own_fov = 1;
-	return ts_params_set(&job->params, "eye.fov", text);
+	ts_status status = ts_params_set(&((ts_cli *)to)->job.params, "eye.fov", text);
+	return status == TS_OK ? take_place(to, option, text) : status;
 }
 
 static ts_status take_backend(void *to, const ts_option *option, const char *text)

@@ -108,7 +108,7 @@ static void set_defaults(ts_cli *cli)
 	job->program = ts_program;
 	job->backends = ts_backend_kinds;
 	job->backend = ts_backend_kinds[0];
-	job->scene.bytes = sizeof job->scene;
+	job->scene.options.bytes = sizeof job->scene.options;
 	cli->began = ts_seconds();
 	cli->judging.first = 1;
 	job->device = (ts_backend_options){.work_group = 64, .build = ""};
@@ -135,7 +135,7 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 		const ts_option *o = option_of(answer);
 		if (o->take((char *)cli + o->at, o, optarg) != TS_OK || note(cli, o, optarg) != TS_OK) return TS_ERROR;
 	}
-	if (cli->job.scene.n_mirrors > 0 && !cli->job.mirrored) {
+	if (cli->job.scene.options.n_mirrors > 0 && !cli->job.mirrored) {
 		TS_PARAM_SET(&cli->job.params, reflectors_count, 0);
 		cli->job.mirrored = true;
 	}

@@ -215,7 +215,7 @@ ts_status ts_render_open(ts_render *render)
 {
 	const ts_job *job = render->job;
 	ts_status status = TS_OK;
-	if (render->scene == NULL) status = ts_scene_load(&render->scene, job->scenes, &job->params, &job->scene);
+	if (render->scene == NULL) status = ts_scene_load(&render->scene, job->scenes, &job->params, &job->scene.options);
 	if (status != TS_OK) return status;
 	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, job->truths, render->scene,
 	                           &job->params);

@@ -2,7 +2,6 @@
 #include "params.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "../scene/sources.h"
 #include "beside.h"
 
 enum { MOST_BYTES = 16 << 10 };
@@ -15,16 +14,18 @@ static ts_status read_line(ts_golden_said *s, char *line)
 	const struct {
 		const char *name;
 		char *to;
+		size_t bytes;
 	} words[] = {
-		{"effect", s->effect},
-		{"method", s->method},
-		{"scene", s->scene},
+		{"effect", s->effect, sizeof s->effect},
+		{"method", s->method, sizeof s->method},
+		{"scene", s->scene, sizeof s->scene},
 	};
 	for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
 		if (strcmp(line, words[i].name) != 0) continue;
-		snprintf(words[i].to, TS_GOLDEN_VALUE, "%s", equals + 1);
+		snprintf(words[i].to, words[i].bytes, "%s", equals + 1);
 		return TS_OK;
 	}
+	if (ts_place_is(line)) return ts_golden_place(s, line, equals + 1);
 	return ts_params_set(&s->params, line, equals + 1);
 }
 
@@ -47,8 +48,31 @@ ts_status ts_golden_read_params(ts_golden_said *s, const ts_golden_dir *dir)
 	return status;
 }
 
-ts_status ts_golden_bound(const ts_params *p)
+ts_status ts_golden_place(ts_golden_said *s, const char *name, const char *text)
 {
+	size_t used = strlen(s->places), n = strlen(name) + strlen(text) + 2;
+	if (n >= sizeof s->places - used) return ts_fail("%s: the options of the scene are too long", name);
+	snprintf(s->places + used, sizeof s->places - used, "%s=%s\n", name, text);
+	return TS_OK;
+}
+
+static bool is_file(const char *spec)
+{
+	static const char *const kinds[] = {".gltf", ".glb", ".ply"};
+	const char *kind = strrchr(spec, '.');
+	for (size_t i = 0; i < 3 && kind != NULL; i++) {
+		if (strcmp(kind, kinds[i]) == 0) return spec[0] != '/';
+	}
+	return false;
+}
+
+ts_status ts_golden_bound(const ts_golden_said *s)
+{
+	const ts_params *p = &s->params;
+	if (!ts_builtin_is(s->scene) && !is_file(s->scene)) {
+		return ts_fail("\"%.60s\" is neither a built-in scene nor the path of a .gltf, .glb or .ply file from here",
+		               s->scene);
+	}
 	if ((u64)TS_PARAM(p, width) * TS_PARAM(p, height) <= TS_GOLDEN_PIXELS && TS_PARAM(p, frame) <= TS_GOLDEN_FRAME) {
 		return TS_OK;
 	}
@@ -56,14 +80,37 @@ ts_status ts_golden_bound(const ts_params *p)
 	               TS_PARAM(p, height), TS_PARAM(p, frame), TS_GOLDEN_PIXELS, TS_GOLDEN_FRAME);
 }
 
-ts_status ts_golden_make(ts_golden *golden, const char *name, const ts_pipeline *pipeline, const char *builtin,
-                         const ts_params *params, const ts_how *how)
+/* The texts stay in `lines`, which this cuts. */
+static ts_status set_places(ts_places *places, char *lines)
+{
+	*places = (ts_places){.options.bytes = sizeof places->options};
+	for (char *state, *line = strtok_r(lines, "\n", &state); line != NULL; line = strtok_r(NULL, "\n", &state)) {
+		char *text = strchr(line, '=');
+		*text = 0;
+		if (ts_place_set(places, line, text + 1) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+static ts_status open_scene(ts_scene **scene, const ts_golden_said *s, const char *folder, ts_golden_opener *open)
+{
+	char path[TS_GOLDEN_PATH + TS_GOLDEN_SCENE], lines[TS_GOLDEN_PLACES];
+	ts_places places;
+	bool builtin = ts_builtin_is(s->scene);
+	snprintf(path, sizeof path, "%s%s%s", builtin ? "" : folder, builtin ? "" : "/", s->scene);
+	memcpy(lines, s->places, sizeof lines);
+	if (set_places(&places, lines) != TS_OK) return TS_ERROR;
+	return open(scene, path, &s->params, &places.options);
+}
+
+ts_status ts_golden_make(ts_golden *golden, const char *name, const ts_pipeline *pipeline, const ts_golden_said *said,
+                         const char *folder, ts_golden_opener *open, const ts_how *how)
 {
 	ts_scene *scene;
 	memset(golden, 0, sizeof *golden);
-	if (ts_builtin_open(&scene, builtin, params, NULL) != TS_OK) return TS_ERROR;
-	u64 need = ts_pipeline_estimate(pipeline, scene, params, true), limit = ts_memory_limit();
-	ts_golden_job job = {pipeline, scene, params, *how};
+	if (open_scene(&scene, said, folder, open) != TS_OK) return TS_ERROR;
+	u64 need = ts_pipeline_estimate(pipeline, scene, &said->params, true), limit = ts_memory_limit();
+	ts_golden_job job = {pipeline, scene, &said->params, *how};
 	ts_status status = need <= limit ? ts_golden_compute(golden, &job)
 	                                 : ts_fail("%s: needs about %llu MiB; %llu are there", name,
 	                                           (unsigned long long)(need >> 20), (unsigned long long)(limit >> 20));

@@ -50,12 +50,12 @@ ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 va
 /* Again with surfels if it has none and needs some. */
 static ts_status open_scene(ts_bench_case *c)
 {
-	ts_status status = ts_scene_load(&c->scene, c->spec, &c->params, &c->job->scene);
+	ts_status status = ts_scene_load(&c->scene, c->spec, &c->params, &c->job->scene.options);
 	if (status != TS_OK || c->sampled == 0 || c->scene->n_surfels > 0) return status;
 	ts_scene_free(c->scene);
 	c->scene = NULL;
 	TS_PARAM_SET(&c->params, surfels_from_mesh, c->sampled);
-	return ts_scene_load(&c->scene, c->spec, &c->params, &c->job->scene);
+	return ts_scene_load(&c->scene, c->spec, &c->params, &c->job->scene.options);
 }
 
 ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params)

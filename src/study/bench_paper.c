@@ -163,7 +163,7 @@ static ts_status check_lists(const work *w, const char *scenes)
 		ts_scene *scene = NULL;
 		ts_params params = w->job->params;
 		TS_PARAM_SET(&params, reflectors_count, 1);
-		status = ts_scene_load(&scene, spec, &params, &w->job->scene);
+		status = ts_scene_load(&scene, spec, &params, &w->job->scene.options);
 		ts_scene_free(scene);
 	}
 	return status;

@@ -2,9 +2,10 @@
 #ifndef TS_CLI_JOB_H
 #define TS_CLI_JOB_H
 #include "../methods/stage.h"
+#include "../scene/places.h"
 #include "shard.h"
 
-enum { TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48, TS_MAX_MIRRORS = 64 };
+enum { TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
 
 /* Parameters for which several values were typed: every combination is rendered. */
 typedef struct {
@@ -55,8 +56,7 @@ typedef struct {
 	ts_frames frames;
 	ts_shard shard;               /* cases that are worked on */
 	const char *scenes, *objects; /* specs, of a render one; objects of a table */
-	ts_scene_options scene;       /* its points are these */
-	f32 eye[3], target[3], lamp[3], mirrors[TS_MAX_MIRRORS][4];
+	ts_places scene;
 	u32 runs;   /* runs of which the median is taken; 0: the table's number */
 	ts_how how; /* its backend is open */
 	const ts_backend_kind *backend;

@@ -274,8 +274,8 @@ line 'one argument too many' 'few: epr atrium gallery'
 line 'no method "rays" of reflections' 'few: rays atrium'
 line 'no method "epr" of soft-shadows' 'few: soft-shadows/epr atrium'
 line 'no effect "shadows"; the nearest is' 'few: shadows/mvr atrium'
-line 'not a built-in scene' 'few: epr scenes/room.gltf'
-line 'not a built-in scene' "few: epr atrium:$(printf '%0100d' 0)"
+line 'neither a built-in scene nor the path' 'few: epr /scenes/room.gltf'
+line 'beyond 199 bytes' "few: epr atrium:$(printf '%0300d' 0)"
 line 'no such parameter; the nearest is lookup.bounces' 'few: epr atrium --set bouncs=2'
 line 'not a whole number' 'few: epr atrium --set lookup.bounces=4'
 line 'at most 1048576 pixels' 'few: epr atrium --size 2000x2000'

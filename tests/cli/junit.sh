@@ -46,11 +46,31 @@ verdict $? 'an error in JUnit: a value that is none'
 suits 1 0 1 0 'which suits the schema'
 refuses '/dev/full: cannot be written' compare a.png b.png --junit /dev/full
 
-# And of what was skipped.
-OCL_ICD_VENDORS=/nonexistent run golden check small-epr --goldens "$goldens" --backend opencl --junit j.xml --tap
-[ "$status" -eq 77 ] && grep -qx '1..0 # SKIP backend opencl: no OpenCL device; .*' stdout && grep -q '<skipped message=".*no OpenCL device' j.xml
+# And of what was skipped: each case, in every form; shards without a device are merged with the others.
+without_device() { OCL_ICD_VENDORS=/nonexistent run golden check 'small-e*' small-mvr --goldens "$goldens" --backend opencl "$@"; }
+without_device --junit j.xml --tap
+[ "$status" -eq 77 ] && [ "$(grep -c '^ok .* - small-.* # SKIP skipped: .*no OpenCL device' stdout)" -eq 2 ] && tail -n 1 stdout | grep -qx '1..2' &&
+	[ "$(grep -c '<skipped message=".*no OpenCL device' j.xml)" -eq 2 ] && grep -qx 'touchstone: backend opencl: no OpenCL device; .*' stderr
 verdict $? 'JUnit and TAP of a device that is not there'
-suits 1 0 0 1 'which suits the schema'
+suits 2 0 0 2 'which suits the schema'
+without_device --json
+python3 -c "
+import json
+report = json.load(open('stdout'))
+assert report['verdict'] == 'skipped' and report['skipped'] == 2 and report['passed'] == report['failed'] == 0"
+verdict $? 'JSON of a device that is not there'
+without_device --shard 1/2 -o skipped-1
+[ "$status" -eq 77 ]
+verdict $? 'a shard of a device that is not there'
+run golden check 'small-e*' small-mvr --goldens "$goldens" --backend opencl --shard 2/2 -o skipped-2
+if [ "$status" -eq 77 ]; then
+	echo "ok $((tests += 1)) - it is merged with the others # SKIP no OpenCL device here"
+else
+	run merge skipped-2 skipped-1 --junit j.xml
+	[ "$status" -eq 77 ] && grep -qx 'touchstone: merge: shard 1 in skipped-1 had no device' stderr && grep -q '^1 passed, 0 failed, 1 skipped$\|^same' stdout
+	verdict $? 'it is merged with the others'
+	suits 2 0 0 1 'which suits the schema'
+fi
 
 # JUnit of traces.
 run compare r/trace-epr r/trace-epr --junit j.xml --ignore image.srgb,image.radiance

@@ -77,7 +77,7 @@ static void test_mirrors(void **state)
 	char line[TYPED_LINE] = "render reflections";
 	assert_refused("render reflections --mirror 1,2,3", "--mirror: \"1,2,3\" is not X,Y,Z,R");
 	assert_int_equal(typed_parse("render reflections --mirror 1,2,3,4 --mirror 5,6,7,8"), TS_OK);
-	assert_int_equal(typed_cli.job.scene.n_mirrors, 2);
+	assert_int_equal(typed_cli.job.scene.options.n_mirrors, 2);
 	assert_floats(typed_cli.job.scene.mirrors[0], (const f32[]){1, 2, 3, 4, 5, 6, 7, 8}, 8);
 	assert_int_equal(TS_PARAM(&typed_cli.job.params, reflectors_count), 0);
 	assert_int_equal(typed_parse("render reflections --mirror 1,2,3,4 --reflectors 3"), TS_OK);
@@ -86,7 +86,7 @@ static void test_mirrors(void **state)
 	assert_int_equal(TS_PARAM(&typed_cli.job.params, reflectors_count), 10);
 	for (u32 i = 0; i < TS_MAX_MIRRORS; i++) strcat(line, " --mirror 1,2,3,4");
 	assert_int_equal(typed_parse(line), TS_OK);
-	assert_int_equal(typed_cli.job.scene.n_mirrors, TS_MAX_MIRRORS);
+	assert_int_equal(typed_cli.job.scene.options.n_mirrors, TS_MAX_MIRRORS);
 	strcat(line, " --mirror 1,2,3,4");
 	assert_refused(line, "--mirror: at most 64 can be given");
 }

@@ -171,7 +171,7 @@ forge 'a row without an outcome' 'del report["stages"][0]["outcome"]'
 forge 'lines that are numbers' 'report["stages"][0]["lines"] = [1]'
 forge 'another reference' 'report["reference"] = "elsewhere"'
 forge 'no verdict' 'del report["verdict"]'
-forge 'a status of its own' 'shard["status"] = 77'
+forge 'a status of its own' 'shard["status"] = 3'
 run merge s-1 s-2 s-3 -o s-1
 [ "$status" -eq 2 ] && grep -q 's-1: not empty' stderr
 verdict $? 'a shard is not replaced by what is merged'

@@ -57,12 +57,12 @@ static void test_refused(void **state)
 
 static ts_status bound(u32 width, u32 height, u32 frame)
 {
-	ts_params params;
-	ts_params_default(&params);
-	params.width = width;
-	params.height = height;
-	params.frame = frame;
-	return ts_golden_bound(&params);
+	ts_golden_said said = {.scene = "atrium"};
+	ts_params_default(&said.params);
+	said.params.width = width;
+	said.params.height = height;
+	said.params.frame = frame;
+	return ts_golden_bound(&said);
 }
 
 static void test_bound(void **state)
@@ -76,12 +76,43 @@ static void test_bound(void **state)
 	assert_int_equal(bound(65536, 65536, 0), TS_ERROR); /* whose product is 0 in 32 bits */
 }
 
+static void test_scene(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *spec;
+		ts_status status;
+	} scenes[] = {{"atrium", TS_OK},         {"gallery:triangles=10000", TS_OK},
+	              {"room.gltf", TS_OK},      {"../a/b.glb", TS_OK},
+	              {"points.ply", TS_OK},     {"", TS_ERROR},
+	              {"/etc/passwd", TS_ERROR}, {"/room.gltf", TS_ERROR},
+	              {"room.obj", TS_ERROR},    {"room", TS_ERROR},
+	              {"room.gltf/x", TS_ERROR}};
+	for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+		ts_golden_said said = {.params.width = 16, .params.height = 16};
+		strcpy(said.scene, scenes[i].spec);
+		assert_int_equal(ts_golden_bound(&said), scenes[i].status);
+	}
+}
+
+/* Options of the scene stay in their order; more than there is room for are refused. */
+static void test_places(void **state)
+{
+	(void)state;
+	ts_golden_said said;
+	char mirrors[TS_GOLDEN_PLACES + 32] = "";
+	reads(&said, "camera=door=1\nwidth=48\nmirror=1,2,3,4\nmirror=5,6,7,8\n");
+	assert_string_equal(said.places, "camera=door=1\nmirror=1,2,3,4\nmirror=5,6,7,8\n");
+	assert_int_equal(said.params.width, 48);
+	while (strlen(mirrors) < TS_GOLDEN_PLACES) strcat(mirrors, "mirror=1,2,3,4\n");
+	refuses(mirrors, strlen(mirrors), "params.txt: mirror: the options of the scene are too long");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_lines),
-		cmocka_unit_test(test_refused),
-		cmocka_unit_test(test_bound),
+		cmocka_unit_test(test_lines), cmocka_unit_test(test_refused), cmocka_unit_test(test_bound),
+		cmocka_unit_test(test_scene), cmocka_unit_test(test_places),
 	};
 	return cmocka_run_group_tests(tests, dir_begin, dir_end);
 }

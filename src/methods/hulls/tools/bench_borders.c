@@ -140,7 +140,7 @@ static ts_status add_scene(void *user, const char *spec)
 	ts_scene *scene;
 	ts_params params = w->job->params;
 	const char *slash = strrchr(spec, '/');
-	if (ts_scene_load(&scene, spec, &params, &w->job->scene) != TS_OK) return TS_ERROR;
+	if (ts_scene_load(&scene, spec, &params, &w->job->scene.options) != TS_OK) return TS_ERROR;
 	ts_status status = measure_scene(w, slash != NULL ? slash + 1 : spec, scene, &params);
 	ts_scene_free(scene);
 	return status;

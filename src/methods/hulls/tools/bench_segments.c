@@ -139,7 +139,7 @@ static ts_status add_scene(void *user, const char *spec)
 	ts_scene *scene;
 	ts_params params = w->job->params;
 	u32 *swept = NULL, *exact = NULL;
-	if (ts_scene_load(&scene, spec, &params, &w->job->scene) != TS_OK) return TS_ERROR;
+	if (ts_scene_load(&scene, spec, &params, &w->job->scene.options) != TS_OK) return TS_ERROR;
 	ts_status status = segment(&swept, w, scene, &params, TS_SEGMENTATION_SWEEPS);
 	if (status == TS_OK) status = segment(&exact, w, scene, &params, TS_SEGMENTATION_COMPONENTS);
 	if (status == TS_OK) report_scene(w, spec, swept, exact, TS_PARAM(&params, depth_grid_px));

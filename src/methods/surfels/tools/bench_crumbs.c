@@ -85,7 +85,7 @@ static ts_status run_sides(found *r, const work *w, const char *spec, const char
 	ts_scene *scene = NULL;
 	ts_params params = w->job->params;
 	ts_status status = ts_bench_set(&params, set);
-	if (status == TS_OK) status = ts_scene_load(&scene, spec, &params, &w->job->scene);
+	if (status == TS_OK) status = ts_scene_load(&scene, spec, &params, &w->job->scene.options);
 	if (status == TS_OK && truth->radiance == NULL) status = make_truth(truth, w, scene, &params);
 	for (u32 k = 0; k < N_FILTERS && status == TS_OK; k++) status = run_filter(&r[k], w, k, scene, &params, truth);
 	ts_scene_free(scene);
