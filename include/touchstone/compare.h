@@ -60,7 +60,7 @@ TS_API ts_status ts_trace_replay(ts_context *context, ts_trace **trace, const ch
 
 /* How a buffer was judged. */
 typedef enum {
-	TS_NOT_JUDGED, /* the reference lacks it, or neither has it */
+	TS_NOT_JUDGED, /* the reference lacks it and its digest, or neither has it */
 	TS_MISSING,    /* the candidate lacks it */
 	TS_IGNORED,
 	TS_UNABLE, /* the right values are not known: `why` says the reason */
@@ -73,7 +73,7 @@ typedef struct {
 	const char *stage; /* that makes the buffer, or "scene" */
 	const char *buffer;
 	const char *verdict;               /* "same", "different", "missing", "ignored", "not judged" */
-	const char *why;                   /* why the buffer could not be judged, or has another shape; otherwise "" */
+	const char *why;                   /* why the buffer could not be judged, or has another shape or digest; or "" */
 	uint64_t n_reference, n_candidate; /* elements */
 	uint64_t n_different;              /* elements that differ, those without a partner included */
 	uint64_t n_missing, n_extra;       /* records of a set that the candidate lacks, and that only it has */
@@ -82,6 +82,7 @@ typedef struct {
 	uint64_t n_undecided;              /* elements that differ where the reference does not decide */
 	ts_judgement judgement;
 	uint32_t number;    /* of the stage in names of files; 0: the scene */
+	int by_digest;      /* not 0: a file is left out, so digests were compared, and no elements */
 	int by_counts;      /* not 0: prefix sums, judged by their counts, as a wrong count moves all later sums */
 	uint64_t n_tied;    /* texels where another of the tied records won, which is allowed */
 	int64_t worst_ulps; /* largest distance of floats */

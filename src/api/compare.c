@@ -70,7 +70,9 @@ static ts_status compare(const ts_context *context, ts_verdicts *v, const ts_tra
 	ts_status status = judge(context, v, reference, candidate, o);
 	ts_emit_order(ids, reference->pipeline);
 	for (u32 i = 0; i < TS_N_BUFFERS && status != TS_ERROR; i++) {
-		if (reference->item[ids[i]].path == NULL || v->comparison->verdict[ids[i]].aside) continue;
+		const ts_verdict *judged = &v->comparison->verdict[ids[i]];
+		bool none = reference->item[ids[i]].path == NULL && judged->judgement == TS_NOT_JUDGED;
+		if (none || judged->aside) continue;
 		if (ts_verdicts_add(v, reference, ids[i]) != TS_OK) status = TS_ERROR;
 	}
 	return status != TS_ERROR && ts_verdicts_end(v, reference, candidate) != TS_OK ? TS_ERROR : status;

@@ -2,6 +2,7 @@
 #include "verdicts.h"
 #include <touchstone/html.h>
 #include <stdlib.h>
+#include "../compare/digests.h"
 #include "../image/flip.h"
 #include "../model/json.h"
 #include "../report/report.h"
@@ -87,7 +88,7 @@ static ts_status match(const ts_comparison *c, const ts_trace *reference, const 
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_verdict *v = &c->verdict[id];
 		if (v->judgement != TS_UNLIKE || v->aside) continue;
-		both &= reference->item[id].path != NULL && candidate->item[id].path != NULL &&
+		both &= ts_digest_known(&reference->item[id]) && ts_digest_known(&candidate->item[id]) &&
 		        reference->item[id].npy.n == v->n_ref;
 	}
 	return both ? TS_OK : ts_fail("ts_html_add_verdicts: verdicts of other traces; those of that comparison are right");

@@ -247,18 +247,10 @@ const ts_trace_info *ts_trace_about(ts_trace *trace)
 
 ts_status ts_trace_digest(ts_trace *trace, const char *name, char hex[65])
 {
-	char header[TS_NPY_HEADER], descr[TS_NPY_DESCR];
 	ts_buffer_id id;
-	ts_digest digest;
 	if (TS_LACKS(hex)) return TS_ERROR;
-	const ts_buffer_view *view = ts_trace_buffer(trace, name);
-	if (view == NULL || ts_api_buffer(&id, name) != TS_OK) return TS_ERROR;
-	ts_npy_descr(descr, id);
-	ts_digest_begin(&digest);
-	ts_digest_add(&digest, header, ts_npy_header(header, descr, view->n_dims, view->shape));
-	ts_digest_add(&digest, view->data, (size_t)trace->item[id].npy.n * view->element_bytes);
-	ts_digest_end(&digest, hex);
-	return TS_OK;
+	const ts_trace_item *item = find_item(&id, trace, name);
+	return item != NULL ? ts_trace_sha256(hex, item, id) : TS_ERROR;
 }
 
 int64_t ts_trace_counter(const ts_trace *trace, const char *name)

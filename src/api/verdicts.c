@@ -110,6 +110,7 @@ ts_status ts_verdicts_add(ts_verdicts *v, const ts_trace *reference, ts_buffer_i
 	                          .n_masked = judged->n_masked,
 	                          .n_undecided = judged->n_undecided,
 	                          .n_tied = judged->n_tied,
+	                          .by_digest = judged->by_digest,
 	                          .by_counts = ts_sum_of(id) != NULL,
 	                          .worst_ulps = judged->worst_ulps,
 	                          .seconds = judged->seconds,

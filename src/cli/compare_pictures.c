@@ -132,7 +132,7 @@ ts_status ts_compare_draw(const ts_compared *c)
 	const ts_verdict_info *v;
 	ts_status status = TS_OK;
 	for (size_t i = 0; (v = ts_verdicts_at(c->verdicts, i)) != NULL && status == TS_OK; i++) {
-		if (v->judgement == TS_UNLIKE) status = draw_buffer(c, v->buffer);
+		if (v->judgement == TS_UNLIKE && !v->by_digest) status = draw_buffer(c, v->buffer);
 	}
 	return status;
 }

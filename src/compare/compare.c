@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "../trace/emit.h"
+#include "digests.h"
 
 ts_comparison *ts_comparison_make(u32 most)
 {
@@ -65,11 +66,14 @@ static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *re
 {
 	ts_verdict *v = &c->verdict[id];
 	ts_status status = TS_OK;
-	if (reference->item[id].path == NULL || !ts_relax_takes(relaxations, id)) return TS_OK;
+	const ts_trace_item *ref = &reference->item[id], *cand = &candidate->item[id];
+	if (!ts_digest_known(ref) || !ts_relax_takes(relaxations, id)) return TS_OK;
 	if (ts_relax_ignores(relaxations, ts_buffer_table[id].name)) {
 		v->judgement = TS_IGNORED;
-	} else if (candidate->item[id].path == NULL) {
+	} else if (!ts_digest_known(cand)) {
 		v->judgement = TS_MISSING;
+	} else if (ref->path == NULL || cand->path == NULL) {
+		status = ts_compare_digests(v, id, reference, candidate, relaxations);
 	} else if (lacks_order(id, candidate, order)) {
 		v->judgement = TS_UNABLE;
 		snprintf(v->why, sizeof v->why, LACKS_ORDER, ts_buffer_table[ts_order_key()].name);

@@ -23,6 +23,7 @@ typedef struct {
 	ts_difference first, worst; /* worst: of floats, by ulps */
 	i64 worst_ulps;
 	char why[TS_WHY_TEXT]; /* TS_UNABLE: the reason; TS_UNLIKE: both shapes, if no element was compared; otherwise "" */
+	bool by_digest;        /* a file is left out: `why` says how digests differ, and no element was compared */
 	bool aside;            /* not counted: judged only to know whether inputs of others differ */
 	double seconds;        /* of ts_compare_traces or ts_compare_forced; those of a stage are with its first output */
 	/* Set by the caller. */

@@ -51,11 +51,11 @@ static json_t *buffer_json(const ts_comparison *c, const ts_trace *reference, ts
 	for (u32 d = 0; d < v->list.n; d++) {
 		failed |= json_array_append_new(first, difference_json(id, &v->list.items[d]));
 	}
+	const char *by = v->by_digest ? "digest" : ts_sum_of(id) != NULL ? "counts" : "elements";
 	ts_compare_line(line, c, reference, id);
-	json_t *o =
-		json_pack("{s:s, s:s, s:s, s:s, s:I, s:o, s:o}", "stage", ts_emit_maker(reference->pipeline, id), "buffer",
-	              ts_buffer_table[id].name, "judged_by", ts_sum_of(id) != NULL ? "counts" : "elements", "line", line,
-	              "candidate_elements", (json_int_t)v->n_cand, "fields", by_field, "first", first);
+	json_t *o = json_pack("{s:s, s:s, s:s, s:s, s:I, s:o, s:o}", "stage", ts_emit_maker(reference->pipeline, id),
+	                      "buffer", ts_buffer_table[id].name, "judged_by", by, "line", line, "candidate_elements",
+	                      (json_int_t)v->n_cand, "fields", by_field, "first", first);
 	if (failed == 0) return o;
 	json_decref(o);
 	return NULL;

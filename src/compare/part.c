@@ -2,6 +2,7 @@
 #include "part.h"
 #include <string.h>
 #include "../trace/emit.h"
+#include "digests.h"
 
 /* The first n bytes of `text` are that name. */
 static bool is_name(const char *name, const char *text, size_t n)
@@ -31,7 +32,7 @@ ts_status ts_part_make(bool part[TS_N_BUFFERS], const char *stages, const ts_tra
 		at += length;
 	}
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		bool both = reference->item[id].path != NULL && candidate->item[id].path != NULL;
+		bool both = ts_digest_known(&reference->item[id]) && ts_digest_known(&candidate->item[id]);
 		any |= both && !ts_relax_ignores(relaxations, ts_buffer_table[id].name);
 	}
 	return any ? TS_OK : ts_fail("%s: no buffer that the reference has too: nothing to judge", candidate->dir);

@@ -71,7 +71,7 @@ static ts_status mark_all(differing *d, const ts_relaxations *relaxations)
 	ts_status status = ts_order_make(&order, ts_order_key(), d->reference, d->candidate);
 	for (u32 i = 0; i < TS_N_BUFFERS && status == TS_OK; i++) {
 		const ts_verdict *v = &d->comparison->verdict[ids[i]];
-		bool shaped = v->judgement == TS_UNLIKE && v->n_ref == v->n_cand && fits(d, ids[i]);
+		bool shaped = v->judgement == TS_UNLIKE && !v->by_digest && v->n_ref == v->n_cand && fits(d, ids[i]);
 		if (shaped && json_array_size(d->layers) < MOST_LAYERS) status = mark_buffer(d, ids[i], &order, relaxations);
 	}
 	ts_order_free(&order);

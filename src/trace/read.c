@@ -53,6 +53,29 @@ static ts_status add_crop(ts_trace *trace, ts_buffer_id id, const char *path, co
 	return right ? TS_OK : ts_fail("%s: its shape is not that of its crop", path);
 }
 
+/* A file that is left out. */
+static ts_status add_left_out(ts_trace_item *item, const char *path, const json_t *entry)
+{
+	const char *sha256 = text_of(entry, "sha256");
+	const json_t *shape = json_object_get(entry, "shape");
+	ts_npy npy = {.n_dims = (u32)json_array_size(shape)};
+	bool right = json_array_size(shape) <= TS_MAX_DIMS;
+	if (sha256[0] == 0) return TS_OK;
+	for (u32 i = 0; i < npy.n_dims && right; i++) {
+		json_int_t n = json_integer_value(json_array_get(shape, i));
+		right = n >= 0;
+		npy.shape[i] = (u64)n;
+	}
+	right = right && ts_shape_count(&npy.n, npy.n_dims, npy.shape);
+	if (!right || strlen(sha256) != TS_DIGEST_BYTES - 1 || strspn(sha256, "0123456789abcdef") != TS_DIGEST_BYTES - 1) {
+		return ts_fail("%s: buffer %s: a shape, and 64 hexadecimal digits of sha256, would be right", path,
+		               text_of(entry, "name"));
+	}
+	item->npy = npy;
+	memcpy(item->sha256, sha256, TS_DIGEST_BYTES);
+	return TS_OK;
+}
+
 static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *entry, ts_trust trust,
                             bool listed[TS_N_BUFFERS])
 {
@@ -66,7 +89,7 @@ static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *ent
 	}
 	if (listed[id]) return ts_fail("%s: buffer %s is there twice", path, ts_buffer_table[id].name);
 	listed[id] = true;
-	if (file == NULL || json_is_null(file)) return TS_OK;
+	if (file == NULL || json_is_null(file)) return add_left_out(&trace->item[id], path, entry);
 	const char *in = json_is_string(file) ? json_string_value(file) : "";
 	if (ts_item_add(trace, id, in, trust) != TS_OK) return TS_ERROR;
 	return add_crop(trace, id, path, json_object_get(entry, "crop"));
@@ -313,6 +336,28 @@ ts_status ts_trace_copy(void *to, const ts_trace_item *item, ts_buffer_id id)
 		if (data == NULL) break;
 		memcpy((u8 *)to + first * element_bytes, data, (size_t)n * element_bytes);
 	}
+	ts_reader_close(reader);
+	return data != NULL ? TS_OK : TS_ERROR;
+}
+
+ts_status ts_trace_sha256(char hex[TS_DIGEST_BYTES], const ts_trace_item *item, ts_buffer_id id)
+{
+	char header[TS_NPY_HEADER], descr[TS_NPY_DESCR];
+	ts_digest digest;
+	if (item->path == NULL) {
+		memcpy(hex, item->sha256, TS_DIGEST_BYTES);
+		return TS_OK;
+	}
+	ts_reader *reader = ts_trace_read(item, id);
+	const void *data = reader;
+	ts_npy_descr(descr, id);
+	ts_digest_begin(&digest);
+	ts_digest_add(&digest, header, ts_npy_header(header, descr, item->npy.n_dims, item->npy.shape));
+	for (u64 first = 0, n; first < item->npy.n && data != NULL; first += n) {
+		data = ts_reader_at(reader, first, &n);
+		if (data != NULL) ts_digest_add(&digest, data, (size_t)n * ts_buffer_table[id].element_bytes);
+	}
+	ts_digest_end(&digest, hex);
 	ts_reader_close(reader);
 	return data != NULL ? TS_OK : TS_ERROR;
 }

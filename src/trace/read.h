@@ -6,6 +6,7 @@
 #include "../methods/pipeline.h"
 #include <touchstone/trace.h>
 #include "descr.h"
+#include "../model/digest.h"
 #include "reader.h"
 
 /* All elements of a compressed file, unpacked at the first use. */
@@ -22,6 +23,8 @@ typedef struct {
 	ts_npy npy;
 	bool cropped;
 	u32 crop[4]; /* x, y, width, height */
+	char
+		sha256[TS_DIGEST_BYTES]; /* of a file that is left out, by trace.json, with its shape in `npy`; "": not known */
 } ts_trace_item;
 
 struct ts_trace {
@@ -62,6 +65,9 @@ ts_reader *ts_trace_read(const ts_trace_item *item, ts_buffer_id id);
 
 /* Copies all elements of a buffer that the trace has; TS_ERROR: its file cannot be read. */
 ts_status ts_trace_copy(void *to, const ts_trace_item *item, ts_buffer_id id);
+
+/* The SHA-256 of the file that a trace holds, or would hold, of the buffer. */
+ts_status ts_trace_sha256(char hex[TS_DIGEST_BYTES], const ts_trace_item *item, ts_buffer_id id);
 
 /* Finds the buffer of a name, present or old; false if there is none. */
 bool ts_trace_find(ts_buffer_id *id, const char *name);

@@ -73,7 +73,7 @@ static void test_params(void **state)
 	refused(check(&judged), "no such method");
 	copy();
 	run("sed -i 's|^scene=.*|scene=/etc/passwd|' '%s'/golden/params.txt", folder);
-	refused(check(&judged), "not a built-in scene");
+	refused(check(&judged), "neither a built-in scene");
 	assert_int_equal(judged.scene[0], 0);
 }
 

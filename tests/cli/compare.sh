@@ -27,12 +27,12 @@ for folder in sys.argv[1:]:
 PY
 cp -r r/trace-epr c
 
-ends 0 '^39 buffers judged, 0 different, 0 missing$' 'a copy is the same' compare r/trace-epr c
+ends 0 '^40 buffers judged, 0 different, 0 missing$' 'a copy is the same' compare r/trace-epr c
 change c/20-image.srgb.npy 1 $((3 * (20 * 96 + 33) + 1)) 0 ff
 change c/09-align.frame.npy 80 12 12 0000803f
 ends 1 'stage 09 align, buffer align.frame, piece 12, field s: ref .* candidate 1 = 0x1p+0 (3f800000) .* ulp — first of 1; inputs identical' \
 	'the first divergence in the order of the pipeline' compare r/trace-epr c
-grep -q '^39 buffers judged, 2 different, 0 missing$' stdout
+grep -q '^40 buffers judged, 2 different, 0 missing$' stdout
 verdict $? 'and how many there are'
 ends 1 'stage 20 image, buffer image.srgb, pixel (33, 20) \[1\], ref' 'after what is ignored the next' \
 	compare r/trace-epr c --ignore align.frame
@@ -114,7 +114,7 @@ for name in "11-points.key", "11-points.record", "20-image.srgb":
 	open("raw/" + name[3:] + ".bin", "wb").write(data[10 + data[8] + 256 * data[9]:])
 PY
 layout=points.key=points.key.bin,points.record=points.record.bin,image.srgb=image.srgb.bin
-ends 0 '^3 buffers judged, 0 different, 36 missing$' 'raw files' compare r/trace-epr raw --layout $layout
+ends 0 '^3 buffers judged, 0 different, 37 missing$' 'raw files' compare r/trace-epr raw --layout $layout
 python3 - <<'PY'
 for name, size in ("points.key", 8), ("points.record", 32):
 	data = open(f"raw/{name}.bin", "rb").read()

