@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "golden_trace.h"
 #include "../model/digest.h"
 #include "../trace/emit.h"
 #include "../trace/item.h"
@@ -111,7 +112,7 @@ ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folde
 	if (TS_LACKS(trace)) return TS_ERROR;
 	*trace = NULL;
 	if (TS_LACKS(context) || TS_LACKS(folder) || ts_api_enter(context) != TS_OK) return TS_ERROR;
-	ts_status status = ts_trace_open_folder(trace, folder);
+	ts_status status = ts_golden_is(folder) ? ts_golden_open(trace, folder) : ts_trace_open_folder(trace, folder);
 	ts_api_leave();
 	return status;
 }

@@ -19,7 +19,7 @@ static void row(ts_table *table, const ts_verdict_info *v)
 	ts_table_text(table, v->stage);
 	ts_table_text(table, v->buffer);
 	for (u32 i = 0; i < sizeof figures / sizeof *figures; i++) {
-		bool counted = i == 0 || !v->by_digest || v->judgement == TS_SAME;
+		bool counted = !v->by_digest || (i == 0 ? v->n_reference > 0 : v->judgement == TS_SAME);
 		if (is_judged(v) && counted && (i < 2 || figures[i] != 0)) {
 			ts_table_count(table, figures[i]);
 		} else {

@@ -65,16 +65,22 @@ static ts_status add_trace(contents *c, const char *dir)
 	return reference != NULL ? compare(c, reference, trace) : TS_OK;
 }
 
+static ts_status add_folder(contents *c, const char *dir) { return ts_html_add_folder(c->page, dir); }
+
 static ts_status add(contents *c, const char *dir)
 {
-	char trace[PATH_BYTES], report[PATH_BYTES];
-	snprintf(trace, sizeof trace, "%s/trace.json", dir);
-	snprintf(report, sizeof report, "%s/report.json", dir);
-	if (access(trace, F_OK) == 0) return add_trace(c, dir);
-	if (access(report, F_OK) == 0) return ts_html_add_folder(c->page, dir);
+	static const struct {
+		const char *file;
+		ts_status (*add)(contents *c, const char *dir);
+	} kinds[] = {{"trace.json", add_trace}, {"report.json", add_folder}, {"params.txt", add_trace}};
+	for (u32 i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+		char path[PATH_BYTES];
+		snprintf(path, sizeof path, "%s/%s", dir, kinds[i].file);
+		if (access(path, F_OK) == 0) return kinds[i].add(c, dir);
+	}
 	return ts_fail(
-		"%s: holds no trace.json and no report.json; a trace, or a folder that render -o or compare -o wrote, "
-		"would be right",
+		"%s: holds no trace.json, report.json or params.txt; a trace, a golden, or a folder that render -o or "
+		"compare -o wrote, would be right",
 		dir);
 }
 

@@ -115,7 +115,7 @@ void ts_compare_first(char text[TS_FIRST_TEXT], ts_buffer_id id, const ts_verdic
 bool ts_compare_note(char text[TS_LINE_TEXT], ts_buffer_id id, const ts_verdict *v)
 {
 	const ts_fields fields = ts_fields_of(id);
-	bool sums = ts_sum_of(id) != NULL, longer = v->n_ref != v->n_cand;
+	bool sums = ts_sum_of(id) != NULL && !v->by_digest, longer = v->n_ref != v->n_cand;
 	const char *apart = ": elements that differ, by field: ";
 	int n =
 		snprintf(text, TS_LINE_TEXT, "%s%s", ts_buffer_table[id].name, sums ? ": sums, judged by their counts" : "");

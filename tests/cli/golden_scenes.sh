@@ -75,6 +75,27 @@ PY
 golden check eye-mirror
 [ "$status" -eq 1 ] && grep -q '^different  eye-mirror  00-scene\.vertex' stdout
 verdict $? 'a scene that was changed is found, by its first array'
+
+# A golden's folder is a trace of digests, of its small buffers and of its picture.
+golden new 'eye-*'
+run compare own/goldens/eye-lamp own/goldens/eye-lamp.new
+[ "$status" -eq 1 ] && grep -q '^stage 00 scene, buffer scene.vertex, SHA-256 ref .*; inputs identical' stdout &&
+	grep -Eq '^image.shadow +image.srgb +1,728 +[1-9][0-9]* .* different$' stdout
+verdict $? 'compare tells the stage that moved, and the pixels'
+run compare own/goldens/eye-mirror own/goldens/eye-mirror.new
+[ "$status" -eq 1 ] && grep -q 'buffer scene.vertex, .* field position.*: ref .* ulp' stdout
+verdict $? 'and the element of a small buffer'
+run report own/goldens/eye-lamp own/goldens/eye-lamp.new -o page.html
+[ "$status" -eq 0 ] && [ "$(grep -c '"picture":' page.html)" -ge 1 ] && grep -q 'stage 00 scene, buffer scene.vertex' page.html
+verdict $? 'a page has the old beside the new'
+run render soft-shadows own/assets/room.gltf --method mvr --size 32x18 --camera circle --lamp 0,2,0.5 --set lamp.views=6 --set depth_map.px=32 \
+	--trace --no-images -o traced
+run compare own/goldens/eye-lamp.new traced/trace-mvr
+[ "$status" -eq 0 ] && grep -q ' 0 different, 0 missing' stdout
+verdict $? 'a port is compared with a golden'
+cp own/goldens/ply/preview.png own/goldens/eye-lamp.new/preview.png
+refuses 'eye-lamp.new/preview.png: not the picture whose digest SHA256SUMS says' compare own/goldens/eye-lamp own/goldens/eye-lamp.new
+rm -r own/goldens/*.new
 rm own/assets/room.gltf
 golden check
 [ "$status" -eq 2 ] && tail -n 1 stdout | grep -qx '2 passed, 3 failed, 0 skipped' && grep -q 'unusable .*room.gltf: No such file' stdout
