@@ -55,9 +55,10 @@ typedef struct {
 TS_API ts_status ts_trace_write(ts_context *context, const char *folder, const ts_scene *scene, const ts_params *params,
                                 const char *effect, const char *method, const ts_write_options *options);
 
-/* Opens the trace in a folder by its trace.json, or a golden's folder (golden.h) as a trace: of what is neither small nor
- * its picture, image.srgb, it has the digests alone. Files are untrusted: everything is checked, and nothing outside the
- * folder is opened but files of the folder "scene" beside it. The files must not change until ts_trace_close. */
+/* Opens the trace in a folder by its trace.json, or a golden's folder (golden.h) as a trace: of what is neither small
+ * nor its picture, image.srgb, it has the digests alone. Files are untrusted: everything is checked, and nothing
+ * outside the folder is opened but files of the folder "scene" beside it. The files must not change until
+ * ts_trace_close. */
 TS_API ts_status ts_trace_open(ts_context *context, ts_trace **trace, const char *folder);
 
 /* Opens one .npy file as a trace of one buffer, of any method that has the buffer. The file's name, "BUFFER.npy" or

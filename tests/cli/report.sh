@@ -95,7 +95,7 @@ verdict "$status" 'a page of odd figures'
 
 refuses 'report: no file to write; add -o FILE.html' report r
 refuses 'report: too few arguments' report -o x.html
-refuses 'nothing: holds no trace.json and no report.json' report nothing -o x.html
+refuses 'nothing: holds no trace.json, report.json or params.txt' report nothing -o x.html
 refuses '--ppd: 0 pixels per degree; 1 to 1000 would be right' report r -o x.html --ppd 0
 refuses '--probes' report r -o x.html --probes 10001
 refuses 'cannot be written' report r -o nowhere/x.html
