@@ -92,10 +92,13 @@ SYSTEM := $(shell $(CC) -print-multiarch)
 THREADED := -Isrc/model/serial -idirafter /usr/include -idirafter /usr/include/$(SYSTEM) \
 	-Wno-unknown-pragmas -Wno-unused-parameter -Wno-unused-variable
 CORE_LIBS = /usr/lib/$(SYSTEM)/libcrypto.a -lm
+REPORTS =
 else
 THREADED := -fopenmp
-CORE_LIBS = -lcrypto -lm
+CORE_LIBS = $(if $(REPORTS),-ljansson) -lcrypto -lm
 endif
+# What touchstone-core reports beside text, by jansson; without by REPORTS=
+REPORTS ?= checked junit merge merge_read merge_rows outcomes relaxed sharded tell
 COMMON = $(OPT) $(EXACT) -fPIC -fvisibility=hidden $(THREADED) $(WARN) -Iinclude -MMD -MP
 C_FLAGS = $(CPPFLAGS) $(CFLAGS) -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON)
 CXX_FLAGS = $(CPPFLAGS) $(CXXFLAGS) -std=c++17 $(COMMON)
@@ -133,6 +136,7 @@ CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/* methods methods/* families golden vectors)) \
 	$(patsubst %,src/backends/%.c,args find) src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,descr emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
+	$(if $(REPORTS),$(REPORTS:%=src/cli/%.c) $(patsubst %,src/study/%.c,folder folder_ours table) src/scene/print_text.c) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends baseline command commit digest golden* help \
 		methods nearest options parse reads say shard sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
@@ -241,6 +245,7 @@ CORE_STATIC = $(if $(findstring clang,$(CC))$(findstring -fsanitize,$(OPT)),,-st
 core:
 	$(Q)$(MAKE) --no-print-directory BUILD=$(CORE_BUILD) $(CORE_BUILD)/touchstone-core
 
+$(call object,src/cli/core_main.c): OWN := $(if $(REPORTS),-DTS_REPORTS)
 # The linker warns that libcrypto's name look-up needs shared libraries. Nothing here looks names up: show errors only.
 $(BUILD)/touchstone-core: $(CORE_O)
 	$(call say,LINK,$@)

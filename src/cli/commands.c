@@ -1,6 +1,7 @@
 /* The command `touchstone`: its table of commands. */
 #include "../image/optional.h"
 #include "golden.h"
+#include "merge.h"
 
 #define WHERE \
 	TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS), TS_OPT(REFLECTOR), TS_OPT(ANIMATION), TS_OPT(FROM_MESH), \
@@ -10,6 +11,7 @@
 #define BACKEND TS_OPT(BACKEND), TS_OPT(DEVICE), TS_OPT(WORK_GROUP), TS_OPT(BUILD), TS_OPT(INEXACT), TS_OPT(REQUIRE)
 
 const char *const ts_program = "touchstone";
+ts_merger *const ts_merge_renders = ts_merge_series;
 const ts_golden_files ts_golden_by = {ts_image_write_png, ts_image_decode_optional, ts_scene_load};
 
 const ts_command ts_command_table[] = {

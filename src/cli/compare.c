@@ -139,7 +139,7 @@ static ts_status open_sides(ts_compared *c, const ts_cli *cli, kind is)
 static ts_status read_options(comparison *c)
 {
 	ts_compare_options *o = &c->of.options;
-	ts_status status = ts_relaxed_options(o, &c->mask, c->cli);
+	ts_status status = ts_client_options(o, &c->mask, c->cli);
 	if (status != TS_OK || c->cli->job.shard.of == 0) return status;
 	c->cases = ts_compare_cases(c->of.of);
 	c->own = c->cases != NULL ? ts_compare_own(c->cases, c->cli->job.shard) : NULL;
@@ -163,13 +163,18 @@ static ts_status draw_all(const void *user)
 	return ts_compare_draw(&c->of);
 }
 
-static ts_status show_all(ts_html *page, const char *said, const void *user)
+static ts_status put_all(ts_html *page, const char *said, const void *user)
 {
 	const comparison *c = user;
 	const ts_compared *of = &c->of;
 	if (ts_html_add_trace(page, of->reference) != TS_OK || ts_html_add_trace(page, of->candidate) != TS_OK)
 		return TS_ERROR;
 	return ts_html_add_verdicts(page, of->verdicts, of->reference, of->candidate, &of->options, said);
+}
+
+static ts_status show_all(const ts_cli *cli, const char *said, const void *user)
+{
+	return ts_client_page(cli, said, put_all, user);
 }
 
 static void report_all(ts_report *report, const void *user)

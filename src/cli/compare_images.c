@@ -8,6 +8,7 @@
 #include "../kernels/base/srgb.h"
 #include "../scene/print.h"
 #include "../study/folder.h"
+#include "client.h"
 #include "relaxed.h"
 #include "tell.h"
 
@@ -88,7 +89,7 @@ static ts_status open_images(images *s)
 	for (u32 i = 0; i < 2; i++) {
 		if (read_picture(&s->p[i], s->cli->arguments[i]) != TS_OK) return TS_ERROR;
 	}
-	if (make_comparable(s) != TS_OK || ts_relaxed_options(&s->relaxed, &s->mask, s->cli) != TS_OK) return TS_ERROR;
+	if (make_comparable(s) != TS_OK || ts_client_options(&s->relaxed, &s->mask, s->cli) != TS_OK) return TS_ERROR;
 	if (check_sizes(s) != TS_OK) return TS_ERROR;
 	s->marks = ts_alloc_zero(s->p[0].width, s->p[0].height, "a picture of differences");
 	s->first = ts_alloc(s->cli->judging.first, sizeof *s->first, "first differences");
@@ -245,13 +246,18 @@ static ts_status show_picture(ts_html *page, const picture *p, const char *path)
 	return status;
 }
 
-static ts_status show_images(ts_html *page, const char *said, const void *user)
+static ts_status put_images(ts_html *page, const char *said, const void *user)
 {
 	const images *s = user;
 	for (u32 i = 0; i < 2; i++) {
 		if (show_picture(page, &s->p[i], s->cli->arguments[i]) != TS_OK) return TS_ERROR;
 	}
 	return ts_html_add_pair(page, said);
+}
+
+static ts_status show_images(const ts_cli *cli, const char *said, const void *user)
+{
+	return ts_client_page(cli, said, put_images, user);
 }
 
 static ts_status tell(ts_cli *cli, const images *s)

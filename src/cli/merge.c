@@ -102,7 +102,9 @@ static ts_status put_together(ts_cli *cli, ts_parts *p)
 	p->command = text_of(&p->part[0], "command");
 	p->class_name = text_of(&p->part[0], "class");
 	p->cases = json_object_get(p->part[0].shard, "cases");
-	ts_status status = strcmp(p->command, "render") == 0 ? ts_merge_series(cli, p) : ts_merge_rows(cli, p);
+	const bool renders = strcmp(p->command, "render") == 0;
+	if (renders && ts_merge_renders == NULL) return ts_fail("merge: shards of render, which touchstone merges");
+	ts_status status = renders ? ts_merge_renders(cli, p) : ts_merge_rows(cli, p);
 	if (status != TS_OK || p->status < TS_ERROR) return status == TS_OK ? p->status : status;
 	ts_fail("merge: shard %u in %s %s", (unsigned)worst->index, worst->dir,
 	        p->status == TS_ERROR ? "ended with an error" : "had no device");

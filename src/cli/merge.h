@@ -29,7 +29,9 @@ ts_status ts_part_damaged(const ts_part *part, const char *what);
 
 /* Joins the reports of a judging command, whose cases are rows. */
 ts_status ts_merge_rows(ts_cli *cli, const ts_parts *parts);
-/* Joins the renders of a series. */
-ts_status ts_merge_series(ts_cli *cli, const ts_parts *parts);
+/* Joins the renders of a series; NULL in a program that renders none. Each program has its own. */
+typedef ts_status ts_merger(ts_cli *cli, const ts_parts *parts);
+ts_merger ts_merge_series;
+extern ts_merger *const ts_merge_renders;
 
 #endif

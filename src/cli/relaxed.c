@@ -2,9 +2,7 @@
 #include "relaxed.h"
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <touchstone/image.h>
 
 void ts_relaxed_text(char text[TS_RELAXED_TEXT], const ts_cli *cli)
 {
@@ -32,37 +30,4 @@ void ts_relaxed_text(char text[TS_RELAXED_TEXT], const ts_cli *cli)
 	fclose(out);
 	if (text[0] != 0) memmove(text, text + 1, strlen(text));
 	ts_line_clean(text);
-}
-
-static ts_status read_mask(u8 **to, u32 *width, u32 *height, const char *path)
-{
-	f32 *pixels;
-	u32 channels;
-	if (ts_image_read(&pixels, width, height, &channels, path) != TS_OK) return TS_ERROR;
-	u8 *mask = *to = ts_alloc_zero((size_t)*width, *height, "a mask");
-	const u32 colours = channels % 2 == 0 ? channels - 1 : channels; /* the last of two or four is alpha */
-	for (size_t i = 0; mask != NULL && i < (size_t)*width * *height * channels; i++) {
-		if (i % channels < colours && pixels[i] > 0.0f) mask[i / channels] = 1;
-	}
-	free(pixels);
-	return mask != NULL ? TS_OK : TS_ERROR;
-}
-
-ts_status ts_relaxed_options(ts_compare_options *o, u8 **mask, const ts_cli *cli)
-{
-	const ts_judging *judging = &cli->judging;
-	const ts_relaxed *r = &judging->relaxations;
-	*mask = NULL;
-	*o = (ts_compare_options){.bytes = sizeof *o,
-	                          .forced = judging->forced,
-	                          .decided = r->decided,
-	                          .ulp = r->ulp,
-	                          .abs = r->abs,
-	                          .rel = r->rel,
-	                          .allow = r->allow,
-	                          .first = judging->first};
-	if (judging->mask == NULL) return TS_OK;
-	ts_status status = read_mask(mask, &o->mask_width, &o->mask_height, judging->mask);
-	o->mask = *mask;
-	return status;
 }

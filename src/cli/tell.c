@@ -41,17 +41,8 @@ static ts_status write_junit(const ts_cli *cli, const ts_telling *t)
 
 static ts_status write_page(const ts_report *report, const ts_cli *cli, const ts_telling *t)
 {
-	ts_context *context;
-	ts_html *page = NULL;
 	char *said = json_dumps(report->root, JSON_COMPACT);
-	ts_status status = said != NULL ? ts_client_open(&context, cli) : ts_fail("the page: out of memory");
-	if (status == TS_OK) {
-		status = ts_html_open(context, &page, NULL);
-		if (status == TS_OK) status = t->show(page, said, t->user);
-		if (status == TS_OK) status = ts_html_write(page, cli->job.output.report);
-		ts_html_close(page);
-		ts_context_close(context);
-	}
+	ts_status status = said != NULL ? t->show(cli, said, t->user) : ts_fail("the page: out of memory");
 	free(said);
 	return status;
 }

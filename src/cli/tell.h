@@ -1,7 +1,7 @@
 /* The output of a judging command: as text or JSON, as TAP, as JUnit XML, and as a folder of results. */
 #ifndef TS_CLI_TELL_H
 #define TS_CLI_TELL_H
-#include "client.h"
+#include "cli.h"
 #include "../study/table.h"
 #include "outcomes.h"
 
@@ -14,8 +14,8 @@ typedef struct {
 	void (*report)(ts_report *report, const void *user);
 	bool lines;                          /* the report has the lines of the outcomes */
 	ts_status (*draw)(const void *user); /* pictures into the folder of -o; NULL: none */
-	/* Puts both sides, and the report as JSON, into the page of --report; NULL: there is no page. */
-	ts_status (*show)(ts_html *page, const char *said, const void *user);
+	/* Writes the page of --report, of both sides and of the report as JSON; NULL: there is no page. */
+	ts_status (*show)(const ts_cli *cli, const char *said, const void *user);
 	const void *user;
 } ts_telling;
 /* Writes all output that cli asks for. `print`: also prints the report, unless it was printed as it came. */
