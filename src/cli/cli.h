@@ -58,9 +58,9 @@ typedef struct {
 	bool forced;                 /* each stage by the candidate's own inputs */
 	u32 first;                   /* differences to show per buffer, at least 1 */
 	const char *baseline, *skip; /* files */
-	const char *junit;
+	const char *junit, *markdown;
 	bool tap;
-	bool told; /* the file of --junit is written */
+	bool told; /* the files of --junit and --markdown are written */
 } ts_judging;
 
 /* The command line as it was typed. Strings belong to argv. */

@@ -1,5 +1,5 @@
-/* The command `touchstone-core`: digests and goldens, in C with libc, libgomp and libcrypto, as a static binary; and with
- * TS_REPORTS, which needs jansson, what `golden check` and `merge` report. */
+/* The command `touchstone-core`: digests and goldens, in C with libc, libgomp and libcrypto, as a static binary; and
+ * with TS_REPORTS, which needs jansson, what `golden check` and `merge` report. */
 #include "../families/families.h"
 #include "golden.h"
 
@@ -9,7 +9,7 @@ const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, NULL};
 
 #ifdef TS_REPORTS
 #include "merge.h"
-#define REPORTS TS_OPT(JUNIT), TS_OPT(TAP), TS_OPT(JSON), TS_OPT(OUTPUT), TS_OPT(FORCE), TS_OPT(QUIET)
+#define REPORTS TS_OPT(JUNIT), TS_OPT(MARKDOWN), TS_OPT(TAP), TS_OPT(JSON), TS_OPT(OUTPUT), TS_OPT(FORCE), TS_OPT(QUIET)
 #define FAILED .failed = ts_golden_failed
 ts_merger *const ts_merge_renders = NULL;
 #else

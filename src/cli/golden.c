@@ -28,6 +28,7 @@ static ts_status check_options(const ts_cli *cli, u32 action)
 		{TS_OPTION_JSON, "check", ""},
 		{TS_OPTION_TAP, "check", ""},
 		{TS_OPTION_JUNIT, "check", ""},
+		{TS_OPTION_MARKDOWN, "check", ""},
 		{TS_OPTION_OUTPUT, "check", ""},
 		{TS_OPTION_FORCE, "check", ""},
 		{TS_OPTION_BASELINE, "check", ""},

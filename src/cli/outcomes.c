@@ -168,3 +168,39 @@ void ts_outcomes_junit(const ts_outcomes *o, ts_junit *junit)
 		ts_junit_case_end(junit);
 	}
 }
+
+/* No text leaves its cell, or is read as markup. */
+static void put_marked(FILE *out, const char *before, const char *text, const char *behind)
+{
+	fputs(before, out);
+	for (; *text != 0; text++) {
+		unsigned char c = (unsigned char)*text;
+		if (strchr("\\`*_[]<>|&~#", c) != NULL) fputc('\\', out);
+		fputc(c < 0x20 || c == 0x7f ? '?' : c, out);
+	}
+	fputs(behind, out);
+}
+
+void ts_outcomes_markdown(const ts_outcomes *o, const char *command, const char *relaxed, FILE *out)
+{
+	size_t i;
+	json_t *row;
+	bool head = false;
+	const u32 n[] = {ts_outcomes_count(o, TS_PASSED), ts_outcomes_count(o, TS_KNOWN),
+	                 ts_outcomes_count(o, TS_LEFT_OUT)};
+	const u32 failed = (u32)json_array_size(o->rows) - n[0] - n[1] - n[2];
+	fprintf(out, "### touchstone %s\n\n%u passed, %u failed, %u known, %u skipped\n", command, (unsigned)n[0],
+	        (unsigned)failed, (unsigned)n[1], (unsigned)n[2]);
+	if (relaxed[0] != 0) put_marked(out, "\nRelaxed: ", relaxed, "\n");
+	json_array_foreach (o->rows, i, row) {
+		const char *line = json_string_value(json_array_get(json_object_get(row, "lines"), 0));
+		char why[WHY];
+		if (outcome_of(row) == TS_PASSED) continue;
+		if (!head) fprintf(out, "\n| %s | verdict | |\n| --- | --- | --- |\n", o->key);
+		head = true;
+		say_why(why, sizeof why, row);
+		put_marked(out, "| ", text_of(row, o->key), " | ");
+		put_marked(out, "", why, " | ");
+		put_marked(out, "", line != NULL ? line : "", " |\n");
+	}
+}

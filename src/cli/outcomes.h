@@ -42,6 +42,8 @@ void ts_outcomes_end(ts_outcomes *outcomes);
 void ts_outcomes_lines(ts_report *report, const ts_outcomes *outcomes);
 /* What was relaxed, unless it is "", and the cases, in Test Anything Protocol. */
 void ts_outcomes_tap(const ts_outcomes *outcomes, const char *relaxed, FILE *out);
+/* The counts, and a table of the cases that did not pass, in Markdown. */
+void ts_outcomes_markdown(const ts_outcomes *outcomes, const char *command, const char *relaxed, FILE *out);
 void ts_outcomes_junit(const ts_outcomes *outcomes, ts_junit *junit);
 
 #endif

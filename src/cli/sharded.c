@@ -10,9 +10,10 @@
 static bool says_where(u32 option)
 {
 	static const bool where[TS_N_OPTIONS] = {
-		[TS_OPTION_SHARD] = true, [TS_OPTION_OUTPUT] = true, [TS_OPTION_FORCE] = true,     [TS_OPTION_JSON] = true,
-		[TS_OPTION_JUNIT] = true, [TS_OPTION_TAP] = true,    [TS_OPTION_THREADS] = true,   [TS_OPTION_TIMEOUT] = true,
-		[TS_OPTION_QUIET] = true, [TS_OPTION_MEMORY] = true, [TS_OPTION_NO_WORKER] = true,
+		[TS_OPTION_SHARD] = true, [TS_OPTION_OUTPUT] = true,  [TS_OPTION_FORCE] = true,
+		[TS_OPTION_JSON] = true,  [TS_OPTION_JUNIT] = true,   [TS_OPTION_MARKDOWN] = true,
+		[TS_OPTION_TAP] = true,   [TS_OPTION_THREADS] = true, [TS_OPTION_TIMEOUT] = true,
+		[TS_OPTION_QUIET] = true, [TS_OPTION_MEMORY] = true,  [TS_OPTION_NO_WORKER] = true,
 	};
 	return where[option];
 }

@@ -39,6 +39,15 @@ static ts_status write_junit(const ts_cli *cli, const ts_telling *t)
 	return ts_junit_end(&junit, t->relaxed, ts_seconds() - cli->began);
 }
 
+static ts_status write_markdown(const ts_cli *cli, const ts_telling *t)
+{
+	ts_file_text text;
+	if (cli->judging.markdown == NULL) return TS_OK;
+	if (ts_file_text_begin(&text, cli->judging.markdown) != TS_OK) return TS_ERROR;
+	ts_outcomes_markdown(t->outcomes, t->command, t->relaxed, text.out);
+	return ts_file_text_write(&text, cli->judging.markdown);
+}
+
 static ts_status write_page(const ts_report *report, const ts_cli *cli, const ts_telling *t)
 {
 	char *said = json_dumps(report->root, JSON_COMPACT);
@@ -66,6 +75,7 @@ ts_status ts_tell(ts_cli *cli, const ts_telling *t, bool print)
 	if (status == TS_OK) status = ts_report_check(&report);
 	if (status == TS_OK) {
 		status = write_junit(cli, t);
+		if (status == TS_OK) status = write_markdown(cli, t);
 		cli->judging.told = status == TS_OK;
 	}
 	if (status == TS_OK && cli->job.output.dir != NULL) status = write_folder(&report, cli, t);
@@ -84,7 +94,7 @@ void ts_tell_failed(const ts_cli *cli, const char *command, ts_status status)
 	snprintf(why, sizeof why, "%s", ts_error_message());
 	if (cli->judging.told) return;
 	if (skipped && cli->judging.tap) printf("1..0 # SKIP %s\n", why);
-	if (cli->judging.junit == NULL) return;
+	if (cli->judging.junit == NULL && cli->judging.markdown == NULL) return;
 	snprintf(class_name, sizeof class_name, "touchstone.%.*s", (int)strcspn(command, " "), command);
 	const ts_telling telling = {.command = command, .outcomes = &outcomes, .relaxed = relaxed};
 	ts_relaxed_text(relaxed, cli);
@@ -92,7 +102,7 @@ void ts_tell_failed(const ts_cli *cli, const char *command, ts_status status)
 		ts_outcomes_add(&outcomes, "comparison", "not compared", skipped ? TS_LEFT_OUT : TS_BROKEN, skipped ? why : "",
 		                0);
 		if (!skipped) ts_outcomes_line(&outcomes, why);
-		if (!outcomes.failed) write_junit(cli, &telling);
+		if (!outcomes.failed && write_junit(cli, &telling) == TS_OK) write_markdown(cli, &telling);
 	}
 	ts_outcomes_end(&outcomes);
 }

@@ -1,9 +1,11 @@
-/* Cases in Test Anything Protocol: a line each, whatever texts a shard's report holds. */
+/* Cases in Test Anything Protocol, a line each, and in Markdown, whatever texts a shard's report holds. */
 #include "../../src/cli/outcomes.h"
 #include "../model/test.h"
 
+static bool in_markdown;
+
 /* What is printed of these rows. */
-static char *tap_of(const char *rows, size_t n, const char *relaxed)
+static char *text_of(const char *rows, size_t n, const char *relaxed)
 {
 	char *text;
 	size_t bytes;
@@ -13,7 +15,10 @@ static char *tap_of(const char *rows, size_t n, const char *relaxed)
 	assert_int_equal(ts_outcomes_read(&outcomes, "case", "class", read, seconds), TS_OK);
 	FILE *out = open_memstream(&text, &bytes);
 	assert_non_null(out);
-	ts_outcomes_tap(&outcomes, relaxed, out);
+	if (in_markdown)
+		ts_outcomes_markdown(&outcomes, "golden check", relaxed, out);
+	else
+		ts_outcomes_tap(&outcomes, relaxed, out);
 	fclose(out);
 	ts_outcomes_end(&outcomes);
 	json_decref(read);
@@ -21,9 +26,9 @@ static char *tap_of(const char *rows, size_t n, const char *relaxed)
 	return text;
 }
 
-static void assert_taps(const char *rows, size_t n, const char *relaxed, const char *right)
+static void assert_prints(const char *rows, size_t n, const char *relaxed, const char *right)
 {
-	char *text = tap_of(rows, n, relaxed);
+	char *text = text_of(rows, n, relaxed);
 	assert_string_equal(text, right);
 	free(text);
 }
@@ -31,7 +36,7 @@ static void assert_taps(const char *rows, size_t n, const char *relaxed, const c
 static void test_each_end(void **state)
 {
 	(void)state;
-	assert_taps(
+	assert_prints(
 		"[{\"case\": \"a\", \"verdict\": \"same\", \"outcome\": \"passed\", \"why\": \"\", \"lines\": []},"
 		"{\"case\": \"b\", \"verdict\": \"skipped\", \"outcome\": \"skipped\", \"why\": \"slow\", \"lines\": []},"
 		"{\"case\": \"c\", \"verdict\": \"known\", \"outcome\": \"known\", \"why\": \"\", \"lines\": [\"at 1\"]},"
@@ -41,13 +46,13 @@ static void test_each_end(void **state)
 		5, "",
 		"ok 1 - a\nok 2 - b # SKIP skipped: slow\nnot ok 3 - c # TO"
 		"DO known\n# at 1\nnot ok 4 - d\n# at 2\n# 3\nnot ok 5 - e\n1..5\n");
-	assert_taps("[]", 0, "--ulp 1", "# relaxed: --ulp 1\n1..0\n");
+	assert_prints("[]", 0, "--ulp 1", "# relaxed: --ulp 1\n1..0\n");
 }
 
 static void test_one_line_each(void **state)
 {
 	(void)state;
-	assert_taps(
+	assert_prints(
 		"[{\"case\": \"a\\nok 2\", \"verdict\": \"known\", \"outcome\": \"known\", \"why\": \"b\\nok 3\\u001b\","
 		"\"lines\": [\"c\\r\\nok 4\\u0085\", \"\\u007fd\"]}]",
 		1, "e\nok 5",
@@ -64,10 +69,28 @@ static void test_long(void **state)
 	                            "[{\"case\": \"a\", \"verdict\": \"skipped\", \"outcome\": \"skipped\", \"why\": \"");
 	memset(rows + n, 'w', 10000);
 	strcpy(rows + n + 10000, "\", \"lines\": []}]");
-	char *text = tap_of(rows, 1, "");
+	char *text = text_of(rows, 1, "");
 	assert_int_equal(strncmp(text, "ok 1 - a # SKIP skipped: wwww", 28), 0);
 	assert_string_equal(strchr(text, '\n'), "\n1..1\n");
 	free(text);
+}
+
+/* What passed is counted alone; no text ends its cell or is markup. */
+static void test_markdown(void **state)
+{
+	(void)state;
+	in_markdown = true;
+	assert_prints(
+		"[{\"case\": \"a\", \"verdict\": \"same\", \"outcome\": \"passed\", \"why\": \"\", \"lines\": [\"x\"]},"
+		"{\"case\": \"b|c\", \"verdict\": \"known\", \"outcome\": \"known\", \"why\": \"*d*\", \"lines\": []},"
+		"{\"case\": \"e\", \"verdict\": \"different\", \"outcome\": \"failed\", \"why\": \"\","
+		"\"lines\": [\"<b>\\n| [0]\", \"2\"]}]",
+		3, "--abs 1",
+		"### touchstone golden check\n\n1 passed, 1 failed, 1 known, 0 skipped\n\nRelaxed: --abs 1\n\n"
+		"| case | verdict | |\n| --- | --- | --- |\n| b\\|c | known: \\*d\\* |  |\n"
+		"| e | different | \\<b\\>?\\| \\[0\\] |\n");
+	assert_prints("[]", 0, "", "### touchstone golden check\n\n0 passed, 0 failed, 0 known, 0 skipped\n");
+	in_markdown = false;
 }
 
 int main(void)
@@ -76,6 +99,7 @@ int main(void)
 		cmocka_unit_test(test_each_end),
 		cmocka_unit_test(test_one_line_each),
 		cmocka_unit_test(test_long),
+		cmocka_unit_test(test_markdown),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

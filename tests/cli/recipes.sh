@@ -147,4 +147,12 @@ PY
 else
 	skip 'GitHub Actions, GitLab' python3-yaml
 fi
+
+# Jenkins: the shell of its stages; what it makes is what the others make.
+recipe Jenkins | sed -n "s/.* sh '\(.*\)' }.*/\1/p" > commands
+[ "$(wc -l < commands)" -eq 2 ] && sed -n 1p commands | grep -q ' && make deps-build && make$'
+verdict $? 'a pipeline of Jenkins builds as the others'
+sed 1d commands > check
+bash check > merged 2> said
+judged $? 'and its check works'
 finish
