@@ -22,7 +22,7 @@ for source in README.md CONTRIBUTING.md CHANGELOG.md reference/*.md include/touc
 	page=${source%.*}.html
 	[ -s "$site/${page/#README/index}" ] || echo "# no page of $source"
 done > "$scratch/missing"
-for command in $("$touchstone" help | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
+for command in $("$touchstone" help | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p'); do
 	[ -s "$site/manual/touchstone-$command.html" ] || echo "# no page of $command"
 done >> "$scratch/missing"
 cat "$scratch/missing"
