@@ -26,6 +26,11 @@ touch new
 releases tarball
 refused 'there are changes that are not committed'
 rm new
+sed -i 's/^## [0-9].*/## Unreleased/' CHANGELOG.md
+git -c user.name=one -c user.email=one commit -qam unreleased
+releases tarball
+refused 'CHANGELOG.md has no section'
+git reset -q --hard HEAD~1
 mkdir "$scratch/bin" && printf '#!/bin/sh\necho 1000\n' > "$scratch/bin/id" && chmod +x "$scratch/bin/id"
 PATH=$scratch/bin:$PATH releases tarball packages
 grep -q 'skipped: a chroot needs root' "$scratch/stdout" && refused 'packages: could not be made, .*T="tarball" leaves it out'
