@@ -18,7 +18,7 @@ site=$scratch/site
 scripts/manual "$touchstone" "$scratch/manual" && scripts/site "$scratch/manual" "$site"
 verdict $? 'the pages are written'
 [ -d "$site" ] || finish
-for source in README.md CONTRIBUTING.md CHANGELOG.md reference/*.md include/touchstone/*.h; do
+for source in README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md reference/*.md include/touchstone/*.h; do
 	page=${source%.*}.html
 	[ -s "$site/${page/#README/index}" ] || echo "# no page of $source"
 done > "$scratch/missing"
@@ -56,7 +56,7 @@ sees 'refers to something' '1s/$/ @import "a";/' style.css
 
 # A document that refers to what does not exist ends the run, and what was there stays.
 mkdir "$scratch/tree"
-cp -r README.md CONTRIBUTING.md CHANGELOG.md include reference scenes scripts "$scratch/tree"
+cp -r README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md include reference scenes scripts "$scratch/tree"
 echo '[nil](reference/NIL.md)' >> "$scratch/tree/README.md"
 mkdir "$scratch/tree/out" && touch "$scratch/tree/out/before"
 (cd "$scratch/tree" && scripts/site "$scratch/manual" out) > "$scratch/stdout" 2> "$scratch/stderr"
