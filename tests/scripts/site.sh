@@ -35,6 +35,40 @@ missing=$(grep -ohE '^TS_API .*\b(ts_\w+)\(' include/touchstone/*.h | grep -oE '
 done)
 [ -z "$missing" ]
 verdict $? "each public function has a section $missing"
+for list in params stages buffers; do
+	"$touchstone" list $list --json | grep -oE '^ *"name": "[^"]*"' | cut -d'"' -f4 | tee -a "$scratch/names" > "$scratch/some"
+	[ -s "$scratch/some" ]
+	verdict $? "there are $list"
+done
+grep -ohE '^TS_API .*\b(ts_\w+)\(' include/touchstone/*.h | grep -oE 'ts_\w+\($' | tr -d '(' >> "$scratch/names"
+missing=$(while read -r name; do
+	grep -qE "<a href=[^>]*#[^>]*><code>$name</code></a>" "$site/terms.html" && grep -q "^\[\"$name\", " "$site/terms.js" || echo "$name"
+done < "$scratch/names")
+[ -z "$missing" ]
+verdict $? "each parameter, stage, buffer and public function is in the index and the search $missing"
+cp -r "$site" "$scratch/terms" && sed -nE 's|^\["(.*)", "(.*)", "(.*)"\],$|<a href="\3">\1</a>|p' "$site/terms.js" > "$scratch/terms/terms.js.html" &&
+	[ "$(grep -c . "$scratch/terms/terms.js.html")" -eq $(($(grep -c . "$site/terms.js") - 2)) ] && scripts/links-check "$scratch/terms"
+verdict $? 'each row of the search leads to something'
+if command -v chromium chromium-browser google-chrome > "$scratch/stdout"; then
+	python3 - "$site" <<'PY'
+import sys
+sys.path.insert(0, "tests/cli")
+from browser import Browser
+with Browser(1180, 820) as page:
+	page.open(sys.argv[1] + "/reference/METHODS.html")
+	page.run("field.focus(), document.execCommand('insertText', false, 'eye.fov')")
+	page.wait("list.querySelector('a') !== null")
+	page.press("ArrowDown")
+	assert page.run("document.activeElement.textContent") == "eye.fov parameter"
+	page.press("ArrowUp")
+	page.press("Enter")
+	page.wait("location.hash === '#parameter-eye.fov'")
+	assert not page.faults and all(url.startswith("file:") for url in page.requests), (page.faults, page.requests)
+PY
+	verdict $? 'in a browser the search finds a parameter, by the keyboard alone and without a network'
+else
+	echo "ok $((tests += 1)) - the search in a browser # SKIP no chromium"
+fi
 scripts/site "$scratch/manual" "$scratch/again" && diff -r "$site" "$scratch/again" > "$scratch/stdout"
 verdict $? 'two runs write the same bytes'
 
