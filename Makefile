@@ -113,7 +113,7 @@ CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson l
 LIBS := $(call packages,--libs,jansson libcrypto zlib libzstd tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test check test-% dist fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release-check style format deps-build deps-test uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test check test-% dist fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release release-check style format deps-build deps-test uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -344,7 +344,7 @@ endef
 MANUAL := $(BUILD)/gen/manual
 $(MANUAL)/made: scripts/manual $(BUILD)/touchstone
 	$(call say,GEN,$(@D))
-	$(Q)rm -rf $(@D) && scripts/manual $(BUILD)/touchstone $(@D) && touch $@
+	$(Q)rm -rf $(@D) && SOURCE_DATE_EPOCH='$(SOURCE_DATE_EPOCH)' scripts/manual $(BUILD)/touchstone $(@D) && touch $@
 
 ##   docs               the documents, the headers and the manual as pages for a browser: build/docs/index.html; needs pandoc
 docs: $(MANUAL)/made
@@ -369,10 +369,14 @@ $(PROBES): OWN := $(if $(filter -O2 -O3,$(OPT)),-O1)
 $(BUILD)/flags: FORCE
 	$(call keep,$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS))
 
-# What is being built: a commit, and whether its source was changed since.
-COMMIT := $(shell [ -e .git ] && commit=$$(git rev-parse HEAD 2>/dev/null) && \
-	changed=$$(git --no-optional-locks status --porcelain -- src include Makefile) && echo $$commit$${changed:+-dirty})
-COMMIT := $(or $(COMMIT),unknown)
+# What is being built: a commit, when it was made, and whether its source was changed since. In a tarball, whose files are as old
+# as the commit, .commit says which.
+BUILT := $(shell { if [ -e .git ]; then \
+		git -c log.showSignature=false log -1 --format='%H %ct' && git --no-optional-locks status --porcelain -- src include Makefile; \
+	else grep -v Format .commit && find src include Makefile -type f -newer .commit; fi; } 2>/dev/null)
+COMMIT := $(or $(firstword $(BUILT))$(and $(word 3,$(BUILT)),-dirty),unknown)
+# What is dated has this date.
+SOURCE_DATE_EPOCH ?= $(word 2,$(BUILT))
 $(BUILD)/commit: FORCE
 	$(call keep,$(COMMIT))
 $(call object,src/model/commit.c): $(BUILD)/commit
@@ -614,6 +618,10 @@ dist:
 wheel: $(BUILD)/libtouchstone.so $(BUILD)/libtouchstone-image.so $(PYTHON_PACKAGE)/made
 	$(Q)scripts/wheel $(BUILD) $(VERSION) build
 
+##   release            what a tag carries: tarball, static core, packages, wheel, documents and their digests, in build/dist; T="PARTS"
+release:
+	$(Q)MAKE='$(MAKE)' $(JOBS_OF_ITS_OWN) scripts/release $(T)
+
 ##   clean              removes build/
 clean:
 	rm -rf build
@@ -625,4 +633,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release-check bench style format deps-build deps-test install uninstall installcheck dist wheel docs clean help FORCE
+.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release-check bench style format deps-build deps-test install uninstall installcheck dist wheel release docs clean help FORCE

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Writes a candidate: a trace that `touchstone compare` can compare with the reference. One header for the source of a
  * port, C99 or C++11, for little-endian machines. It needs the C library and nothing else of touchstone.
  * reference/TRACES.md says what is written, reference/PORTING.md how to go on:

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Judging a port: buffer by buffer against a reference, or one stage given the port's own inputs.
  *
  *   ts_verdicts *verdicts;

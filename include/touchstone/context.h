@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* A context: the backend that computes, and the functions that hear of the work. */
 #ifndef TOUCHSTONE_CONTEXT_H
 #define TOUCHSTONE_CONTEXT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* What one item of a stage computes, line by line: each parameter, variable, decision, result and store of its kernel,
  * with values and bits. Two traces can be compared: then the answer also names the first line that differs. */
 #ifndef TOUCHSTONE_EXPLAIN_H

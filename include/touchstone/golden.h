@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Goldens: results of a method on a scene that a person looked at and accepted. A golden is a folder of the digests of
  * all buffers, the small buffers themselves, the parameters, a picture, and the reasons (CONTRIBUTING, Goldens). */
 #ifndef TOUCHSTONE_GOLDEN_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* A page of HTML that shows what was rendered and compared, as `touchstone report` writes it: pictures side by side and
  * over each other, their distances, tables, first differences, and probes of pixels. The page is one file, which needs
  * no server and no network. The same input gives the same bytes.

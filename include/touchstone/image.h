@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Image files and image metrics. The first image that is read or written loads libtouchstone-image.so. This file must
  * stand beside the shared library; for a program that is linked with the static library, where the program looks for
  * libraries. */

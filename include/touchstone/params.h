@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Parameters: the settings of a run, each by its name; ts_param_at walks the table of all. */
 #ifndef TOUCHSTONE_PARAMS_H
 #define TOUCHSTONE_PARAMS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Why a pixel, a texel, a triangle or a point of a trace is what it is: what competed, what won by how much, and at
  * which stage the others were lost (reference/TRACES.md). The answers are trees; `touchstone help probe` says what each
  * of them has. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* The records of records.def as structs: what the elements of buffers are. */
 #ifndef TOUCHSTONE_RECORDS_H
 #define TOUCHSTONE_RECORDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Scenes: triangles, materials, textures, lights, cameras, reflectors and surfels. Immutable once opened.
  *
  * Surfels are records ts_surfel of records.def in world space: an ellipse by its centre and two half-axes, and its

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* How every function of the library reports success and failure. */
 #ifndef TOUCHSTONE_STATUS_H
 #define TOUCHSTONE_STATUS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Tables of all methods, their stages, buffers, and fields of records. Each function walks a table from 0; NULL behind
  * its last row. Rows live as long as the program. */
 #ifndef TOUCHSTONE_TABLES_H

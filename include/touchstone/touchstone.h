@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* The public C API of touchstone, all of it.
  *
  * - A function that makes something returns a handle in its first argument behind the context; NULL on failure. The

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Traces: the buffers of every stage of a run. One is made by a run, read from a folder (reference/TRACES.md), or put
  * together from a port's own arrays.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Answers as trees: an object has members with names, a list has elements, and every other node is a leaf. */
 #ifndef TOUCHSTONE_TREE_H
 #define TOUCHSTONE_TREE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Ground truth by rays (Embree): what a method's picture should look like. It is judged by metrics, never by bits, and
  * is no reference of ts_compare. */
 #ifndef TOUCHSTONE_TRUTH_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Arithmetic vectors: inputs and outputs of every primitive that a port must compute with the same bits (CONTRACT rule
  * 32). A row holds the columns of one item as 32-bit words without padding, 64-bit values low word first. */
 #ifndef TOUCHSTONE_VECTORS_H

@@ -1,6 +1,7 @@
 """A C header as a page of Markdown: its comments as text, a section for each declaration."""
 import re
 
+LICENCE = re.compile(r"\A/\* SPDX-.*\n")
 GUARDS = re.compile(r"^#ifdef __cplusplus\n.*?^#endif\n", re.M | re.S)
 LITERALS = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'')
 COMMENT = re.compile(r"/\*(.*?)\*/\n?", re.S)
@@ -87,7 +88,7 @@ def sections(text):
 
 def page(path, text):
 	"""The Markdown of a header, and the anchor of each of its symbols."""
-	text = GUARDS.sub("", text)
+	text = GUARDS.sub("", LICENCE.sub("", text))
 	opening = COMMENT.match(text)
 	out = [f"# {path.rsplit('/', 1)[1]}\n", f"`#include <touchstone/{path.rsplit('/', 1)[1]}>`\n", prose(opening[0].rstrip())]
 	anchors = {}

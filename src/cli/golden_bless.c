@@ -11,7 +11,7 @@ static ts_status check_build(const ts_job *job)
 {
 	const char *commit = ts_commit();
 	if (strcmp(commit, "unknown") == 0) {
-		return ts_fail("golden bless: this build does not know its commit; build from a git checkout");
+		return ts_fail("golden bless: this build does not know its commit; build from a git checkout or a release");
 	}
 	if (strstr(commit, "-dirty") != NULL) {
 		return ts_fail("golden bless: this build has changes that are not committed (%s); commit, and build again",

@@ -5,7 +5,7 @@
 
 enum { WIDTH = 80, INDENT = 2, GAP = 2, MOST_CELLS = 4, MOST_ROWS = 32 };
 
-typedef enum { ARGUMENTS, OUTPUT, EXIT, EXAMPLES } section;
+typedef enum { ARGUMENTS, OUTPUT, EXIT, VARIABLES, FILES, EXAMPLES } section;
 
 static const struct {
 	const char *command;
@@ -65,12 +65,12 @@ void ts_help_item(const char *left, const char *text)
 	print_cells(&text, (const int[]){WIDTH - INDENT - step}, 1, INDENT + step);
 }
 
-/* Its rows of help.def. */
-static u32 rows_of(ts_help_row *rows, const ts_command *command, section of)
+/* The rows of help.def for a command. */
+static u32 rows_of(ts_help_row *rows, const char *command, section of)
 {
 	u32 n = 0;
 	for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
-		if (texts[i].section == of && strcmp(texts[i].command, command->name) == 0) rows[n++] = texts[i].row;
+		if (texts[i].section == of && strcmp(texts[i].command, command) == 0) rows[n++] = texts[i].row;
 	}
 	return n;
 }
@@ -130,7 +130,7 @@ static void print_options(const ts_command *command)
 static void print_exits(const ts_command *command)
 {
 	ts_help_row rows[MOST_ROWS];
-	u32 n = rows_of(rows, command, EXIT);
+	u32 n = rows_of(rows, command->name, EXIT);
 	rows[n++] = (ts_help_row){"2", "could not: one line on standard error says why"};
 	if (ts_command_takes(command, TS_OPTION_REQUIRE)) {
 		rows[n++] = (ts_help_row){"77", "the backend has no device here, and --require is not given"};
@@ -142,13 +142,14 @@ static void print_command(const ts_command *command)
 {
 	ts_help_row rows[MOST_ROWS];
 	printf("%s %s %s [OPTION]...\n  %s\n", ts_program, command->name, command->arguments, command->doc);
-	ts_help_table("Arguments", rows, rows_of(rows, command, ARGUMENTS));
+	ts_help_table("Arguments", rows, rows_of(rows, command->name, ARGUMENTS));
 	if (command->print_more != NULL) command->print_more();
 	print_options(command);
-	ts_help_table("Output", rows, rows_of(rows, command, OUTPUT));
+	ts_help_table("Output", rows, rows_of(rows, command->name, OUTPUT));
 	print_exits(command);
+	ts_help_table("Environment", rows, rows_of(rows, command->name, VARIABLES));
 	printf("\nExamples:\n");
-	const u32 n = rows_of(rows, command, EXAMPLES);
+	const u32 n = rows_of(rows, command->name, EXAMPLES);
 	for (u32 i = 0; i < n; i++) {
 		char typed[WIDTH];
 		snprintf(typed, sizeof typed, "%s %s", ts_program, rows[i].left);
@@ -167,6 +168,8 @@ void ts_help_print(const ts_command *command)
 	printf("%s %s: a bit-exact reference for point-based rendering\n", ts_program, TS_VERSION);
 	for (const ts_command *c = ts_command_table; c->name != NULL; c++) rows[n++] = (ts_help_row){c->name, c->doc};
 	ts_help_table("Commands", rows, n);
+	ts_help_table("Environment", rows, rows_of(rows, ts_program, VARIABLES));
+	ts_help_table("Files", rows, rows_of(rows, ts_program, FILES));
 	printf("\nExit codes: 0 done or same, 1 compared and different, 2 could not, 77 skipped.\n");
 	printf("\"%s help COMMAND\" has arguments, options and examples.\n", ts_program);
 }

@@ -8,7 +8,7 @@ prints '--truth' help render
 prints '--truth' render --help
 prints 'see: list backends' help render
 
-commands=$("$touchstone" help | sed -n 's/^  \([a-z]*\) .*/\1/p')
+commands=$("$touchstone" help | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p')
 [ "$("$touchstone" help | sed -n '/^Commands:/,/^$/p' | wc -l)" -eq $(($(wc -w <<< "$commands") + 2)) ]
 verdict $? 'help has one line a command'
 
@@ -22,7 +22,7 @@ head, *parts = text.rstrip("\n").split("\n\n")
 assert re.fullmatch(rf"touchstone {command} .*\[OPTION\]\.\.\.\n  \S.*", head), head
 assert all(len(line) <= 80 and line == line.rstrip() for line in text.splitlines()), "80 columns, no blanks at an end"
 titles = [part.split(":")[0] for part in parts]
-assert titles[0] == "Arguments" and titles[-2:] == ["Exit codes", "Examples"] and titles.count("Options") == 1, titles
+assert titles[0] == "Arguments" and [title for title in titles if title != "Environment"][-2:] == ["Exit codes", "Examples"] and titles.count("Options") == 1, titles
 
 def check(cell, row):
 	assert 0 < len(cell) <= 3, f"{len(cell)} lines: {row}"
@@ -71,8 +71,14 @@ done
 sed -n 's/^OPTION([A-Z_]*, [A-Z]*, "\([a-z-]*\)".*/\1/p' src/cli/options.def | sort > "$scratch/options"
 [ -s "$scratch/options" ] && sort -u "$scratch/taken" | diff "$scratch/options" -
 verdict $? 'every option is taken by a command'
-sed -n 's/^HELP("\([a-z]*\)".*/\1/p' src/cli/help.def | sort -u | diff <(sort <<< "$commands") -
-verdict $? 'every row of help.def is of a command'
+sed -n 's/^HELP("\([a-z]*\)".*/\1/p' src/cli/help.def | sort -u | diff <(sort <<< "$commands"$'\ntouchstone') -
+verdict $? 'every row of help.def is of a command, or of all'
+for variable in $(grep -rhoE 'getenv\("\w+"' src --include='*.c' | cut -d'"' -f2 | sort -u); do
+	for command in '' $commands; do "$touchstone" help $command; done | grep -q "^  $variable  "
+	verdict $? "help names the variable $variable"
+done
+[ "$("$touchstone" help | sed -n '/^Environment:/,$p' | awk '{print length}' | sort -n | tail -n 1)" -le 80 ]
+verdict $? 'help fits 80 columns'
 
 # What `help render` says of effects and scenes is all of them.
 names() {

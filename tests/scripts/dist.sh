@@ -1,5 +1,5 @@
 #!/bin/bash
-# The tarball of `make dist`: the same bytes each time, the files of the commit, and it builds where there is no git.
+# The tarball of `make dist`: the same bytes each time, the files of the commit, which it knows where it is built without git.
 . "$(dirname "$0")/../cli/tap.bash"
 if [ ! -e .git ]; then
 	echo '1..0 # SKIP not a git checkout'
@@ -21,8 +21,16 @@ tar -xJf "$scratch/second" -C "$scratch/tree" && root=$(echo "$scratch"/tree/tou
 verdict $? 'the files of the commit'
 
 object=build/none/obj/src/model/commit.c.o
-(cd "$root" && GIT_DIR=/nowhere make -s BUILD=build/none "$object") && grep -q unknown "$root/$object"
-verdict $? 'builds without git'
+commit=$(git rev-parse HEAD)
+# knows COMMIT: what is built of the tarball says that.
+knows() {
+	(cd "$root" && GIT_DIR=/nowhere make -s BUILD=build/none "$object") && [ "$(strings "$root/$object" | grep -oE '[0-9a-f]{40}.*')" = "$1" ]
+}
+knows "$commit"
+verdict $? 'builds without git, and knows its commit'
+touch "$root/src/model/core.h"
+knows "$commit-dirty"
+verdict $? 'knows that a file was changed'
 
 ! said=$(make -s -C "$root" dist 2>&1) && grep -q '^make dist: no git checkout here' <<< "$said"
 verdict $? 'makes no tarball without git'

@@ -8,6 +8,7 @@ if [ "$(id -u)" -ne 0 ] || ! unshare --mount --pid --fork true 2> /dev/null; the
 fi
 mkdir -p "$scratch/bin" "$scratch/tree/scripts"
 cp scripts/distros "$scratch/tree/scripts"
+git init -q "$scratch/tree"
 PATH=$scratch/bin:$PATH
 command() { printf '#!/bin/bash\n%s\n' "$2" > "$scratch/bin/$1" && chmod +x "$scratch/bin/$1"; }
 
@@ -34,22 +35,31 @@ says() {
 command autopkgtest '[ -e "${!#}/etc/made" ]'
 command debootstrap 'mkdir -p "$3/etc" "$3/proc"'
 judged true
-says 0 '18 passed, 0 failed, 0 skipped' '^trixie .*traces.* ok ' '^bookworm .*goldens with clang-99 .* ok '
+says 0 '20 passed, 0 failed, 0 skipped' '^trixie .*traces.* ok ' '^bookworm .*goldens with clang-99 .* ok '
 verdict $? 'two equal distributions pass'
 judged true --short
 says 0 '2 passed, 0 failed, 0 skipped' '^trixie .*goldens .* ok ' && ! grep -q bookworm "$scratch/stdout"
 verdict $? 'the short one takes one'
 judged '[[ $asked != *trixie*render*splats* ]] || echo other > depth.npy'
-says 1 '17 passed, 1 failed, 0 skipped' '^trixie .*traces.*FAILED' '^    > [0-9a-f]{64}  \./8/depth\.npy$'
+says 1 '19 passed, 1 failed, 0 skipped' '^trixie .*traces.*FAILED' '^    > [0-9a-f]{64}  \./8/depth\.npy$'
 verdict $? 'another bit of a trace fails'
 judged '[[ $asked != *bookworm*WERROR=1 ]] || { echo why && exit 2; }'
-says 1 '14 passed, 2 failed, 0 skipped' '^bookworm  make .*FAILED' '^    why$' '^trixie .*traces.*FAILED'
+says 1 '16 passed, 2 failed, 0 skipped' '^bookworm  make .*FAILED' '^    why$' '^trixie .*traces.*FAILED'
 verdict $? 'what does not build fails, and nothing is the same as nothing'
+
+tar -cJf "$scratch/one.tar.xz" -C "$scratch" tree
+judged '[[ $asked != *dpkg-buildpackage* ]] || touch "$1/touchstone/package/one.deb"' --packages "$scratch/one.tar.xz" "$scratch/to"
+says 0 '6 passed, 0 failed, 0 skipped' && [ "$(cd "$scratch/to" && echo */*)" = 'bookworm/one.deb trixie/one.deb' ] &&
+	[ -x "$scratch/tree/build/distros/trixie/touchstone/package/tree/scripts/distros" ]
+verdict $? 'packages of a tarball, in a folder for each'
 
 command id 'echo 1000'
 judged true
 says 0 '0 passed, 0 failed, 1 skipped' 'skipped: a chroot needs root'
 verdict $? 'skipped without root'
+judged true --packages "$scratch/one.tar.xz" "$scratch/to"
+says 1 '0 passed, 0 failed, 1 skipped' 'skipped: a chroot needs root'
+verdict $? 'packages that are skipped are missing'
 rm "$scratch/bin/id"
 command unshare 'exit 1'
 judged true

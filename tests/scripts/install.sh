@@ -19,9 +19,14 @@ find "$scratch/made" ! -type d -printf '/%P\n' |
 verdict $? 'into the folders that were named'
 diff -r tests/api/example "$scratch/made$at/share/touchstone/examples"
 verdict $? 'with the examples'
+[ -e "$scratch/made$at/include/touchstone/candidate.h" ] &&
+	[ "$(head -qn 1 "$scratch/made$at/include/touchstone"/* | sort -u)" = '/* SPDX-License-Identifier: Apache-2.0 */' ]
+verdict $? 'with headers that say their licence, alone'
 ! command -v clang > "$scratch/stdout" || [ "$(grep -c '^\.visible \.entry' "$scratch/made$at/share/touchstone/kernels.ptx")" -eq \
 	"$(scripts/assembled src/backends/kernels.def | grep -c '^KERNEL(')" ]
 verdict $? 'with all kernels as PTX, where there is clang'
+[ ! -e .git ] || grep -q "^\.TH TOUCHSTONE [1] \"$(date -u -d "@$(git log -1 --format=%ct)" +%F)\" " "$scratch/made$at/share/man/man1/touchstone.1"
+verdict $? "with a manual of the commit's date"
 
 # As debian/rules installs it, which leaves out these two.
 patterns=$(sed 's|\.|\\.|g; s|\*|[^/]*|g' debian/*.install)

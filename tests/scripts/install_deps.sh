@@ -45,6 +45,26 @@ deps env -u TS_INSTALL scripts/install-deps
 	grep -q '^install .* gcc$' "$scratch/asked"
 verdict $? 'what is missing is printed and installed'
 
+# Fedora: there is rpm, and no dpkg-query. fedora GROUP: what is asked for there.
+mkdir "$scratch/fedora"
+for tool in bash env grep id; do ln -s "$(type -P $tool)" "$scratch/fedora"; done
+mv "$scratch/bin/sudo" "$scratch/fedora"
+command rpm '[ "${!#}" != gcc ]' && command dnf "echo \"\$*\" >> '$scratch/asked'"
+mv "$scratch/bin/rpm" "$scratch/bin/dnf" "$scratch/fedora"
+fedora() { deps env -u TS_INSTALL PATH="$scratch/fedora" scripts/install-deps "$@"; }
+fedora
+[ "$status" -eq 0 ] && [ "$(cat "$scratch/stdout")" = 'install-deps: installing gcc' ] && grep -q '^install .* gcc$' "$scratch/asked"
+verdict $? 'on Fedora what is missing comes by dnf'
+sed -i 's/\[.*/exit 1/' "$scratch/fedora/rpm"
+fedora --matrix
+[ "$status" -eq 0 ] && grep -q ' gcc-c++ .* embree-devel .* clang .* pandoc ' "$scratch/asked" && ! grep -qE -- '-dev( |$)' "$scratch/asked"
+verdict $? 'by the names that it has there'
+rm "$scratch/fedora/dnf"
+fedora
+[ "$status" -eq 2 ] && grep -q '^install-deps: this is neither Debian nor Fedora' "$scratch/stderr"
+verdict $? 'elsewhere what is missing is said'
+mv "$scratch/fedora/sudo" "$scratch/bin"
+
 # What the targets ask for; their own make stops at the target that has no rule.
 for target in demo:build test:test fuzz:test mutants:test faults:test; do
 	made=$(make -n "${target%:*}" T=none 2> "$scratch/stderr" | grep -o 'scripts/install-deps.*')

@@ -18,11 +18,11 @@ site=$scratch/site
 scripts/manual "$touchstone" "$scratch/manual" && scripts/site "$scratch/manual" "$site"
 verdict $? 'the pages are written'
 [ -d "$site" ] || finish
-for source in README.md CONTRIBUTING.md CHANGELOG.md reference/*.md include/touchstone/*.h; do
+for source in README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md reference/*.md include/touchstone/*.h; do
 	page=${source%.*}.html
 	[ -s "$site/${page/#README/index}" ] || echo "# no page of $source"
 done > "$scratch/missing"
-for command in $("$touchstone" help | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
+for command in $("$touchstone" help | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p'); do
 	[ -s "$site/manual/touchstone-$command.html" ] || echo "# no page of $command"
 done >> "$scratch/missing"
 cat "$scratch/missing"
@@ -35,6 +35,40 @@ missing=$(grep -ohE '^TS_API .*\b(ts_\w+)\(' include/touchstone/*.h | grep -oE '
 done)
 [ -z "$missing" ]
 verdict $? "each public function has a section $missing"
+for list in params stages buffers; do
+	"$touchstone" list $list --json | grep -oE '^ *"name": "[^"]*"' | cut -d'"' -f4 | tee -a "$scratch/names" > "$scratch/some"
+	[ -s "$scratch/some" ]
+	verdict $? "there are $list"
+done
+grep -ohE '^TS_API .*\b(ts_\w+)\(' include/touchstone/*.h | grep -oE 'ts_\w+\($' | tr -d '(' >> "$scratch/names"
+missing=$(while read -r name; do
+	grep -qE "<a href=[^>]*#[^>]*><code>$name</code></a>" "$site/terms.html" && grep -q "^\[\"$name\", " "$site/terms.js" || echo "$name"
+done < "$scratch/names")
+[ -z "$missing" ]
+verdict $? "each parameter, stage, buffer and public function is in the index and the search $missing"
+cp -r "$site" "$scratch/terms" && sed -nE 's|^\["(.*)", "(.*)", "(.*)"\],$|<a href="\3">\1</a>|p' "$site/terms.js" > "$scratch/terms/terms.js.html" &&
+	[ "$(grep -c . "$scratch/terms/terms.js.html")" -eq $(($(grep -c . "$site/terms.js") - 2)) ] && scripts/links-check "$scratch/terms"
+verdict $? 'each row of the search leads to something'
+if command -v chromium chromium-browser google-chrome > "$scratch/stdout"; then
+	python3 - "$site" <<'PY'
+import sys
+sys.path.insert(0, "tests/cli")
+from browser import Browser
+with Browser(1180, 820) as page:
+	page.open(sys.argv[1] + "/reference/METHODS.html")
+	page.run("field.focus(), document.execCommand('insertText', false, 'eye.fov')")
+	page.wait("list.querySelector('a') !== null")
+	page.press("ArrowDown")
+	assert page.run("document.activeElement.textContent") == "eye.fov parameter"
+	page.press("ArrowUp")
+	page.press("Enter")
+	page.wait("location.hash === '#parameter-eye.fov'")
+	assert not page.faults and all(url.startswith("file:") for url in page.requests), (page.faults, page.requests)
+PY
+	verdict $? 'in a browser the search finds a parameter, by the keyboard alone and without a network'
+else
+	echo "ok $((tests += 1)) - the search in a browser # SKIP no chromium"
+fi
 scripts/site "$scratch/manual" "$scratch/again" && diff -r "$site" "$scratch/again" > "$scratch/stdout"
 verdict $? 'two runs write the same bytes'
 
@@ -56,7 +90,7 @@ sees 'refers to something' '1s/$/ @import "a";/' style.css
 
 # A document that refers to what does not exist ends the run, and what was there stays.
 mkdir "$scratch/tree"
-cp -r README.md CONTRIBUTING.md CHANGELOG.md include reference scenes scripts "$scratch/tree"
+cp -r README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md include reference scenes scripts "$scratch/tree"
 echo '[nil](reference/NIL.md)' >> "$scratch/tree/README.md"
 mkdir "$scratch/tree/out" && touch "$scratch/tree/out/before"
 (cd "$scratch/tree" && scripts/site "$scratch/manual" out) > "$scratch/stdout" 2> "$scratch/stderr"
