@@ -511,6 +511,7 @@ static void shape_atrium(ts_mesh *mesh, const u32 *material)
 }
 
 const ts_builtin ts_builtin_atrium = {
+	.info = {"atrium", "a colonnaded court of two storeys with hanging cloth, plants and flags; open to the sky"},
 	.paints = paints,
 	.n_paints = N_PAINTS,
 	.shape = shape_atrium,

@@ -6,7 +6,6 @@
 #include "builtin.h"
 #include "../sources.h"
 
-enum { ATRIUM, GALLERY, DINING, CHECKERBOARD, N_SCENES };
 enum { TRIANGLES, TEXELS, SURFELS, N_OPTIONS };
 
 static const struct {
@@ -19,36 +18,31 @@ static const struct {
 	[SURFELS] = {"surfels", 10000, 16000000, 300000, true},
 };
 
-static const ts_builtin_info table[N_SCENES] = {
-	[ATRIUM] = {"atrium", "a colonnaded court of two storeys with hanging cloth, plants and flags; open to the sky"},
-	[GALLERY] = {"gallery", "a hall of pictures under a skylight, cabinets behind doorways, benches, a bicycle"},
-	[DINING] = {"dining", "a dining room: laid table, chairs, blinds, shelves of books, fireplace, chandelier"},
-	[CHECKERBOARD] = {"checkerboard", "surfels in a regular grid on a plane of squares that recedes before a camera"},
+static const ts_builtin *const scenes[] = {
+#define SCENE(name) &ts_builtin_##name,
+#include "scenes.def"
+#undef SCENE
 };
+enum { N_SCENES = sizeof scenes / sizeof *scenes };
 
-static const ts_builtin *const scenes[N_SCENES] = {
-	[ATRIUM] = &ts_builtin_atrium,
-	[GALLERY] = &ts_builtin_gallery,
-	[DINING] = &ts_builtin_dining,
-	[CHECKERBOARD] = &ts_builtin_checkerboard,
-};
-
-const ts_builtin_info *ts_builtin_at(size_t i) { return i < N_SCENES ? &table[i] : NULL; }
+const ts_builtin_info *ts_builtin_at(size_t i) { return i < N_SCENES ? &scenes[i]->info : NULL; }
 
 void ts_builtin_names(char *text, size_t text_bytes)
 {
 	size_t used = 0;
 	for (u32 i = 0; i < N_SCENES && used < text_bytes; i++) {
 		const char *between = i == 0 ? "" : i + 1 < N_SCENES ? ", " : " and ";
-		used += (size_t)snprintf(text + used, text_bytes - used, "%s%s", between, table[i].name);
+		used += (size_t)snprintf(text + used, text_bytes - used, "%s%s", between, scenes[i]->info.name);
 	}
 }
 
 static const ts_builtin *find(const char *spec)
 {
 	size_t length = strcspn(spec, ":");
-	for (u32 i = 0; i < N_SCENES; i++)
-		if (strlen(table[i].name) == length && memcmp(table[i].name, spec, length) == 0) return scenes[i];
+	for (u32 i = 0; i < N_SCENES; i++) {
+		const char *name = scenes[i]->info.name;
+		if (strlen(name) == length && memcmp(name, spec, length) == 0) return scenes[i];
+	}
 	return NULL;
 }
 

@@ -1,5 +1,5 @@
-/* A built-in scene: its materials, its shapes, and a rug that makes up the exact number of triangles. builtin.c has the
- * list of names. */
+/* A built-in scene: its materials, its shapes, and a rug that makes up the exact number of triangles. scenes.def has
+ * the list. */
 #ifndef TS_SCENE_BUILTIN_H
 #define TS_SCENE_BUILTIN_H
 #include "mesh.h"
@@ -9,6 +9,7 @@
 enum { TS_MAX_PAINTS = 40 };
 
 typedef struct {
+	ts_builtin_info info;
 	const ts_paint *paints; /* its materials, in order */
 	u32 n_paints;
 	/* material: indices of the paints in the build. The count must not fall when `detail` rises. */
@@ -19,6 +20,8 @@ typedef struct {
 	const char *camera; /* the camera if none is named; NULL: the circling eye */
 } ts_builtin;
 
-extern const ts_builtin ts_builtin_atrium, ts_builtin_gallery, ts_builtin_dining, ts_builtin_checkerboard;
+#define SCENE(name) extern const ts_builtin ts_builtin_##name;
+#include "scenes.def"
+#undef SCENE
 
 #endif

@@ -55,4 +55,8 @@ static void add_grid(ts_build *build, u32 count, f32 splat_radius)
 	build->scene->is_checkerboard = true;
 }
 
-const ts_builtin ts_builtin_checkerboard = {.surfels = add_grid, .camera = "receding"};
+const ts_builtin ts_builtin_checkerboard = {
+	.info = {"checkerboard", "surfels in a regular grid on a plane of squares that recedes before a camera"},
+	.surfels = add_grid,
+	.camera = "receding",
+};

@@ -403,6 +403,7 @@ static void shape_dining(ts_mesh *mesh, const u32 *material)
 }
 
 const ts_builtin ts_builtin_dining = {
+	.info = {"dining", "a dining room: laid table, chairs, blinds, shelves of books, fireplace, chandelier"},
 	.paints = paints,
 	.n_paints = D_N_PAINTS,
 	.shape = shape_dining,

@@ -375,6 +375,7 @@ static void shape_gallery(ts_mesh *mesh, const u32 *material)
 }
 
 const ts_builtin ts_builtin_gallery = {
+	.info = {"gallery", "a hall of pictures under a skylight, cabinets behind doorways, benches, a bicycle"},
 	.paints = paints,
 	.n_paints = N_PAINTS,
 	.shape = shape_gallery,
