@@ -46,7 +46,7 @@ static ts_status tell(json_t **answer, const ts_told_what *what, bool as_text)
 {
 	size_t number;
 	*answer = as_text ? ts_explain_lines(what) : ts_explain_json(what);
-	if (*answer == NULL) return ts_fail("an explanation: out of memory");
+	if (*answer == NULL) return ts_fail_as(TS_KIND_MEMORY, "an explanation: out of memory");
 	return what->b != NULL && ts_explain_differ(&number, what->a, what->b) ? TS_DIFFERENT : TS_OK;
 }
 

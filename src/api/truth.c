@@ -76,7 +76,7 @@ static ts_status trace(job *j)
 static ts_status render(made *m, job *j)
 {
 	ts_status status = trace(j);
-	if (status == TS_OK && ts_cancelled()) return ts_fail("truth %s: cancelled", j->kind->name);
+	if (status == TS_OK && ts_cancelled()) return ts_fail_as(TS_KIND_CANCELLED, "truth %s: cancelled", j->kind->name);
 	m->image = (ts_truth_image){TS_PARAM(j->params, width), TS_PARAM(j->params, height), m->picture.radiance,
 	                            m->picture.srgb, ts_sampling_is_part(&m->picture.sampling)};
 	return status;

@@ -6,11 +6,12 @@ bool ts_digest_known(const ts_trace_item *item) { return item->path != NULL || i
 
 static bool is_exact(const ts_relaxations *r)
 {
-	return r->ulp == 0 && r->abs == 0 && r->rel == 0 && !r->decided && r->allow == 0 && r->ignore == NULL && r->mask == NULL;
+	return r->ulp == 0 && r->abs == 0 && r->rel == 0 && !r->decided && r->allow == 0 && r->ignore == NULL &&
+	       r->mask == NULL;
 }
 
 ts_status ts_compare_digests(ts_verdict *v, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
-                          const ts_relaxations *relaxations)
+                             const ts_relaxations *relaxations)
 {
 	const ts_trace_item *sides[2] = {&reference->item[id], &candidate->item[id]};
 	char hex[2][TS_DIGEST_BYTES];
@@ -25,8 +26,8 @@ ts_status ts_compare_digests(ts_verdict *v, ts_buffer_id id, const ts_trace *ref
 	if (v->judgement == TS_UNABLE) {
 		snprintf(v->why, sizeof v->why, "%s needs its file, which %.400s leaves out", why, left);
 	} else {
-		snprintf(v->why, sizeof v->why, "SHA-256 ref %.16s... candidate %.16s..., as %.400s leaves its file out", hex[0], hex[1],
-		         left);
+		snprintf(v->why, sizeof v->why, "SHA-256 ref %.16s... candidate %.16s..., as %.400s leaves its file out",
+		         hex[0], hex[1], left);
 	}
 	return TS_OK;
 }

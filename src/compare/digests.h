@@ -7,6 +7,6 @@
 bool ts_digest_known(const ts_trace_item *item);
 /* Judges a buffer that one side or both know by its digest alone. */
 ts_status ts_compare_digests(ts_verdict *verdict, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
-                          const ts_relaxations *relaxations);
+                             const ts_relaxations *relaxations);
 
 #endif

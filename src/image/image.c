@@ -32,12 +32,16 @@ static ts_status require_codec(const char *what)
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
 	pthread_once(&once, load);
 	if (codec != NULL) return TS_OK;
-	return ts_fail("%s: images need a module that did not load, in Debian the package touchstone-image: %s", what,
-	               missing);
+	return ts_fail_as(TS_KIND_LIBRARY,
+	                  "%s: images need a module that did not load, in Debian the package touchstone-image: %s", what,
+	                  missing);
 }
 
 /* The module keeps messages of its own. */
-static ts_status said(ts_status status) { return status == TS_OK ? TS_OK : ts_fail("%s", codec->message()); }
+static ts_status said(ts_status status)
+{
+	return status == TS_OK ? TS_OK : ts_fail_as(codec->kind(), "%s", codec->message());
+}
 
 static uint32_t big_endian(const uint8_t *p, int n)
 {
@@ -84,11 +88,10 @@ static ts_status decode(uint8_t **rgba, const uint32_t size[2], const char *form
 	return status;
 }
 
-ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
-                          uint64_t max_texels, const char *what)
+static ts_status decode_file(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
+                             uint64_t max_texels, const char *what)
 {
 	const char *name = "its first bytes are those of no format";
-	if (TS_LACKS(rgba) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(file) || TS_LACKS(what)) return TS_ERROR;
 	ts_image_format format = ts_image_format_find(file, file_bytes, &name);
 	bool png = format == TS_IMAGE_PNG;
 	uint32_t size[2] = {0, 0};
@@ -109,6 +112,13 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 	if (status == TS_OK) status = decode(rgba, size, "png", clean, clean_bytes, what);
 	free(clean);
 	return status;
+}
+
+ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
+                          uint64_t max_texels, const char *what)
+{
+	if (TS_LACKS(rgba) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(file) || TS_LACKS(what)) return TS_ERROR;
+	return ts_blame(decode_file(rgba, width, height, file, file_bytes, max_texels, what), TS_KIND_FORMAT);
 }
 
 ts_status ts_image_decode_optional(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file,
@@ -159,9 +169,9 @@ ts_status ts_image_format_of(ts_image_format *format, const char *path)
 	uint8_t head[TS_IMAGE_HEAD];
 	struct stat info;
 	if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
-		return ts_fail("%s: not a regular file; a PNG, JPEG or EXR is expected", path);
+		return ts_fail_as(TS_KIND_FILE, "%s: not a regular file; a PNG, JPEG or EXR is expected", path);
 	FILE *file = fopen(path, "rb");
-	if (file == NULL) return ts_fail("%s: %s; a PNG, JPEG or EXR is expected", path, strerror(errno));
+	if (file == NULL) return ts_fail_as(TS_KIND_FILE, "%s: %s; a PNG, JPEG or EXR is expected", path, strerror(errno));
 	size_t n = fread(head, 1, sizeof head, file);
 	fclose(file);
 	const char *name = "its first bytes are those of no format";
@@ -178,7 +188,8 @@ ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint3
 	if (TS_LACKS(pixels) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(path))
 		return TS_ERROR;
 	*pixels = NULL;
-	if (ts_image_format_of(&is, path) != TS_OK || require_codec(path) != TS_OK) return TS_ERROR;
+	if (ts_blame(ts_image_format_of(&is, path), TS_KIND_FORMAT) != TS_OK || require_codec(path) != TS_OK)
+		return TS_ERROR;
 	void *file = ts_input_read(&bytes, path);
 	if (file == NULL) return TS_ERROR;
 	is = ts_image_format_find(file, bytes, NULL);
@@ -188,5 +199,5 @@ ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint3
 	if (status == TS_OK) status = said(codec->read(pixels, width, height, channels, format, whole, bytes, path));
 	free(clean);
 	free(file);
-	return status;
+	return ts_blame(status, TS_KIND_FORMAT);
 }

@@ -15,7 +15,7 @@ json_t *ts_page_base64(const void *file, size_t bytes, const char *what)
 	int n = EVP_EncodeBlock((unsigned char *)text, file, (int)bytes);
 	json_t *value = json_stringn_nocheck(text, (size_t)n);
 	free(text);
-	if (value == NULL) ts_fail("%s: out of memory", what);
+	if (value == NULL) ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", what);
 	return value;
 }
 

@@ -187,7 +187,7 @@ static char *read_text(const char *path, size_t *n)
 	ssize_t got = text != NULL ? read(file, text, (size_t)bytes) : -1;
 	close(file);
 	if (text != NULL && got < 0) {
-		ts_fail("%s: %s", path, strerror(errno));
+		ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
 		free(text);
 		return NULL;
 	}
@@ -224,7 +224,7 @@ ts_trace *ts_trace_new(const char *dir)
 	ts_params_default(&trace->params);
 	trace->dir = strdup(dir);
 	if (trace->dir != NULL) return trace;
-	ts_fail("%s: out of memory", dir);
+	ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", dir);
 	free(trace);
 	return NULL;
 }
@@ -234,7 +234,7 @@ ts_status ts_trace_open_folder(ts_trace **trace, const char *dir)
 	*trace = NULL;
 	ts_trace *made = ts_trace_new(dir);
 	if (made == NULL) return TS_ERROR;
-	if (read_json(made) != TS_OK) {
+	if (ts_blame(read_json(made), TS_KIND_FORMAT) != TS_OK) {
 		ts_trace_close(made);
 		return TS_ERROR;
 	}
@@ -265,7 +265,7 @@ ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *la
 	char *list = made != NULL ? strdup(layout) : NULL, *rest = NULL;
 	if (list == NULL) {
 		ts_trace_close(made);
-		return ts_fail("%s: out of memory", dir);
+		return ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", dir);
 	}
 	made->pipeline = like->pipeline;
 	made->arrival = arrival;

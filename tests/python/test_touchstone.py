@@ -96,6 +96,20 @@ def test_answers_and_errors(context, scene, reference):
 		context.open_scene("atrium", {"width": -1})
 
 
+def kind_of(call):
+	with pytest.raises(touchstone.Error) as raised:
+		call()
+	return raised.value.kind
+
+
+def test_errors_have_kinds(context, scene, tmp_path):
+	assert kind_of(lambda: context.run(scene, "reflections", "magic", SMALL)) == "argument"
+	assert kind_of(lambda: context.open(tmp_path / "none")) == "file"
+	assert kind_of(lambda: touchstone.decode_image(b"no picture")) == "format"
+	ended = touchstone.Context(cancelled=lambda: True)
+	assert kind_of(lambda: ended.run(scene, "reflections", "mvr", SMALL)) == "cancelled"
+
+
 def test_callbacks():
 	heard = []
 	context = touchstone.Context(progress=lambda *told: heard.append(told), cancelled=lambda: len(heard) > 0)

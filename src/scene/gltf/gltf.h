@@ -28,8 +28,11 @@ using bytes = std::vector<unsigned char>;
 /* One line: what, where, what would be right; without the file's name. */
 struct error {
 	std::string line;
+	ts_kind kind;
 };
+/* Fails by TS_KIND_FORMAT. */
 [[noreturn]] void fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
+[[noreturn]] void fail_as(ts_kind kind, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* A name from the file, for a message: in quotes, NULs replaced, cut to 48 bytes. What prints it cleans the rest. */
 std::string quoted(const std::string &name);

@@ -59,7 +59,7 @@ static u32 image_build(loader &in, int index, bool srgb)
 	uint8_t *rgba = nullptr;
 	uint32_t width = 0, height = 0;
 	uint64_t limit = std::min(in.texel_budget, free_texels + n * texels_a_byte);
-	if (ts_image_decode(&rgba, &width, &height, data, n, limit, what.c_str()) != TS_OK) throw error{""};
+	if (ts_image_decode(&rgba, &width, &height, data, n, limit, what.c_str()) != TS_OK) throw error{"", TS_KIND_NONE};
 	std::unique_ptr<uint8_t, void (*)(void *)> owner(rgba, free);
 	in.texel_budget -= (uint64_t)width * height;
 	u32 built = ts_build_image(in.build, rgba, width, height, srgb);

@@ -35,11 +35,15 @@ static ts_status file_check(const char *path)
 	bool is_known = has_suffix(path, ".gltf") || has_suffix(path, ".glb") || has_suffix(path, ".ply");
 	ts_builtin_names(names, sizeof names);
 	if (!is_known && !strchr(path, '/') && stat(path, &info) != 0)
-		return ts_fail("%s: no such scene; built in are %s, files end in .gltf, .glb or .ply", path, names);
+		return ts_fail_as(TS_KIND_FILE, "%s: no such scene; built in are %s, files end in .gltf, .glb or .ply", path,
+		                  names);
 	if (stat(path, &info) != 0)
-		return ts_fail("%s: %s; a .gltf, .glb or .ply file or a built-in scene is needed", path, strerror(errno));
-	if (S_ISDIR(info.st_mode)) return ts_fail("%s: is a directory; name the .gltf, .glb or .ply file inside it", path);
-	if (!S_ISREG(info.st_mode)) return ts_fail("%s: not a regular file; a .gltf, .glb or .ply file is needed", path);
+		return ts_fail_as(TS_KIND_FILE, "%s: %s; a .gltf, .glb or .ply file or a built-in scene is needed", path,
+		                  strerror(errno));
+	if (S_ISDIR(info.st_mode))
+		return ts_fail_as(TS_KIND_FILE, "%s: is a directory; name the .gltf, .glb or .ply file inside it", path);
+	if (!S_ISREG(info.st_mode))
+		return ts_fail_as(TS_KIND_FILE, "%s: not a regular file; a .gltf, .glb or .ply file is needed", path);
 	if (!is_known) return ts_fail("%s: the name of a scene's file must end in .gltf, .glb or .ply", path);
 	return TS_OK;
 }
