@@ -163,8 +163,8 @@ static void test_cancelled(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_none),   cmocka_unit_test(test_argument), cmocka_unit_test(test_file),
-		cmocka_unit_test(test_format), cmocka_unit_test(test_memory),   cmocka_unit_test(test_device),
+		cmocka_unit_test(test_none),      cmocka_unit_test(test_argument), cmocka_unit_test(test_file),
+		cmocka_unit_test(test_format),    cmocka_unit_test(test_memory),   cmocka_unit_test(test_device),
 		cmocka_unit_test(test_cancelled),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);

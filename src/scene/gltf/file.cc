@@ -66,11 +66,14 @@ static std::string resolve(const std::string &path, const std::string &shown)
 	return real.get();
 }
 
-bytes file_read_beside(const std::string &base, const std::string &relative, const extent &wanted)
+bytes file_read_beside(const loader &in, const std::string &relative, const extent &wanted)
 {
-	size_t slash = base.rfind('/');
+	size_t slash = in.path.rfind('/');
 	std::string shown = "file " + quoted(relative);
-	std::string folder = resolve(slash == std::string::npos ? "." : base.substr(0, slash + 1), "its folder");
+	if (in.in_memory)
+		fail_as(TS_KIND_ARGUMENT, "%s: a scene in memory has no files beside it; a .glb, or data URIs, would be right",
+		        shown.c_str());
+	std::string folder = resolve(slash == std::string::npos ? "." : in.path.substr(0, slash + 1), "its folder");
 	if (folder.back() != '/') folder += '/';
 	std::string real = resolve(folder + relative, shown);
 	if (real.compare(0, folder.size(), folder) != 0) fail("%s: a link out of the scene's folder", shown.c_str());

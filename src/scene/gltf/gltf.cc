@@ -74,7 +74,7 @@ static bool file_fetch(bytes *out, std::string *, const std::string &key, void *
 			out->assign(bin, bin + wanted.byte_length);
 			return true;
 		}
-		*out = file_read_beside(in.path, wanted.path, {most_file_bytes, wanted.byte_length, nullptr});
+		*out = file_read_beside(in, wanted.path, {most_file_bytes, wanted.byte_length, nullptr});
 		if (out->size() < wanted.byte_length)
 			fail("file %s: %zu bytes; byteLength says %llu", quoted(wanted.path).c_str(), out->size(),
 			     (unsigned long long)wanted.byte_length);
@@ -144,9 +144,12 @@ static void write_notes(loader &in)
 	if (n > most_notes) ts_build_note(in.build, "and %zu more of the kind", n - most_notes);
 }
 
-static void load(loader &in)
+static void load(loader &in, const ts_scene_file &file)
 {
-	in.file = file_read(in.path, {most_file_bytes, most_file_bytes, container_is_worth});
+	const unsigned char *first = (const unsigned char *)file.bytes;
+	if (file.n_bytes > most_file_bytes) fail("%zu bytes; at most 2147483647 are read", file.n_bytes);
+	in.file = in.in_memory ? bytes(first, first + file.n_bytes)
+	                       : file_read(in.path, {most_file_bytes, most_file_bytes, container_is_worth});
 	in.parts = container_split(in.file, ends_in_glb(in.path));
 	in.doc = guard((const char *)in.file.data() + in.parts.json_begin, in.parts.json_bytes, in.parts);
 	parse(in);
@@ -162,17 +165,20 @@ static void load(loader &in)
 
 } // namespace gltf
 
-void ts_gltf_load(ts_build *build, const char *path, const char *reflector, const char *animation, u32 neighbours)
+void ts_gltf_load(ts_build *build, const ts_scene_file *file, const char *reflector, const char *animation,
+                  u32 neighbours)
 {
+	const char *path = file->name;
 	ts_build_about(build, TS_KIND_FORMAT);
 	try {
 		gltf::loader in{};
 		in.build = build;
 		in.path = path;
+		in.in_memory = file->bytes != nullptr;
 		in.reflector = reflector;
 		in.animation = animation;
 		in.neighbours = neighbours;
-		gltf::load(in);
+		gltf::load(in, *file);
 	} catch (const gltf::error &e) {
 		ts_build_about(build, e.kind);
 		if (e.line.empty())

@@ -46,9 +46,10 @@ struct extent {
 	bool (*is_worth)(const bytes &head);
 };
 bytes file_read(const std::string &path, const extent &wanted);
-/* Reads `relative`, a path from path_from_uri, in the folder of the file `base`; nothing outside that folder, by name
+/* Reads `relative`, a path from path_from_uri, in the folder of the scene's file; nothing outside that folder, by name
  * or by link, is opened. */
-bytes file_read_beside(const std::string &base, const std::string &relative, const extent &wanted);
+struct loader;
+bytes file_read_beside(const loader &in, const std::string &relative, const extent &wanted);
 /* The relative path that a URI names; absolute ones, schemes, backslashes, NULs and ways out of the folder are refused.
  */
 std::string path_from_uri(const std::string &uri, const std::string &where);
@@ -141,7 +142,8 @@ struct playing {
 /* One file being loaded. */
 struct loader {
 	ts_build *build;
-	std::string path;
+	std::string path;      /* or the name */
+	bool in_memory;        /* the file, which has no folder */
 	const char *reflector; /* may be NULL */
 	const char *animation; /* may be NULL: the first one */
 	u32 neighbours;        /* nearest neighbours by whose distance points without a size get one */

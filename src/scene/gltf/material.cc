@@ -50,7 +50,7 @@ static u32 image_build(loader &in, int index, bool srgb)
 		data = in.model.buffers.at((size_t)view.buffer).data.data() + view.byteOffset;
 		n = view.byteLength;
 	} else if (n == 0) {
-		external = file_read_beside(in.path, image.from.path, {most_image_bytes, most_image_bytes, is_decoded});
+		external = file_read_beside(in, image.from.path, {most_image_bytes, most_image_bytes, is_decoded});
 		data = external.data();
 		n = external.size();
 		in.texel_budget = std::min(most_texels, in.texel_budget + n * texels_a_byte);

@@ -271,14 +271,25 @@ static void read_all(reader *in, u32 neighbours)
 	freelocale(c);
 }
 
-void ts_ply_load(ts_build *build, const char *path, u32 neighbours)
+/* As ts_input_read returns a file. */
+static char *copied(size_t *n, const ts_scene_file *from)
 {
-	reader in = {.build = build, .path = path};
+	char *copy = ts_alloc(from->n_bytes + 1, 1, from->name);
+	if (copy == NULL) return NULL;
+	memcpy(copy, from->bytes, from->n_bytes);
+	copy[from->n_bytes] = 0;
+	*n = from->n_bytes;
+	return copy;
+}
+
+void ts_ply_load(ts_build *build, const ts_scene_file *from, u32 neighbours)
+{
+	reader in = {.build = build, .path = from->name};
 	size_t n;
 	ts_build_about(build, TS_KIND_FORMAT);
-	char *file = ts_input_read(&n, path);
+	char *file = from->bytes != NULL ? copied(&n, from) : ts_input_read(&n, from->name);
 	if (file == NULL) ts_build_adopt(build);
-	if (file != NULL && ts_ply_header_read(&in.header, build, path, file, n)) {
+	if (file != NULL && ts_ply_header_read(&in.header, build, in.path, file, n)) {
 		const ts_ply_element *points = ts_ply_header_points(&in.header);
 		in.n = (u32)points->n;
 		in.n_properties = points->n_properties;
