@@ -27,7 +27,7 @@ static ts_status take_element(ts_question *q, const ts_explain_options *o, const
 	q->element = o->element;
 	if (ts_api_buffer(&q->buffer, o->buffer) != TS_OK) return TS_ERROR;
 	if (ts_stage_writes(stage, q->buffer)) return TS_OK;
-	return ts_fail("stage %s writes no buffer %s; see: touchstone list stages", stage->name, o->buffer);
+	return ts_fail("stage %s writes no buffer %s; the table of its outputs names all", stage->name, o->buffer);
 }
 
 static ts_status take_question(ts_question *q, const ts_explain_options *o, const ts_stage *stage)

@@ -85,7 +85,7 @@ static ts_status render(made *m, job *j)
 static ts_status find(const ts_truth_kind **kind, const char *effect, const char *name)
 {
 	char names[256];
-	if (ts_effect_find(effect) == NULL) return ts_fail("there is no effect \"%.40s\"; ts_method_at names all", effect);
+	if (ts_api_effect(effect) != TS_OK) return TS_ERROR;
 	*kind = ts_truths_one(name, effect);
 	if (*kind != NULL) return TS_OK;
 	ts_truths_list(names, sizeof names, effect, " and ");

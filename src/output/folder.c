@@ -77,7 +77,7 @@ static ts_status set_names(const char *dir)
 	size_t n = strlen(dir);
 	while (n > 1 && dir[n - 1] == '/') n--;
 	if (n == 0 || n > MAX_DIR) {
-		return ts_fail("-o: a folder's name has 1 to %d characters, this one has %zu", MAX_DIR, n);
+		return ts_fail("a folder's name has 1 to %d characters, this one has %zu", MAX_DIR, n);
 	}
 	snprintf(folder.dir, sizeof folder.dir, "%.*s", (int)n, dir);
 	const char *slash = strrchr(folder.dir, '/');

@@ -93,7 +93,8 @@ static void bytes_that_are_no_scene_are_refused(void **state)
 	           {"ply\n", "mine: ", TS_KIND_FORMAT},
 	           {"glTF\2", "mine: the header is cut", TS_KIND_FORMAT},
 	           {" \n{", "mine: ", TS_KIND_FORMAT},
-	           {beside, "file \"beside.bin\": a scene in memory has no files beside it; a .glb, or data URIs, would be right",
+	           {beside,
+	            "file \"beside.bin\": a scene in memory has no files beside it; a .glb, or data URIs, would be right",
 	            TS_KIND_ARGUMENT}};
 	ts_scene *made;
 	for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
