@@ -35,9 +35,20 @@ TS_API ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uin
 TS_API ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height,
                                     uint32_t channels, const ts_image_text *texts);
 
+/* Encode the files of ts_image_write_png and ts_image_write_exr in memory. what: the picture's name in messages.
+ * Out: *file holds *file_bytes bytes, to be released with free(); NULL on failure. */
+TS_API ts_status ts_image_encode_png(void **file, size_t *file_bytes, const uint8_t *pixels, uint32_t width,
+                                     uint32_t height, uint32_t channels, const ts_image_text *texts, const char *what);
+TS_API ts_status ts_image_encode_exr(void **file, size_t *file_bytes, const float *pixels, uint32_t width,
+                                     uint32_t height, uint32_t channels, const ts_image_text *texts, const char *what);
+
 /* Reads a PNG, JPEG or EXR as float (channels as in the file; 8-bit values divided by 255).
  * Out: *pixels is to be released with free(). */
 TS_API ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path);
+
+/* The same of a file in memory. what: the picture's name in messages. */
+TS_API ts_status ts_image_read_bytes(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels,
+                                     const void *file, size_t file_bytes, const char *what);
 
 /* How far apart two 8-bit RGB images are (METHODS 17). Values are in grey levels, 0 to 255. */
 typedef struct {

@@ -57,6 +57,12 @@ typedef struct {
 TS_API ts_status ts_scene_open(ts_context *context, ts_scene **scene, const char *spec, const ts_params *params,
                                const ts_scene_options *options);
 
+/* Opens a scene from the bytes of a .glb, .gltf or .ply file, which its first bytes tell. The bytes are not needed
+ * afterwards. A .gltf that names files beside it is refused: data URIs, or a .glb, would be right.
+ *   name     in messages and in traces; the others as for ts_scene_open. */
+TS_API ts_status ts_scene_open_bytes(ts_context *context, ts_scene **scene, const void *file, size_t file_bytes,
+                                     const char *name, const ts_params *params, const ts_scene_options *options);
+
 /* An image that textures read: height rows of width RGBA texels, from the top, each side 1 to 65536. */
 typedef struct {
 	const uint8_t *rgba;

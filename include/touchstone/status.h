@@ -26,9 +26,24 @@ typedef enum {
 	TS_SKIPPED = 77,  /* an optional backend is absent */
 } ts_status;
 
+/* What a failure is about, for programs that act on it. */
+typedef enum {
+	TS_KIND_NONE,      /* nothing has failed */
+	TS_KIND_ARGUMENT,  /* what the call was given, or its combination: any failure that is none of the following */
+	TS_KIND_FILE,      /* a file or folder is absent, or cannot be read or written */
+	TS_KIND_FORMAT,    /* the contents of a file, or of bytes in memory that stand for one */
+	TS_KIND_MEMORY,    /* the memory that the work needs is not there, or is more than the work may use */
+	TS_KIND_DEVICE,    /* the device or its driver is absent, failed, or breaks the numeric contract */
+	TS_KIND_LIBRARY,   /* a library that is opened when it is needed, such as Embree, is absent */
+	TS_KIND_CANCELLED, /* the context's `cancelled` said so */
+} ts_kind;
+
 /* The last failure of this thread as one line without a line end; "" if there was none.
  * The text belongs to the library and lives until the thread's next failure. */
 TS_API const char *ts_error_message(void);
+
+/* The kind of that failure. */
+TS_API ts_kind ts_error_kind(void);
 
 #ifdef __cplusplus
 }

@@ -27,6 +27,8 @@ ts_status ts_api_enter(const ts_context *context);
 ts_status ts_api_enter_alone(const ts_context *context);
 void ts_api_leave(void);
 
+/* Fails unless there is an effect of a name that a caller gave. */
+ts_status ts_api_effect(const char *effect);
 /* Finds a method by names that a caller gave; NULL with the message set. */
 const ts_pipeline *ts_api_method(const char *effect, const char *method);
 /* Finds a buffer by a name that a caller gave. */

@@ -86,7 +86,7 @@ static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 devi
 	ts_status status = kind->open(&how->backend, &wanted);
 	if (status == TS_OK) status = ts_vectors_verify(how->backend, false);
 	pthread_mutex_unlock(&drivers);
-	return status;
+	return ts_blame(status, TS_KIND_DEVICE);
 }
 
 static ts_status open_context(ts_context *context, const ts_context_options *options)
@@ -154,7 +154,7 @@ ts_status ts_device_at(ts_device_info *device, const char *backend, uint32_t i)
 	const u32 n = kind->devices(devices);
 	pthread_mutex_unlock(&drivers);
 	if (i >= n) {
-		ts_fail("%s: has no device %lu", backend, (unsigned long)i);
+		ts_fail_as(TS_KIND_DEVICE, "%s: has no device %lu", backend, (unsigned long)i);
 		return TS_SKIPPED;
 	}
 	const ts_device *d = &devices[i];

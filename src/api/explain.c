@@ -27,7 +27,7 @@ static ts_status take_element(ts_question *q, const ts_explain_options *o, const
 	q->element = o->element;
 	if (ts_api_buffer(&q->buffer, o->buffer) != TS_OK) return TS_ERROR;
 	if (ts_stage_writes(stage, q->buffer)) return TS_OK;
-	return ts_fail("stage %s writes no buffer %s; see: touchstone list stages", stage->name, o->buffer);
+	return ts_fail("stage %s writes no buffer %s; the table of its outputs names all", stage->name, o->buffer);
 }
 
 static ts_status take_question(ts_question *q, const ts_explain_options *o, const ts_stage *stage)
@@ -46,7 +46,7 @@ static ts_status tell(json_t **answer, const ts_told_what *what, bool as_text)
 {
 	size_t number;
 	*answer = as_text ? ts_explain_lines(what) : ts_explain_json(what);
-	if (*answer == NULL) return ts_fail("an explanation: out of memory");
+	if (*answer == NULL) return ts_fail_as(TS_KIND_MEMORY, "an explanation: out of memory");
 	return what->b != NULL && ts_explain_differ(&number, what->a, what->b) ? TS_DIFFERENT : TS_OK;
 }
 

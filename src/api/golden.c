@@ -68,7 +68,7 @@ ts_status ts_golden_check(ts_context *context, ts_golden_judged *judged, const c
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
 	ts_status status = ts_golden_dir_open(&dir, NULL, folder);
 	if (status == TS_OK) {
-		status = check(&told, &dir, &context->how);
+		status = ts_blame(check(&told, &dir, &context->how), TS_KIND_FORMAT);
 		ts_golden_dir_close(&dir);
 	}
 	ts_api_leave();

@@ -57,7 +57,7 @@ ts_status ts_html_add_picture(ts_html *page, const char *name, const char *from,
 ts_status ts_html_add_folder(ts_html *page, const char *folder)
 {
 	if (TS_LACKS(page) || TS_LACKS(folder) || ts_api_enter(page->context) != TS_OK) return TS_ERROR;
-	ts_status status = ts_page_add_folder(page->inner, folder);
+	ts_status status = ts_blame(ts_page_add_folder(page->inner, folder), TS_KIND_FORMAT);
 	ts_api_leave();
 	return status;
 }

@@ -11,11 +11,24 @@
 #include "../trace/keep.h"
 #include "../trace/sums.h"
 
+ts_status ts_api_effect(const char *effect)
+{
+	if (ts_effect_find(effect) != NULL) return TS_OK;
+	return ts_fail("there is no effect \"%.40s\"; ts_method_at names all", effect);
+}
+
 const ts_pipeline *ts_api_method(const char *effect, const char *method)
 {
+	char names[256] = "";
+	size_t n = 0;
 	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
-	if (pipeline == NULL) ts_fail("%s by %s: no such method; `touchstone list methods` names them", effect, method);
-	return pipeline;
+	if (pipeline != NULL || ts_api_effect(effect) != TS_OK) return pipeline;
+	for (const ts_pipeline *const *p = ts_pipelines(); *p != NULL && n < sizeof names; p++) {
+		if (strcmp((*p)->effect->name, effect) != 0) continue;
+		n += (size_t)snprintf(names + n, sizeof names - n, "%s%s", n > 0 ? ", " : "", (*p)->name);
+	}
+	ts_fail("%s by %.40s: no such method; there are %s", effect, method, names);
+	return NULL;
 }
 
 /* "image.srgb,image.radiance". */

@@ -76,7 +76,7 @@ static ts_status trace(job *j)
 static ts_status render(made *m, job *j)
 {
 	ts_status status = trace(j);
-	if (status == TS_OK && ts_cancelled()) return ts_fail("truth %s: cancelled", j->kind->name);
+	if (status == TS_OK && ts_cancelled()) return ts_fail_as(TS_KIND_CANCELLED, "truth %s: cancelled", j->kind->name);
 	m->image = (ts_truth_image){TS_PARAM(j->params, width), TS_PARAM(j->params, height), m->picture.radiance,
 	                            m->picture.srgb, ts_sampling_is_part(&m->picture.sampling)};
 	return status;
@@ -85,7 +85,7 @@ static ts_status render(made *m, job *j)
 static ts_status find(const ts_truth_kind **kind, const char *effect, const char *name)
 {
 	char names[256];
-	if (ts_effect_find(effect) == NULL) return ts_fail("there is no effect \"%.40s\"; ts_method_at names all", effect);
+	if (ts_api_effect(effect) != TS_OK) return TS_ERROR;
 	*kind = ts_truths_one(name, effect);
 	if (*kind != NULL) return TS_OK;
 	ts_truths_list(names, sizeof names, effect, " and ");

@@ -139,7 +139,7 @@ ts_status ts_verdicts_tell(ts_verdicts *v, const ts_judged *judged)
 	if (judged->item == NULL) return TS_OK;
 	v->file[b] = strdup(judged->item->path);
 	v->text[b] = strdup(judged->text);
-	if (v->file[b] == NULL || v->text[b] == NULL) return ts_fail("verdicts: out of memory");
+	if (v->file[b] == NULL || v->text[b] == NULL) return ts_fail_as(TS_KIND_MEMORY, "verdicts: out of memory");
 	v->info[b].file = v->file[b];
 	v->info[b].text = v->text[b];
 	v->info[b].cropped = judged->item->cropped;
@@ -149,7 +149,7 @@ ts_status ts_verdicts_tell(ts_verdicts *v, const ts_judged *judged)
 ts_status ts_verdicts_end(ts_verdicts *v, const ts_trace *reference, const ts_trace *candidate)
 {
 	v->tree = ts_compare_json(v->comparison, reference, candidate);
-	return v->tree != NULL ? TS_OK : ts_fail("verdicts: out of memory");
+	return v->tree != NULL ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "verdicts: out of memory");
 }
 
 static const ts_told *told_at(const ts_verdicts *v, size_t b) { return v != NULL && b < v->n ? v->told[b] : NULL; }
@@ -176,7 +176,7 @@ const ts_field_count *ts_verdicts_field(const ts_verdicts *v, size_t b, size_t i
 ts_tree *ts_verdicts_tree(const ts_verdicts *v)
 {
 	json_t *tree = v != NULL ? json_deep_copy(v->tree) : NULL;
-	if (v != NULL && tree == NULL) ts_fail("verdicts: out of memory");
+	if (v != NULL && tree == NULL) ts_fail_as(TS_KIND_MEMORY, "verdicts: out of memory");
 	return (ts_tree *)tree;
 }
 

@@ -17,7 +17,7 @@ static ts_status unpack(ts_modules *modules)
 	if (unpacked == NULL) return TS_ERROR;
 	if (uncompress(unpacked, &bytes, packed->bytes, packed->n_bytes) != Z_OK || bytes != packed->first[TS_N_KERNELS]) {
 		free(unpacked);
-		return ts_fail("backend %s: no memory to unpack the kernels", modules->backend);
+		return ts_fail_as(TS_KIND_MEMORY, "backend %s: no memory to unpack the kernels", modules->backend);
 	}
 	modules->unpacked = unpacked;
 	return TS_OK;

@@ -32,7 +32,7 @@ static ts_status wait(ts_store *store)
 ts_status ts_store_finish(ts_store *store)
 {
 	ts_status status = wait(store);
-	if (status == TS_OK && store->failure[0] != 0) status = ts_fail("%s", store->failure);
+	if (status == TS_OK && store->failure[0] != 0) status = ts_fail_as(TS_KIND_DEVICE, "%s", store->failure);
 	store->failure[0] = 0;
 	return status;
 }
@@ -67,8 +67,8 @@ static ts_status make(ts_store *store, ts_buffer *buffer, u64 part_bytes)
 	const ts_device *about = store->about;
 	u64 n_parts = (buffer->bytes + part_bytes - 1) / part_bytes;
 	if (part_bytes > about->most || n_parts > TS_PARTS) {
-		return ts_fail("a buffer of %.1f GB; %s allocates %.1f GB at once", (double)buffer->bytes / 1e9, about->name,
-		               (double)about->most / 1e9);
+		return ts_fail_as(TS_KIND_DEVICE, "a buffer of %.1f GB; %s allocates %.1f GB at once",
+		                  (double)buffer->bytes / 1e9, about->name, (double)about->most / 1e9);
 	}
 	resident *r = ts_alloc_zero(1, sizeof *r, "device buffer");
 	if (r == NULL) return TS_ERROR;

@@ -65,7 +65,7 @@ ts_status ts_relax_check(const ts_relaxations *r)
 	for (const char *at = r->ignore; at != NULL; at = next_of(at)) {
 		size_t n = strcspn(at, ",");
 		if (is_known(at, n)) continue;
-		return ts_fail("ignore: no buffer and no field \"%.*s\"; touchstone list buffers names all",
+		return ts_fail("ignore: no buffer and no field \"%.*s\"; the table of buffers names all",
 		               (int)(n < 80 ? n : 80), at);
 	}
 	return TS_OK;

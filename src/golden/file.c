@@ -11,7 +11,7 @@
 
 static ts_status fail(const ts_golden_dir *dir, const char *name, const char *what)
 {
-	return ts_fail("%s/%s: %s: %s", dir->path, name, what, strerror(errno));
+	return ts_fail_as(TS_KIND_FILE, "%s/%s: %s: %s", dir->path, name, what, strerror(errno));
 }
 
 ts_status ts_golden_dir_open(ts_golden_dir *dir, const ts_golden_dir *parent, const char *name)
@@ -22,7 +22,8 @@ ts_status ts_golden_dir_open(ts_golden_dir *dir, const ts_golden_dir *parent, co
 	if (n < 0 || n >= TS_GOLDEN_PATH) return ts_fail("%.80s...: a path beyond %d bytes", name, TS_GOLDEN_PATH - 1);
 	int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC | (parent != NULL ? O_NOFOLLOW : 0);
 	dir->fd = openat(parent != NULL ? parent->fd : AT_FDCWD, name, flags);
-	return dir->fd >= 0 ? TS_OK : ts_fail("%s: cannot open the folder: %s", dir->path, strerror(errno));
+	return dir->fd >= 0 ? TS_OK
+	                    : ts_fail_as(TS_KIND_FILE, "%s: cannot open the folder: %s", dir->path, strerror(errno));
 }
 
 void ts_golden_dir_close(ts_golden_dir *dir)
@@ -43,7 +44,7 @@ ts_status ts_golden_names(const ts_golden_dir *dir, ts_status (*each)(void *user
 	DIR *list = fd >= 0 ? fdopendir(fd) : NULL;
 	if (list == NULL) {
 		if (fd >= 0) close(fd);
-		return ts_fail("%s: cannot list the folder: %s", dir->path, strerror(errno));
+		return ts_fail_as(TS_KIND_FILE, "%s: cannot list the folder: %s", dir->path, strerror(errno));
 	}
 	ts_status status = TS_OK;
 	for (struct dirent *entry; status == TS_OK && (entry = readdir(list)) != NULL;) {
@@ -74,7 +75,7 @@ ts_status ts_golden_read_file(char **data, size_t *bytes, const ts_golden_dir *d
 	int fd = openat(dir->fd, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
 	if (fd < 0) return fail(dir, name, "cannot open");
 	if (fstat(fd, &s) != 0 || !S_ISREG(s.st_mode)) {
-		ts_fail("%s/%s: not a regular file", dir->path, name);
+		ts_fail_as(TS_KIND_FILE, "%s/%s: not a regular file", dir->path, name);
 	} else if ((unsigned long long)s.st_size > most) {
 		ts_fail("%s/%s: %llu bytes; at most %zu are right", dir->path, name, (unsigned long long)s.st_size, most);
 	} else if ((*data = ts_alloc((size_t)s.st_size + 1, 1, "a golden")) != NULL) {

@@ -112,8 +112,8 @@ ts_status ts_golden_make(ts_golden *golden, const char *name, const ts_pipeline 
 	u64 need = ts_pipeline_estimate(pipeline, scene, &said->params, true), limit = ts_memory_limit();
 	ts_golden_job job = {pipeline, scene, &said->params, *how};
 	ts_status status = need <= limit ? ts_golden_compute(golden, &job)
-	                                 : ts_fail("%s: needs about %llu MiB; %llu are there", name,
-	                                           (unsigned long long)(need >> 20), (unsigned long long)(limit >> 20));
+	                                 : ts_fail_as(TS_KIND_MEMORY, "%s: needs about %llu MiB; %llu are there", name,
+	                                              (unsigned long long)(need >> 20), (unsigned long long)(limit >> 20));
 	ts_scene_free(scene);
 	return status;
 }

@@ -22,8 +22,9 @@ typedef struct {
 	/* Reads `file`, which is of that format ("png", "jpeg", "openexr"); otherwise like ts_image_read. */
 	ts_status (*read)(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *format,
 	                  const void *file, size_t file_bytes, const char *what);
-	/* The message of this thread's last failure in the module. */
+	/* The message and the kind of this thread's last failure in the module. */
 	const char *(*message)(void);
+	ts_kind (*kind)(void);
 } ts_image_codec;
 
 #define TS_IMAGE_MODULE "libtouchstone-image.so"

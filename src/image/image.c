@@ -11,10 +11,11 @@
 #include <touchstone/image.h>
 #include "../output/file.h"
 #include "codec.h"
-#include "encode.h"
 #include "format.h"
 #include "optional.h"
 #include "png.h"
+
+enum { MOST_PIXELS = 1 << 28 }; /* of a picture that is written, as of one that is read */
 
 static const ts_image_codec *codec;
 static char missing[512];
@@ -32,12 +33,16 @@ static ts_status require_codec(const char *what)
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
 	pthread_once(&once, load);
 	if (codec != NULL) return TS_OK;
-	return ts_fail("%s: images need a module that did not load, in Debian the package touchstone-image: %s", what,
-	               missing);
+	return ts_fail_as(TS_KIND_LIBRARY,
+	                  "%s: images need a module that did not load, in Debian the package touchstone-image: %s", what,
+	                  missing);
 }
 
 /* The module keeps messages of its own. */
-static ts_status said(ts_status status) { return status == TS_OK ? TS_OK : ts_fail("%s", codec->message()); }
+static ts_status said(ts_status status)
+{
+	return status == TS_OK ? TS_OK : ts_fail_as(codec->kind(), "%s", codec->message());
+}
 
 static uint32_t big_endian(const uint8_t *p, int n)
 {
@@ -84,11 +89,10 @@ static ts_status decode(uint8_t **rgba, const uint32_t size[2], const char *form
 	return status;
 }
 
-ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
-                          uint64_t max_texels, const char *what)
+static ts_status decode_file(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
+                             uint64_t max_texels, const char *what)
 {
 	const char *name = "its first bytes are those of no format";
-	if (TS_LACKS(rgba) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(file) || TS_LACKS(what)) return TS_ERROR;
 	ts_image_format format = ts_image_format_find(file, file_bytes, &name);
 	bool png = format == TS_IMAGE_PNG;
 	uint32_t size[2] = {0, 0};
@@ -111,11 +115,46 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 	return status;
 }
 
+ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
+                          uint64_t max_texels, const char *what)
+{
+	if (TS_LACKS(rgba) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(file) || TS_LACKS(what)) return TS_ERROR;
+	return ts_blame(decode_file(rgba, width, height, file, file_bytes, max_texels, what), TS_KIND_FORMAT);
+}
+
 ts_status ts_image_decode_optional(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file,
                                    size_t file_bytes, uint64_t max_texels, const char *what)
 {
 	if (require_codec(what) != TS_OK) return TS_SKIPPED;
 	return ts_image_decode(rgba, width, height, file, file_bytes, max_texels, what);
+}
+
+static ts_status check_picture(const char *what, uint32_t width, uint32_t height, uint32_t channels)
+{
+	bool right = width > 0 && height > 0 && (channels == 1 || channels == 3 || channels == 4);
+	if (right && width <= MOST_PIXELS / height) return TS_OK;
+	return ts_fail("%s: %lu x %lu pixels of %lu channels; 1 to %lu pixels of 1, 3 or 4 channels would be right", what,
+	               (unsigned long)width, (unsigned long)height, (unsigned long)channels, (unsigned long)MOST_PIXELS);
+}
+
+ts_status ts_image_encode_png(void **file, size_t *file_bytes, const uint8_t *pixels, uint32_t width, uint32_t height,
+                              uint32_t channels, const ts_image_text *texts, const char *what)
+{
+	if (TS_LACKS(file)) return TS_ERROR;
+	*file = NULL;
+	if (TS_LACKS(file_bytes) || TS_LACKS(pixels) || TS_LACKS(what)) return TS_ERROR;
+	if (check_picture(what, width, height, channels) != TS_OK || require_codec(what) != TS_OK) return TS_ERROR;
+	return said(codec->encode_png(file, file_bytes, what, pixels, width, height, channels, texts));
+}
+
+ts_status ts_image_encode_exr(void **file, size_t *file_bytes, const float *pixels, uint32_t width, uint32_t height,
+                              uint32_t channels, const ts_image_text *texts, const char *what)
+{
+	if (TS_LACKS(file)) return TS_ERROR;
+	*file = NULL;
+	if (TS_LACKS(file_bytes) || TS_LACKS(pixels) || TS_LACKS(what)) return TS_ERROR;
+	if (check_picture(what, width, height, channels) != TS_OK || require_codec(what) != TS_OK) return TS_ERROR;
+	return said(codec->encode_exr(file, file_bytes, what, pixels, width, height, channels, texts));
 }
 
 /* Puts an encoded file, which is freed, in its place. */
@@ -126,67 +165,82 @@ static ts_status put(const char *path, ts_status encoded, void *file, size_t byt
 	return status;
 }
 
-ts_status ts_image_encode_png(void **file, size_t *file_bytes, const char *what, const uint8_t *pixels, uint32_t width,
-                              uint32_t height, uint32_t channels, const ts_image_text *texts)
-{
-	*file = NULL;
-	if (require_codec(what) != TS_OK) return TS_ERROR;
-	return said(codec->encode_png(file, file_bytes, what, pixels, width, height, channels, texts));
-}
-
 ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
                              uint32_t channels, const ts_image_text *texts)
 {
 	void *file;
 	size_t bytes = 0;
-	if (TS_LACKS(path) || TS_LACKS(pixels)) return TS_ERROR;
-	ts_status status = ts_image_encode_png(&file, &bytes, path, pixels, width, height, channels, texts);
+	if (TS_LACKS(path)) return TS_ERROR;
+	ts_status status = ts_image_encode_png(&file, &bytes, pixels, width, height, channels, texts, path);
 	return put(path, status, file, bytes);
 }
 
 ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels,
                              const ts_image_text *texts)
 {
-	void *file = NULL;
+	void *file;
 	size_t bytes = 0;
-	if (TS_LACKS(path) || TS_LACKS(pixels) || require_codec(path) != TS_OK) return TS_ERROR;
-	ts_status status = said(codec->encode_exr(&file, &bytes, path, pixels, width, height, channels, texts));
+	if (TS_LACKS(path)) return TS_ERROR;
+	ts_status status = ts_image_encode_exr(&file, &bytes, pixels, width, height, channels, texts, path);
 	return put(path, status, file, bytes);
 }
+
+#define EXPECTED "%s: %s; a PNG, JPEG or EXR is expected"
+
+static bool is_read(ts_image_format format) { return format == TS_IMAGE_EXR || ts_image_format_is_decoded(format); }
 
 ts_status ts_image_format_of(ts_image_format *format, const char *path)
 {
 	uint8_t head[TS_IMAGE_HEAD];
 	struct stat info;
 	if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
-		return ts_fail("%s: not a regular file; a PNG, JPEG or EXR is expected", path);
+		return ts_fail_as(TS_KIND_FILE, "%s: not a regular file; a PNG, JPEG or EXR is expected", path);
 	FILE *file = fopen(path, "rb");
-	if (file == NULL) return ts_fail("%s: %s; a PNG, JPEG or EXR is expected", path, strerror(errno));
+	if (file == NULL) return ts_fail_as(TS_KIND_FILE, "%s: %s; a PNG, JPEG or EXR is expected", path, strerror(errno));
 	size_t n = fread(head, 1, sizeof head, file);
 	fclose(file);
 	const char *name = "its first bytes are those of no format";
 	*format = ts_image_format_find(head, n, &name);
-	if (*format == TS_IMAGE_EXR || ts_image_format_is_decoded(*format)) return TS_OK;
-	return ts_fail("%s: %s; a PNG, JPEG or EXR is expected", path, name);
+	return is_read(*format) ? TS_OK : ts_fail(EXPECTED, path, name);
+}
+
+static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const void *file,
+                           size_t bytes, const char *what)
+{
+	uint8_t *clean = NULL;
+	const char *name = "its first bytes are those of no format";
+	ts_image_format is = ts_image_format_find(file, bytes, &name);
+	if (!is_read(is)) return ts_fail(EXPECTED, what, name);
+	if (require_codec(what) != TS_OK) return TS_ERROR;
+	const char *format = is == TS_IMAGE_PNG ? "png" : is == TS_IMAGE_JPEG ? "jpeg" : "openexr";
+	ts_status status = is == TS_IMAGE_PNG ? ts_png_clean(&clean, &bytes, file, bytes, what) : TS_OK;
+	const void *whole = clean != NULL ? clean : file;
+	if (status == TS_OK) status = said(codec->read(pixels, width, height, channels, format, whole, bytes, what));
+	free(clean);
+	return status;
+}
+
+ts_status ts_image_read_bytes(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const void *file,
+                              size_t file_bytes, const char *what)
+{
+	if (TS_LACKS(pixels)) return TS_ERROR;
+	*pixels = NULL;
+	if (TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(file) || TS_LACKS(what)) return TS_ERROR;
+	return ts_blame(read_file(pixels, width, height, channels, file, file_bytes, what), TS_KIND_FORMAT);
 }
 
 ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path)
 {
 	size_t bytes = 0;
-	uint8_t *clean = NULL;
 	ts_image_format is;
-	if (TS_LACKS(pixels) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(path))
-		return TS_ERROR;
+	if (TS_LACKS(pixels)) return TS_ERROR;
 	*pixels = NULL;
-	if (ts_image_format_of(&is, path) != TS_OK || require_codec(path) != TS_OK) return TS_ERROR;
+	if (TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(path)) return TS_ERROR;
+	if (ts_blame(ts_image_format_of(&is, path), TS_KIND_FORMAT) != TS_OK || require_codec(path) != TS_OK)
+		return TS_ERROR;
 	void *file = ts_input_read(&bytes, path);
 	if (file == NULL) return TS_ERROR;
-	is = ts_image_format_find(file, bytes, NULL);
-	const char *format = is == TS_IMAGE_PNG ? "png" : is == TS_IMAGE_JPEG ? "jpeg" : "openexr";
-	ts_status status = is == TS_IMAGE_PNG ? ts_png_clean(&clean, &bytes, file, bytes, path) : TS_OK;
-	const void *whole = clean != NULL ? clean : file;
-	if (status == TS_OK) status = said(codec->read(pixels, width, height, channels, format, whole, bytes, path));
-	free(clean);
+	ts_status status = ts_blame(read_file(pixels, width, height, channels, file, bytes, path), TS_KIND_FORMAT);
 	free(file);
 	return status;
 }

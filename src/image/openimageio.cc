@@ -101,7 +101,7 @@ template <typename Work> static ts_status guarded(const char *what, Work work)
 		OIIO::attribute("exr_threads", -1);
 		return work();
 	} catch (const std::bad_alloc &) {
-		return ts_fail("%s: no memory for the image", what);
+		return ts_fail_as(TS_KIND_MEMORY, "%s: no memory for the image", what);
 	} catch (const std::exception &e) {
 		return ts_fail("%s: %s", what, e.what());
 	} catch (...) {
@@ -128,7 +128,8 @@ struct encoded {
 		if (!out) return ts_fail("%s: OpenImageIO cannot write %s: %s", path, format, why_none().c_str());
 		bool good = out->set_ioproxy(&proxy) && out->open(path, spec) && out->write_image(type, pixels);
 		good = out->close() && good;
-		if (!good) return ts_fail("%s: %s, as where memory ends", path, reason(out->geterror()).c_str());
+		if (!good)
+			return ts_fail_as(TS_KIND_MEMORY, "%s: %s, as where memory ends", path, reason(out->geterror()).c_str());
 		*bytes = proxy.buffer().size();
 		*file = ts_alloc(*bytes, 1, path);
 		if (*file == nullptr) return TS_ERROR;
@@ -215,7 +216,7 @@ static ts_status require_whole(void **file, size_t bytes, const char *path, cons
 	if (whole && has_header(*file, bytes, spec)) return TS_OK;
 	free(*file);
 	*file = nullptr;
-	return ts_fail("%s: its encoder left something out, as where memory ends", path);
+	return ts_fail_as(TS_KIND_MEMORY, "%s: its encoder left something out, as where memory ends", path);
 }
 
 /* OpenImageIO writes the time of day where no other is given. */
@@ -240,4 +241,4 @@ static ts_status read(float **pixels, uint32_t *width, uint32_t *height, uint32_
 	return guarded(what, [&] { return read_floats(pixels, width, height, channels, format, file, file_bytes, what); });
 }
 
-const ts_image_codec ts_image_codec_module = {decode, encode_png, encode_exr, read, ts_error_message};
+const ts_image_codec ts_image_codec_module = {decode, encode_png, encode_exr, read, ts_error_message, ts_error_kind};

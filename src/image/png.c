@@ -160,7 +160,7 @@ static ts_status check_data(png *image)
 	uint8_t pixels[16384];
 	rows r = {0};
 	z_stream z = {.next_in = image->data, .avail_in = (uInt)image->n_data};
-	if (inflateInit(&z) != Z_OK) return ts_fail("%s: no memory to inflate it", image->what);
+	if (inflateInit(&z) != Z_OK) return ts_fail_as(TS_KIND_MEMORY, "%s: no memory to inflate it", image->what);
 	int state = Z_OK;
 	ts_status status = TS_OK;
 	while (state == Z_OK && status == TS_OK) {

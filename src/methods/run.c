@@ -72,7 +72,7 @@ ts_status ts_run_stage(ts_run *run, const ts_stage *stage)
 	ts_status status;
 	TS_PARAM_READER("stage", stage->name, status = stage->run(run));
 	if (finish(run, status) != TS_OK) return ts_fail("stage %s: %s", stage->name, ts_error_message());
-	if (ts_cancelled()) return ts_fail("stage %s: cancelled", stage->name);
+	if (ts_cancelled()) return ts_fail_as(TS_KIND_CANCELLED, "stage %s: cancelled", stage->name);
 	add_timing(run, stage->name, ts_seconds() - start);
 	if (run->hook != NULL) TS_PARAM_READER(NULL, NULL, status = finish(run, run->hook(run, stage, run->hook_user)));
 	return status;

@@ -16,9 +16,14 @@ extern "C" {
 /* The version of the numeric contract, reference/CONTRACT.md. */
 #define TS_CONTRACT_VERSION 1
 
-/* Sets this thread's message to one line (by ts_line_clean) and returns TS_ERROR. */
+/* Sets this thread's message to one line (by ts_line_clean) and returns TS_ERROR. A line that ends with the last
+ * message tells more of that failure and keeps its kind; any other is of TS_KIND_ARGUMENT. */
 ts_status ts_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 ts_status ts_fail_v(const char *format, va_list arguments);
+/* As ts_fail, of a kind. */
+ts_status ts_fail_as(ts_kind kind, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Returns status. If that is a failure of TS_KIND_ARGUMENT, the failure is now of another kind. */
+ts_status ts_blame(ts_status status, ts_kind kind);
 /* As ts_fail, for data from outside that cannot be accepted: with other data the call would succeed. */
 ts_status ts_refuse(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Whether ts_refuse set this thread's last message. */

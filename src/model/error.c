@@ -6,6 +6,7 @@
 enum { MESSAGE_BYTES = 1024 };
 
 static _Thread_local char message[MESSAGE_BYTES];
+static _Thread_local ts_kind kind = TS_KIND_NONE;
 static _Thread_local bool refused;
 
 /* A cut message ends with three dots, not inside a character. */
@@ -16,28 +17,54 @@ static void mark_cut(char *text)
 	memcpy(text + end, "...", 4);
 }
 
-ts_status ts_fail_v(const char *format, va_list arguments)
+static bool ends_with_message(const char *text)
 {
-	/* The arguments may point into the last message. */
-	char text[MESSAGE_BYTES];
+	size_t n = strlen(text), inner = strlen(message);
+	return inner > 0 && n >= inner && strcmp(text + n - inner, message) == 0;
+}
+
+/* `of` is TS_KIND_NONE where the call names none. */
+static ts_status fail(ts_kind of, const char *format, va_list arguments)
+{
+	/* The arguments may point into the last message, all of which fits behind as many other characters. */
+	char text[2 * MESSAGE_BYTES];
 	int length = vsnprintf(text, sizeof text, format, arguments);
-	if (length < 0) {
-		strcpy(text, "a message could not be formatted");
-	} else if (length >= MESSAGE_BYTES) {
-		mark_cut(text);
-	}
+	if (length < 0) strcpy(text, "a message could not be formatted");
 	ts_line_clean(text);
-	memcpy(message, text, sizeof text);
+	if (of != TS_KIND_NONE) {
+		kind = of;
+	} else if (!ends_with_message(text)) {
+		kind = TS_KIND_ARGUMENT;
+	}
+	if (length >= MESSAGE_BYTES) mark_cut(text);
+	memcpy(message, text, sizeof message);
 	refused = false;
 	return TS_ERROR;
 }
+
+ts_status ts_fail_v(const char *format, va_list arguments) { return fail(TS_KIND_NONE, format, arguments); }
 
 ts_status ts_fail(const char *format, ...)
 {
 	va_list arguments;
 	va_start(arguments, format);
-	ts_status status = ts_fail_v(format, arguments);
+	ts_status status = fail(TS_KIND_NONE, format, arguments);
 	va_end(arguments);
+	return status;
+}
+
+ts_status ts_fail_as(ts_kind of, const char *format, ...)
+{
+	va_list arguments;
+	va_start(arguments, format);
+	ts_status status = fail(of, format, arguments);
+	va_end(arguments);
+	return status;
+}
+
+ts_status ts_blame(ts_status status, ts_kind of)
+{
+	if ((status == TS_ERROR || status == TS_SKIPPED) && kind == TS_KIND_ARGUMENT) kind = of;
 	return status;
 }
 
@@ -45,7 +72,7 @@ ts_status ts_refuse(const char *format, ...)
 {
 	va_list arguments;
 	va_start(arguments, format);
-	ts_status status = ts_fail_v(format, arguments);
+	ts_status status = fail(TS_KIND_FORMAT, format, arguments);
 	va_end(arguments);
 	refused = true;
 	return status;
@@ -59,3 +86,5 @@ bool ts_lacks(const char *function, const char *name, const void *argument)
 bool ts_refused(void) { return refused; }
 
 const char *ts_error_message(void) { return message; }
+
+ts_kind ts_error_kind(void) { return kind; }

@@ -24,11 +24,12 @@ static void *make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape
 	const ts_buffer_info *info = &ts_buffer_table[id];
 	u64 n;
 	if (!ts_shape_count(&n, n_dims, shape) || n > SIZE_MAX) {
-		ts_fail("%s: its shape has more elements than a process can address", info->name);
+		ts_fail_as(TS_KIND_MEMORY, "%s: its shape has more elements than a process can address", info->name);
 		return NULL;
 	}
 	if (n > (ts_memory_limit() - frame->bytes) / info->element_bytes) {
-		ts_fail(
+		ts_fail_as(
+			TS_KIND_MEMORY,
 			"%s: %.1f GB beside the %.1f GB of the other buffers; a run may use %.1f GB: choose a smaller image, fewer "
 			"reflectors, or lower density.scale, depth_map.px, lamp.views_a_pass, cube.max_px or octree.levels",
 			info->name, (double)n * (double)info->element_bytes / 1e9, (double)frame->bytes / 1e9,

@@ -14,11 +14,12 @@ static char *read_all(size_t *bytes, FILE *file, const char *path)
 	struct stat info;
 	char *data = NULL;
 	if (fstat(fileno(file), &info) != 0)
-		ts_fail("%s: %s", path, strerror(errno));
+		ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
 	else if (!S_ISREG(info.st_mode))
-		ts_fail("%s: not a regular file", path);
+		ts_fail_as(TS_KIND_FILE, "%s: not a regular file", path);
 	else if ((uint64_t)info.st_size > ts_memory_total() / 3)
-		ts_fail("%s: %lld bytes are more than a third of this machine's memory", path, (long long)info.st_size);
+		ts_fail_as(TS_KIND_MEMORY, "%s: %lld bytes are more than a third of this machine's memory", path,
+		           (long long)info.st_size);
 	else
 		data = ts_alloc((size_t)info.st_size + 1, 1, path);
 	if (data == NULL) return NULL;
@@ -26,7 +27,8 @@ static char *read_all(size_t *bytes, FILE *file, const char *path)
 	*bytes = fread(data, 1, (size_t)info.st_size, file);
 	data[*bytes] = 0;
 	if (*bytes == (size_t)info.st_size) return data;
-	ts_fail("%s: cannot be read as a whole: %s", path, errno != 0 ? strerror(errno) : "it became shorter");
+	ts_fail_as(TS_KIND_FILE, "%s: cannot be read as a whole: %s", path,
+	           errno != 0 ? strerror(errno) : "it became shorter");
 	free(data);
 	return NULL;
 }
@@ -36,7 +38,7 @@ char *ts_input_read(size_t *bytes, const char *path)
 	int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
 	FILE *file = descriptor >= 0 ? fdopen(descriptor, "rb") : NULL;
 	if (file == NULL) {
-		ts_fail("%s: %s", path, strerror(errno));
+		ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
 		if (descriptor >= 0) close(descriptor);
 		return NULL;
 	}

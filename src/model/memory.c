@@ -18,13 +18,16 @@ void ts_memory_large_pages(void *memory, size_t bytes)
 static void *allocate(size_t count, size_t size, const char *what, bool zero)
 {
 	if (size != 0 && count > (size_t)PTRDIFF_MAX / size) {
-		ts_fail("%s: %zu elements of %zu bytes are more than a process can address", what, count, size);
+		ts_fail_as(TS_KIND_MEMORY, "%s: %zu elements of %zu bytes are more than a process can address", what, count,
+		           size);
 		return NULL;
 	}
 	size_t bytes = count * size;
 	size_t at_least_one = bytes ? bytes : 1;
 	void *memory = zero ? calloc(at_least_one, 1) : malloc(at_least_one);
-	if (!memory) ts_fail("%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size, bytes >> 20);
+	if (!memory)
+		ts_fail_as(TS_KIND_MEMORY, "%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size,
+		           bytes >> 20);
 	if (memory && !zero && bytes >= LARGE_BYTES) ts_memory_large_pages(memory, bytes);
 	return memory;
 }
@@ -38,14 +41,16 @@ ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, cons
 	if (need <= *capacity) return TS_OK;
 	size_t most = (size_t)PTRDIFF_MAX / (size ? size : 1);
 	if (need > most) {
-		return ts_fail("%s: %zu elements of %zu bytes are more than a process can address", what, need, size);
+		return ts_fail_as(TS_KIND_MEMORY, "%s: %zu elements of %zu bytes are more than a process can address", what,
+		                  need, size);
 	}
 	size_t twice = *capacity > most / 2 ? most : 2 * *capacity;
 	size_t count = need > twice ? need : twice;
 	count = count < 16 && most >= 16 ? 16 : count;
 	void *grown = realloc(*array, size ? count * size : 1);
 	if (!grown) {
-		return ts_fail("%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size, count * size >> 20);
+		return ts_fail_as(TS_KIND_MEMORY, "%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size,
+		                  count * size >> 20);
 	}
 	*array = grown;
 	*capacity = count;

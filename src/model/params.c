@@ -168,7 +168,7 @@ static ts_status find(size_t *row, const char *name)
 	for (*row = 0; *row < N_PARAMS; ++*row) {
 		if (strcmp(table[*row].name, now) == 0) return TS_OK;
 	}
-	return ts_fail("there is no parameter \"%.80s\": `touchstone list params` names them all", name);
+	return ts_fail("there is no parameter \"%.80s\"; the table of parameters names all", name);
 }
 
 ts_status ts_params_set(ts_params *params, const char *name, const char *value)

@@ -71,7 +71,8 @@ ts_status ts_selftest_require_on(uint32_t threads)
 	if (r.first == NULL) return TS_OK;
 	char text[512] = "";
 	name(text, sizeof text, r.here != 0 ? r.here : r.there);
-	return ts_fail("self-test: %s breaks the numeric contract in %s; build with the flags of the Makefile and leave "
-	               "the floating-point environment at its default",
-	               r.here != 0 ? "this build or process" : r.first->file, text);
+	return ts_fail_as(TS_KIND_DEVICE,
+	                  "self-test: %s breaks the numeric contract in %s; build with the flags of the Makefile and leave "
+	                  "the floating-point environment at its default",
+	                  r.here != 0 ? "this build or process" : r.first->file, text);
 }

@@ -15,7 +15,7 @@ enum { HELD = 1 << 16 };
 static ts_status fail(ts_file *file, int error)
 {
 	if (file->error == 0) file->error = error != 0 ? error : EIO;
-	return ts_fail("%s: cannot be written: %s", file->path, strerror(file->error));
+	return ts_fail_as(TS_KIND_FILE, "%s: cannot be written: %s", file->path, strerror(file->error));
 }
 
 ts_status ts_file_adopt(ts_file *file, int descriptor, const char *path)

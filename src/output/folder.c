@@ -62,7 +62,7 @@ static ts_status recover(bool *found)
 	bool moved = strstr(text, moving) != NULL && ts_place_has(folder.old);
 	bool made = ts_place_has(folder.partial);
 	if (moved && !ts_place_has(folder.dir)) {
-		if (rename(folder.old, folder.dir) != 0) return ts_fail("%s: %s", folder.old, strerror(errno));
+		if (rename(folder.old, folder.dir) != 0) return ts_fail_as(TS_KIND_FILE, "%s: %s", folder.old, strerror(errno));
 	} else if (moved && ts_tree_remove(folder.old) != TS_OK) {
 		return TS_ERROR;
 	}
@@ -77,7 +77,7 @@ static ts_status set_names(const char *dir)
 	size_t n = strlen(dir);
 	while (n > 1 && dir[n - 1] == '/') n--;
 	if (n == 0 || n > MAX_DIR) {
-		return ts_fail("-o: a folder's name has 1 to %d characters, this one has %zu", MAX_DIR, n);
+		return ts_fail("a folder's name has 1 to %d characters, this one has %zu", MAX_DIR, n);
 	}
 	snprintf(folder.dir, sizeof folder.dir, "%.*s", (int)n, dir);
 	const char *slash = strrchr(folder.dir, '/');
@@ -132,12 +132,15 @@ static ts_status check_dir(void)
 	struct stat info;
 	const char *dir = folder.dir;
 	if (lstat(dir, &info) != 0) {
-		return errno == ENOENT ? TS_OK : ts_fail("%s: %s; name a folder that can be written", dir, strerror(errno));
+		return errno == ENOENT
+		           ? TS_OK
+		           : ts_fail_as(TS_KIND_FILE, "%s: %s; name a folder that can be written", dir, strerror(errno));
 	}
 	if (!S_ISDIR(info.st_mode)) return ts_fail("%s: exists and is not a folder; name another", dir);
 	if (check_mount(&info) != TS_OK) return TS_ERROR;
 	DIR *stream = opendir(dir);
-	if (stream == NULL) return ts_fail("%s: %s; name a folder that can be read and written", dir, strerror(errno));
+	if (stream == NULL)
+		return ts_fail_as(TS_KIND_FILE, "%s: %s; name a folder that can be read and written", dir, strerror(errno));
 	struct dirent *entry;
 	while ((entry = readdir(stream)) != NULL && is_dot(entry->d_name)) {
 	}
@@ -154,7 +157,7 @@ static ts_status make_partial(void)
 	if (note(writing) != TS_OK) return TS_ERROR;
 	return mkdir(folder.partial, 0777) == 0
 	           ? TS_OK
-	           : ts_fail("%s: %s; name a folder that can be written", folder.partial, strerror(errno));
+	           : ts_fail_as(TS_KIND_FILE, "%s: %s; name a folder that can be written", folder.partial, strerror(errno));
 }
 
 /* `clean`: nothing is left beside DIR that the lock should tell of. */
@@ -205,7 +208,8 @@ static ts_status make_sub(const char *name)
 	const char *slash = strchr(name, '/');
 	if (slash == NULL) return TS_OK;
 	snprintf(path, sizeof path, "%s/%.*s", folder.partial, (int)(slash - name), name);
-	return mkdir(path, 0777) == 0 || errno == EEXIST ? TS_OK : ts_fail("%s: %s", path, strerror(errno));
+	return mkdir(path, 0777) == 0 || errno == EEXIST ? TS_OK
+	                                                 : ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
 }
 
 /* Memory for a path, until the folder is released. */
@@ -307,7 +311,7 @@ ts_status ts_folder_remove(const char *dir)
 	bool clean = status == TS_OK;
 	if (status == TS_OK) status = note(writing);
 	if (status == TS_OK && rename(folder.dir, folder.partial) != 0) {
-		status = ts_fail("%s: cannot be removed: %s", dir, strerror(errno));
+		status = ts_fail_as(TS_KIND_FILE, "%s: cannot be removed: %s", dir, strerror(errno));
 	}
 	release(clean && (status != TS_OK || clear(folder.partial)));
 	return status;

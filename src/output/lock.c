@@ -24,7 +24,7 @@ static ts_status open_it(ts_lock *lock, const char *path, const char *what)
 	lock->found = lock->descriptor < 0 && errno == EEXIST;
 	if (lock->found) lock->descriptor = open(path, flags);
 	if (lock->descriptor >= 0 || (lock->found && errno == ENOENT)) return TS_OK;
-	return ts_fail("%s: cannot be written: %s", what, strerror(errno));
+	return ts_fail_as(TS_KIND_FILE, "%s: cannot be written: %s", what, strerror(errno));
 }
 
 static ts_status lock_it(const ts_lock *lock, const char *path, const char *what)
@@ -35,13 +35,14 @@ static ts_status lock_it(const ts_lock *lock, const char *path, const char *what
 	}
 	if (locked == 0) return TS_OK;
 	if (errno != EWOULDBLOCK) {
-		return lock->found ? ts_fail("%s: from another run, or one that was killed; remove it if none runs", path)
+		return lock->found ? ts_fail_as(TS_KIND_FILE,
+		                                "%s: from another run, or one that was killed; remove it if none runs", path)
 		                   : TS_OK;
 	}
 	ssize_t n = pread(lock->descriptor, holder, sizeof holder - 1, 0);
 	holder[n > 0 ? strspn(holder, "0123456789") : 0] = 0;
-	return ts_fail("%s: process %s writes it now; wait for its end, or name another", what,
-	               holder[0] != 0 ? holder : "of another run");
+	return ts_fail_as(TS_KIND_FILE, "%s: process %s writes it now; wait for its end, or name another", what,
+	                  holder[0] != 0 ? holder : "of another run");
 }
 
 ts_status ts_lock_take(ts_lock *lock, const char *path, const char *what)
@@ -55,5 +56,5 @@ ts_status ts_lock_take(ts_lock *lock, const char *path, const char *what)
 		lock->descriptor = -1;
 		if (status != TS_OK) return TS_ERROR;
 	}
-	return ts_fail("%s: other runs come and go there; name another", what);
+	return ts_fail_as(TS_KIND_FILE, "%s: other runs come and go there; name another", what);
 }

@@ -9,7 +9,9 @@
 
 static ts_status move(const char *from, const char *to)
 {
-	return rename(from, to) == 0 ? TS_OK : ts_fail("%s: cannot be renamed to %s: %s", from, to, strerror(errno));
+	return rename(from, to) == 0
+	           ? TS_OK
+	           : ts_fail_as(TS_KIND_FILE, "%s: cannot be renamed to %s: %s", from, to, strerror(errno));
 }
 
 bool ts_place_has(const char *path)
@@ -22,7 +24,7 @@ ts_status ts_place_take(const ts_place *place)
 {
 	if (rename(place->partial, place->dir) == 0) return TS_OK;
 	if (errno == EEXIST || errno == ENOTEMPTY) return TS_DIFFERENT;
-	return ts_fail("%s: cannot be renamed to %s: %s", place->partial, place->dir, strerror(errno));
+	return ts_fail_as(TS_KIND_FILE, "%s: cannot be renamed to %s: %s", place->partial, place->dir, strerror(errno));
 }
 
 ts_status ts_place_exchange(const ts_place *place)
@@ -30,7 +32,8 @@ ts_status ts_place_exchange(const ts_place *place)
 #ifdef RENAME_EXCHANGE
 	if (renameat2(AT_FDCWD, place->partial, AT_FDCWD, place->dir, RENAME_EXCHANGE) == 0) return TS_OK;
 	if (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP && errno != EXDEV) {
-		return ts_fail("%s: cannot change places with %s: %s", place->partial, place->dir, strerror(errno));
+		return ts_fail_as(TS_KIND_FILE, "%s: cannot change places with %s: %s", place->partial, place->dir,
+		                  strerror(errno));
 	}
 #endif
 	return TS_DIFFERENT;

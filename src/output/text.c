@@ -21,7 +21,7 @@ ts_status ts_file_text_begin(ts_file_text *text, const char *what)
 {
 	*text = (ts_file_text){.out = NULL};
 	text->out = fopencookie(text, "w", (cookie_io_functions_t){.write = append});
-	return text->out != NULL ? TS_OK : ts_fail("%s: out of memory", what);
+	return text->out != NULL ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", what);
 }
 
 void ts_file_text_drop(ts_file_text *text)
@@ -33,7 +33,8 @@ void ts_file_text_drop(ts_file_text *text)
 
 ts_status ts_file_text_flush(ts_file_text *text, const char *what)
 {
-	return fflush(text->out) == 0 && ferror(text->out) == 0 ? TS_OK : ts_fail("%s: out of memory", what);
+	return fflush(text->out) == 0 && ferror(text->out) == 0 ? TS_OK
+	                                                        : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", what);
 }
 
 ts_status ts_file_text_close(ts_file_text *text, const char *what)
@@ -44,7 +45,7 @@ ts_status ts_file_text_close(ts_file_text *text, const char *what)
 	if (whole) return TS_OK;
 	free(text->text);
 	*text = (ts_file_text){.out = NULL};
-	return ts_fail("%s: out of memory", what);
+	return ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", what);
 }
 
 typedef ts_status writer(const char *path, const void *data, size_t bytes);

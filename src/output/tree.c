@@ -15,7 +15,7 @@ enum { FOLDERS_OPEN = 8 };
 static int remove_one(const char *path, const struct stat *info, int type, struct FTW *at)
 {
 	(void)info, (void)type, (void)at;
-	return remove(path) == 0 ? 0 : (ts_fail("%s: cannot be removed: %s", path, strerror(errno)), 1);
+	return remove(path) == 0 ? 0 : (ts_fail_as(TS_KIND_FILE, "%s: cannot be removed: %s", path, strerror(errno)), 1);
 }
 
 static int sync_one(const char *path, const struct stat *info, int type, struct FTW *at)
@@ -26,7 +26,7 @@ static int sync_one(const char *path, const struct stat *info, int type, struct 
 
 static ts_status walked(const char *path, int result)
 {
-	if (result < 0) ts_fail("%s: %s", path, strerror(errno));
+	if (result < 0) ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
 	return result == 0 ? TS_OK : TS_ERROR;
 }
 
@@ -43,7 +43,7 @@ ts_status ts_folder_sync(const char *path)
 	int error = folder >= 0 ? ts_sync(folder) : errno;
 	if (folder >= 0) close(folder);
 	if (error == 0) return TS_OK;
-	return ts_fail("%s: cannot be given to the disk: %s", path, strerror(error));
+	return ts_fail_as(TS_KIND_FILE, "%s: cannot be given to the disk: %s", path, strerror(error));
 }
 
 ts_status ts_parent_sync(const char *path)
@@ -51,7 +51,7 @@ ts_status ts_parent_sync(const char *path)
 	const char *slash = strrchr(path, '/');
 	if (slash == NULL) return ts_folder_sync(".");
 	char *parent = strndup(path, slash > path ? (size_t)(slash - path) : 1);
-	if (parent == NULL) return ts_fail("%s: out of memory", path);
+	if (parent == NULL) return ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 	ts_status status = ts_folder_sync(parent);
 	free(parent);
 	return status;

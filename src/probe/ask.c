@@ -136,7 +136,7 @@ ts_status ts_probe_ask(ts_probe *p, const ts_probe_question *question, json_t **
 	if (part == NULL) return refuse(p, question);
 	json_t *o = json_object();
 	ts_status status = part->answer(p, &q, o);
-	if (status == TS_OK && (p->failed || o == NULL)) status = ts_fail("out of memory");
+	if (status == TS_OK && (p->failed || o == NULL)) status = ts_fail_as(TS_KIND_MEMORY, "out of memory");
 	if (status != TS_OK) json_decref(o);
 	if (status == TS_OK) *answer = o;
 	return status;

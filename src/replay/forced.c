@@ -128,7 +128,7 @@ ts_status ts_compare_forced(ts_comparison *c, const ts_trace *reference, const t
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) settle(c, (ts_buffer_id)id, reference, candidate, relaxations);
 	find_first(c, reference->pipeline);
 	if (c->n_unlike > 0) return TS_DIFFERENT;
-	if (c->refusal[0] != 0) return ts_fail("%s", c->refusal);
+	if (c->refusal[0] != 0) return ts_refuse("%s", c->refusal);
 	if (c->n_judged > 0 || relaxations->only != NULL) return TS_OK;
 	return ts_fail("%s: no stage whose outputs could be replayed: nothing to judge", candidate->dir);
 }

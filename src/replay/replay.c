@@ -18,7 +18,7 @@ const ts_stage *ts_replay_find(const char *typed, const ts_pipeline *pipeline, c
 	const char *name = ts_name_typed(TS_NAME_stage, typed);
 	const ts_step *step = find_step(name, pipeline);
 	if (step == NULL) {
-		ts_fail("\"%.40s\" is no stage of %s; see: touchstone list stages", name, pipeline->name);
+		ts_fail("\"%.40s\" is no stage of %s; the table of its stages names all", name, pipeline->name);
 		return NULL;
 	}
 	if (ts_pipeline_takes(step, params, true)) return ts_stage_find(name);

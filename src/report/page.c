@@ -20,7 +20,10 @@ void ts_page_append(ts_page *page, json_t *array, json_t *value)
 	page->failed |= json_array_append_new(array, value) != 0;
 }
 
-ts_status ts_page_check(const ts_page *page) { return page->failed ? ts_fail("the page: out of memory") : TS_OK; }
+ts_status ts_page_check(const ts_page *page)
+{
+	return page->failed ? ts_fail_as(TS_KIND_MEMORY, "the page: out of memory") : TS_OK;
+}
 
 static json_t *list(ts_page *page, const char *key)
 {
@@ -118,7 +121,8 @@ ts_status ts_page_write(ts_page *page, const char *path)
 	fwrite(page_before, 1, sizeof page_before, text.out);
 	int bad = json_dump_callback(page->root, put_text, text.out, JSON_COMPACT | JSON_REAL_PRECISION(9));
 	fwrite(page_behind, 1, sizeof page_behind, text.out);
-	ts_status status = bad == 0 ? ts_file_text_flush(&text, path) : ts_fail("%s: out of memory", path);
+	ts_status status =
+		bad == 0 ? ts_file_text_flush(&text, path) : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 	if (status != TS_OK) {
 		ts_file_text_drop(&text);
 		return TS_ERROR;

@@ -1,7 +1,7 @@
 /* Pictures of a page. */
 #include <openssl/evp.h>
 #include <stdlib.h>
-#include "../image/encode.h"
+#include <touchstone/image.h>
 #include "../scene/print.h"
 #include "page.h"
 
@@ -15,7 +15,7 @@ json_t *ts_page_base64(const void *file, size_t bytes, const char *what)
 	int n = EVP_EncodeBlock((unsigned char *)text, file, (int)bytes);
 	json_t *value = json_stringn_nocheck(text, (size_t)n);
 	free(text);
-	if (value == NULL) ts_fail("%s: out of memory", what);
+	if (value == NULL) ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", what);
 	return value;
 }
 
@@ -23,7 +23,7 @@ json_t *ts_page_png(const u8 *pixels, u32 width, u32 height, u32 channels, const
 {
 	void *file;
 	size_t bytes;
-	if (ts_image_encode_png(&file, &bytes, what, pixels, width, height, channels, NULL) != TS_OK) return NULL;
+	if (ts_image_encode_png(&file, &bytes, pixels, width, height, channels, NULL, what) != TS_OK) return NULL;
 	json_t *png = ts_page_base64(file, bytes, what);
 	free(file);
 	return png;

@@ -96,7 +96,7 @@ static void add_stands(ts_build *build, const ts_rays *rays, const ts_params *pa
 	const ts_info *info = &ts_build_peek(build)->info;
 	scene->stands = ts_alloc(TS_N_STANDS, sizeof *scene->stands, "places of lamps");
 	if (scene->stands == NULL) {
-		ts_build_fail(build, "no memory for places of lamps");
+		ts_build_adopt(build);
 		return;
 	}
 	scene->n_stands = TS_N_STANDS;
@@ -114,11 +114,12 @@ const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_
 	const ts_scene_options *o = options != NULL ? options : &none;
 	bool circle = o->camera != NULL && strcmp(o->camera, TS_CAMERA_CIRCLE) == 0;
 	if (build->failed) return NULL;
+	const ts_kind before = ts_build_about(build, TS_KIND_ARGUMENT);
 	check_options(build, o);
 	const char *camera = choose(build, o, find);
 	for (u32 i = 0; i < build->scene->n_cameras && o->own_fov; i++) build->scene->cameras[i].yfov = 0.0f;
 	ts_rays *rays = find && !circle && !build->failed ? ts_rays_new(build->scene) : NULL;
-	if (find && !circle && rays == NULL) ts_build_fail(build, "no memory to find places in the scene");
+	if (find && !circle && rays == NULL) ts_build_adopt(build);
 	if (build->failed) {
 		ts_rays_free(rays);
 		return NULL;
@@ -128,5 +129,6 @@ const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_
 	ts_reflectors_stand(build, o->mirrors, o->n_mirrors);
 	add_stands(build, rays, params, o->lamp);
 	ts_rays_free(rays);
+	ts_build_about(build, before);
 	return camera;
 }

@@ -11,15 +11,22 @@ static void fail_v(ts_build *build, const char *format, va_list arguments)
 	if (build->failed) return;
 	vsnprintf(build->message, sizeof build->message, format, arguments);
 	build->failed = true;
-	ts_fail("%s", build->message);
+	ts_fail_as(build->kind, "%s", build->message);
 }
 
-/* The build fails with this thread's message. */
-static void adopt_error(ts_build *build)
+void ts_build_adopt(ts_build *build)
 {
 	if (build->failed) return;
 	snprintf(build->message, sizeof build->message, "%s", ts_error_message());
 	build->failed = true;
+	build->kind = ts_error_kind();
+}
+
+ts_kind ts_build_about(ts_build *build, ts_kind kind)
+{
+	const ts_kind before = build->kind;
+	if (!build->failed) build->kind = kind;
+	return before;
 }
 
 void ts_build_fail(ts_build *build, const char *format, ...)
@@ -36,7 +43,7 @@ void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capac
 {
 	void *grown = array;
 	if (build->failed) return array;
-	if (ts_grow(&grown, capacity, (size_t)(n + more), size, what) != TS_OK) adopt_error(build);
+	if (ts_grow(&grown, capacity, (size_t)(n + more), size, what) != TS_OK) ts_build_adopt(build);
 	return grown;
 }
 
@@ -52,7 +59,7 @@ static char *text_copy(ts_build *build, const char *text)
 	size_t bytes = strlen(text) + 1;
 	char *copy = ts_alloc(bytes, 1, "a name");
 	if (copy) return memcpy(copy, text, bytes);
-	adopt_error(build);
+	ts_build_adopt(build);
 	return NULL;
 }
 
@@ -60,7 +67,7 @@ static ts_path_eye *path_copy(ts_build *build, const ts_camera *camera)
 {
 	ts_path_eye *copy = ts_alloc(camera->n_path, sizeof *copy, "a camera's path");
 	if (copy) return memcpy(copy, camera->path, camera->n_path * sizeof *copy);
-	adopt_error(build);
+	ts_build_adopt(build);
 	return NULL;
 }
 
@@ -68,6 +75,7 @@ ts_build *ts_build_new(const char *name)
 {
 	ts_build *build = ts_alloc_zero(1, sizeof *build, "a scene under construction");
 	if (!build) return NULL;
+	build->kind = TS_KIND_ARGUMENT;
 	build->scene = ts_alloc_zero(1, sizeof *build->scene, "a scene");
 	if (build->scene) {
 		build->scene->camera = TS_NONE;

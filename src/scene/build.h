@@ -66,6 +66,10 @@ ts_material ts_material_default(void);
 void ts_build_note(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* Fails the build with one line, unless it has failed already. */
 void ts_build_fail(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Failures from here on are of that kind: at first of TS_KIND_ARGUMENT. Returns the kind before. */
+ts_kind ts_build_about(ts_build *build, ts_kind kind);
+/* Fails with this thread's message, and its kind. */
+void ts_build_adopt(ts_build *build);
 /* Whether the build has failed, so that a long loop can end. */
 bool ts_build_failed(const ts_build *build);
 

@@ -141,7 +141,7 @@ static void group_vertices(ts_build *build)
 		scene->vertices = vertices;
 		vertices = old;
 	} else {
-		ts_build_fail(build, "%s: no memory to sort %u vertices by object", scene->name, scene->n_vertices);
+		ts_build_adopt(build);
 	}
 	free(vertices);
 	free(place);
@@ -176,6 +176,7 @@ static void choose_camera(ts_build *build, const char *name)
 	scene->camera = ts_scene_camera(scene, name);
 	ts_view_choose(&scene->info, scene->camera != TS_NONE ? &scene->cameras[scene->camera] : NULL);
 	if (!name || scene->camera != TS_NONE) return;
+	ts_build_about(build, TS_KIND_ARGUMENT);
 	if (scene->n_cameras == 0)
 		ts_build_fail(build, "%s: camera %s: the scene has no cameras; without a name the eye circles", scene->name,
 		              name);
@@ -239,7 +240,7 @@ ts_status ts_build_finish(ts_build *build, const ts_params *params, const char *
 	complete(build, params, camera);
 	ts_status status = TS_OK;
 	if (build->failed) {
-		status = ts_fail("%s", build->message);
+		status = ts_fail_as(build->kind, "%s", build->message);
 	} else {
 		*scene = build->scene;
 		build->scene = NULL;

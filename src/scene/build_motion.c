@@ -12,7 +12,7 @@ void ts_build_motion(ts_build *build, const ts_motion *frames, u32 n)
 	                               sizeof *build->motions, "moving objects");
 	ts_motion *copy = build->failed ? NULL : ts_alloc(n, sizeof *copy, "places of a moving object");
 	if (copy == NULL) {
-		ts_build_fail(build, "no memory for %u places of a moving object", n);
+		ts_build_adopt(build);
 		return;
 	}
 	memcpy(copy, frames, n * sizeof *copy);
@@ -44,7 +44,7 @@ static void check_reach(ts_build *build)
 {
 	const ts_scene *scene = build->scene;
 	f32(*reach)[3] = ts_alloc_zero(scene->n_objects, sizeof *reach, "extents of objects");
-	if (reach == NULL) ts_build_fail(build, "no memory for extents of %u objects", scene->n_objects);
+	if (reach == NULL) ts_build_adopt(build);
 	for (u32 i = 0; i < scene->n_vertices && reach != NULL; i++) {
 		const ts_vertex *v = &scene->vertices[i];
 		for (u32 k = 0; k < 3; k++) reach[v->object][k] = ts_max(reach[v->object][k], ts_abs(v->position[k]));
@@ -72,7 +72,7 @@ static void give_motion(ts_build *build)
 	}
 	scene->motion = ts_alloc_zero(n, sizeof *scene->motion, "places of moving objects");
 	if (scene->motion == NULL) {
-		ts_build_fail(build, "no memory for %" PRIu64 " places of moving objects", n);
+		ts_build_adopt(build);
 		return;
 	}
 	scene->n_motion = build->n_frames;

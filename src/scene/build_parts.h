@@ -15,6 +15,7 @@ struct ts_build {
 	u32 n_motions, n_frames; /* of each motion */
 	ts_vertex *own;          /* vertices of the objects that move, in object space, in the order of the others */
 	u32 n_own;
+	ts_kind kind; /* of failures that name no other; after the first, its kind */
 	bool failed;
 	char message[512];
 	struct {

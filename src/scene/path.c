@@ -166,7 +166,7 @@ static void make_path(const reader *r, bool own_fov)
 	u32 n = r->keys[r->n - 1].frame + 1;
 	scene->path = ts_alloc(n, sizeof *scene->path, "the eye's path");
 	if (scene->path == NULL) {
-		ts_build_fail(r->build, "no memory for a path of %u frames", n);
+		ts_build_adopt(r->build);
 		return;
 	}
 	scene->n_path = n;
@@ -192,19 +192,21 @@ const char *ts_path_add(ts_build *build, const char *file, bool own_fov)
 	size_t bytes = 0;
 	reader r = {.build = build, .file = file};
 	if (build->failed) return NULL;
+	const ts_kind before = ts_build_about(build, TS_KIND_FORMAT);
 	char *text = ts_input_read(&bytes, file);
 	if (text == NULL) {
-		ts_build_fail(build, "%s", ts_error_message());
+		ts_build_adopt(build);
 	} else if (bytes > TS_PATH_MAX_BYTES) {
 		ts_build_fail(build, "%s: %zu bytes; a path may have %d", file, bytes, TS_PATH_MAX_BYTES);
 	} else {
 		r.keys = ts_alloc(count_lines(text, bytes), sizeof *r.keys, "keyframes");
-		if (r.keys == NULL) ts_build_fail(build, "no memory for keyframes");
+		if (r.keys == NULL) ts_build_adopt(build);
 		if (r.keys != NULL) read_lines(&r, text, bytes);
 		if (!build->failed) make_path(&r, own_fov);
 		if (!build->failed) add_camera(build);
 	}
 	free(r.keys);
 	free(text);
+	ts_build_about(build, before);
 	return build->failed ? NULL : PATH_NAME;
 }

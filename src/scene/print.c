@@ -138,10 +138,10 @@ static ts_status print_json(const ts_scene *scene, FILE *out)
 	f32 radius[TS_SURFEL_QUANTILES];
 	if (scene->n_surfels > 0 && ts_surfel_quantiles(radius, scene->surfels, scene->n_surfels) != TS_OK) return TS_ERROR;
 	json_t *root = json_of(scene, radius);
-	if (root == NULL) return ts_fail("%s: out of memory", scene->name);
+	if (root == NULL) return ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", scene->name);
 	int failed = json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
 	json_decref(root);
-	if (failed && !ferror(out)) return ts_fail("%s: out of memory", scene->name);
+	if (failed && !ferror(out)) return ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", scene->name);
 	fputc('\n', out);
 	return TS_OK;
 }
@@ -150,7 +150,7 @@ static ts_status print_json(const ts_scene *scene, FILE *out)
 static ts_status print_name(FILE *out, const char *name)
 {
 	char *line = strdup(name);
-	if (!line) return ts_fail("no memory to print a name of %zu bytes", strlen(name));
+	if (!line) return ts_fail_as(TS_KIND_MEMORY, "no memory to print a name of %zu bytes", strlen(name));
 	ts_line_clean(line);
 	fputs(line, out);
 	free(line);
@@ -236,7 +236,7 @@ ts_status ts_scene_print(const ts_scene *scene, FILE *out, int json)
 	if (TS_LACKS(scene) || TS_LACKS(out)) return TS_ERROR;
 	ts_status status = json ? print_json(scene, out) : print_text(scene, out);
 	if (status == TS_OK && fflush(out) != 0) {
-		return ts_fail("%s: its description cannot be written: %s", scene->name, strerror(errno));
+		return ts_fail_as(TS_KIND_FILE, "%s: its description cannot be written: %s", scene->name, strerror(errno));
 	}
 	return status == TS_OK && ferror(out) ? ts_fail("%s: its description cannot be written", scene->name) : status;
 }

@@ -296,7 +296,7 @@ void ts_reflectors_add(ts_build *build, const ts_params *params, const char *cam
 	f32 radius = radius_for(build, &plan, TS_PARAM(params, reflectors_px));
 	ts_object *objects = ts_alloc(plan.n, sizeof *objects, "the added reflectors");
 	if (objects == NULL) {
-		ts_build_fail(build, "no memory to place %u reflectors", plan.n);
+		ts_build_adopt(build);
 		return;
 	}
 	place_all(build, &plan, objects, &radius);

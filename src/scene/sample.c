@@ -162,6 +162,6 @@ void ts_sample_add(ts_build *build, const ts_params *params)
 	if (first != NULL)
 		sample_all(build, &from, first);
 	else
-		ts_build_fail(build, "%s", ts_error_message());
+		ts_build_adopt(build);
 	free(first);
 }

@@ -7,14 +7,26 @@
 extern "C" {
 #endif
 
+/* The file of a scene. */
+typedef struct {
+	const char *name;  /* its path, unless it is in memory */
+	const void *bytes; /* NULL: not in memory */
+	size_t n_bytes;
+} ts_scene_file;
+
 /* gltf.cc: a .gltf or .glb file. The node called `reflector` (may be NULL) and nodes with {"reflector": true} in their
  * extras become objects of their own, marked as reflectors. So do nodes that the animation of that name moves (NULL:
  * the file's first; TS_ANIMATION_NONE: none), unmarked; reflectors on them move with them. Points without a size get
  * the mean distance to `neighbours` nearest points of their primitive, 1 to TS_MAX_NEIGHBOURS. */
-void ts_gltf_load(ts_build *build, const char *path, const char *reflector, const char *animation, u32 neighbours);
+void ts_gltf_load(ts_build *build, const ts_scene_file *file, const char *reflector, const char *animation,
+                  u32 neighbours);
 
 /* ply.c: a .ply file of points. `neighbours` as in ts_gltf_load, but of all points; missing normals are estimated. */
-void ts_ply_load(ts_build *build, const char *path, u32 neighbours);
+void ts_ply_load(ts_build *build, const ts_scene_file *file, u32 neighbours);
+
+/* open.c: implements ts_scene_open_bytes. */
+ts_status ts_scene_of_bytes(ts_scene **scene, const ts_scene_file *file, const ts_params *params,
+                            const ts_scene_options *options);
 
 /* builtin.c: whether spec is NAME or NAME:OPTIONS, NAME being one of ts_builtin_at. */
 bool ts_builtin_is(const char *spec);

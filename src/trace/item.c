@@ -21,11 +21,13 @@ static ts_status check_scene(const char *dir)
 	struct stat info;
 	snprintf(path, sizeof path, "%s/" TS_TRACE_SCENE, dir);
 	path[strlen(path) - 1] = 0;
-	if (lstat(path, &info) == 0) return S_ISDIR(info.st_mode) ? TS_OK : ts_fail("%s: not a folder", path);
-	if (errno != ENOENT) return ts_fail("%s: %s", path, strerror(errno));
-	return ts_fail("%s: no such folder; traces of one run share it, so they are moved together, or written each "
-	               "with a scene of its own",
-	               path);
+	if (lstat(path, &info) == 0)
+		return S_ISDIR(info.st_mode) ? TS_OK : ts_fail_as(TS_KIND_FILE, "%s: not a folder", path);
+	if (errno != ENOENT) return ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
+	return ts_fail_as(TS_KIND_FILE,
+	                  "%s: no such folder; traces of one run share it, so they are moved together, or written each "
+	                  "with a scene of its own",
+	                  path);
 }
 
 ts_status ts_item_path(char path[TS_PATH], const char *dir, const char *name, ts_trust trust)
@@ -45,14 +47,14 @@ int ts_item_open(const char *path, ts_trust trust, u64 *bytes)
 	int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | (trust != TS_TYPED ? O_NOFOLLOW : 0));
 	if (file < 0) {
 		bool link = errno == ELOOP && trust != TS_TYPED;
-		ts_fail("%s: %s", path,
-		        link ? "is a link, which could lead out of the folder; the file itself would be right"
-		             : strerror(errno));
+		ts_fail_as(TS_KIND_FILE, "%s: %s", path,
+		           link ? "is a link, which could lead out of the folder; the file itself would be right"
+		                : strerror(errno));
 		return -1;
 	}
 	if (fstat(file, &info) != 0 || !S_ISREG(info.st_mode)) {
 		close(file);
-		ts_fail("%s: not a regular file", path);
+		ts_fail_as(TS_KIND_FILE, "%s: not a regular file", path);
 		return -1;
 	}
 	*bytes = (u64)info.st_size;
@@ -74,7 +76,7 @@ static ts_status read_header(ts_npy *npy, const char *path, ts_buffer_id id, ts_
 		status = ts_packed_head(head, &n, &bytes, file, path);
 	} else {
 		ssize_t got = pread(file, head, sizeof head, 0);
-		if (got < 0) status = ts_fail("%s: %s", path, strerror(errno));
+		if (got < 0) status = ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
 		n = got > 0 ? (size_t)got : 0;
 	}
 	close(file);
@@ -99,17 +101,18 @@ ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_tru
 	ts_trace_item *item = &trace->item[id];
 	const ts_buffer_info *info = &ts_buffer_table[id];
 	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, info->name);
-	if (ts_item_path(path, trace->dir, name, trust) != TS_OK || read_header(&item->npy, path, id, trust) != TS_OK)
+	if (ts_item_path(path, trace->dir, name, trust) != TS_OK ||
+	    ts_blame(read_header(&item->npy, path, id, trust), TS_KIND_FORMAT) != TS_OK)
 		return TS_ERROR;
 	if (!fits(id, &item->npy)) {
-		return ts_fail("%s: its shape is none of %s, which is %s", path, info->name, info->shape);
+		return ts_fail_as(TS_KIND_FORMAT, "%s: its shape is none of %s, which is %s", path, info->name, info->shape);
 	}
 	if (is_packed(path, trust)) {
 		item->unpacked = ts_alloc_zero(1, sizeof *item->unpacked, path);
 		if (item->unpacked == NULL) return TS_ERROR;
 	}
 	item->path = strdup(path);
-	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
+	return item->path != NULL ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 }
 
 ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, const ts_npy *like)
@@ -125,25 +128,27 @@ ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, co
 	item->npy = *like;
 	for (u32 i = 1; i < like->n_dims; i++) row *= like->shape[i];
 	if (row == 0 || bytes % row != 0) {
-		return ts_fail("%s: %" PRIu64 " bytes are no whole number of rows of %" PRIu64, path, bytes, row);
+		return ts_fail_as(TS_KIND_FORMAT, "%s: %" PRIu64 " bytes are no whole number of rows of %" PRIu64, path, bytes,
+		                  row);
 	}
 	item->npy.data_at = 0;
 	item->npy.shape[0] = bytes / row;
 	item->npy.n = bytes / ts_buffer_table[id].element_bytes;
 	item->path = strdup(path);
-	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
+	return item->path != NULL ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 }
 
 static void *unpack(const ts_trace_item *item, ts_buffer_id id)
 {
 	size_t bytes = (size_t)item->npy.n * ts_buffer_table[id].element_bytes;
 	if (bytes > ts_memory_limit()) {
-		ts_fail("%s: unpacked it has %.1f GB; a run may use %.1f GB", item->path, (double)bytes / 1e9,
-		        (double)ts_memory_limit() / 1e9);
+		ts_fail_as(TS_KIND_MEMORY, "%s: unpacked it has %.1f GB; a run may use %.1f GB", item->path,
+		           (double)bytes / 1e9, (double)ts_memory_limit() / 1e9);
 		return NULL;
 	}
 	void *data = ts_alloc(bytes, 1, item->path);
-	if (data != NULL && ts_packed_read(data, (size_t)item->npy.data_at, bytes, item->path) == TS_OK) return data;
+	ts_status status = data != NULL ? ts_packed_read(data, (size_t)item->npy.data_at, bytes, item->path) : TS_ERROR;
+	if (ts_blame(status, TS_KIND_FORMAT) == TS_OK) return data;
 	free(data);
 	return NULL;
 }
@@ -177,7 +182,7 @@ ts_status ts_item_put(ts_trace *trace, ts_buffer_id id, const ts_npy *shape, con
 		return ts_fail("%s: the array is not aligned as its %s elements must be", info->name, info->element);
 	}
 	char *path = strdup(info->name);
-	if (path == NULL) return ts_fail("%s: out of memory", info->name);
+	if (path == NULL) return ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", info->name);
 	ts_item_clear(item);
 	*item = (ts_trace_item){.path = path, .memory = shape->n > 0 ? data : &nothing, .npy = *shape};
 	return TS_OK;

@@ -10,7 +10,7 @@ ts_status ts_trace_write_json(const char *path, json_t *root)
 		bool whole = json_dumpf(root, text.out, JSON_INDENT(1) | JSON_REAL_PRECISION(9)) == 0;
 		whole &= fputc('\n', text.out) != EOF;
 		status = ts_file_text_write(&text, path);
-		if (!whole) status = ts_fail("%s: out of memory", path);
+		if (!whole) status = ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 	}
 	json_decref(root);
 	return status;

@@ -17,7 +17,7 @@ static ts_status begin(keeper *k, const ts_chunk *chunk)
 	ts_npy npy = {.n_dims = chunk->n_dims};
 	memcpy(npy.shape, chunk->shape, sizeof npy.shape);
 	if (!ts_shape_count(&npy.n, npy.n_dims, npy.shape))
-		return ts_fail("%s: too large for memory", ts_buffer_table[chunk->id].name);
+		return ts_fail_as(TS_KIND_MEMORY, "%s: too large for memory", ts_buffer_table[chunk->id].name);
 	if (ts_item_keep(k->trace, chunk->id, &npy, NULL) != TS_OK) return TS_ERROR;
 	k->filled[chunk->id] = 0;
 	return TS_OK;

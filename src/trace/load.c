@@ -77,8 +77,8 @@ static ts_status choose(ts_load *load, const ts_buffer_id *ids)
 		bytes = more > UINT64_MAX - bytes ? UINT64_MAX : bytes + more;
 	}
 	if (bytes <= ts_memory_limit()) return TS_OK;
-	return ts_fail("%s: the buffers that are needed have %.1f GB; a run may use %.1f GB", load->reference->dir,
-	               (double)bytes / 1e9, (double)ts_memory_limit() / 1e9);
+	return ts_fail_as(TS_KIND_MEMORY, "%s: the buffers that are needed have %.1f GB; a run may use %.1f GB",
+	                  load->reference->dir, (double)bytes / 1e9, (double)ts_memory_limit() / 1e9);
 }
 
 static ts_status read_all(ts_load *load)

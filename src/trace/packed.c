@@ -24,7 +24,8 @@ bool ts_packed_is(const char *name)
 
 static ts_status fail(const char *path, size_t code)
 {
-	if (ZSTD_getErrorCode(code) == ZSTD_error_memory_allocation) return ts_fail("%s: out of memory", path);
+	if (ZSTD_getErrorCode(code) == ZSTD_error_memory_allocation)
+		return ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 	return ts_fail("%s: zstd: %s", path, ZSTD_getErrorName(code));
 }
 
@@ -32,7 +33,7 @@ ts_packer *ts_packer_begin(u64 bytes, const char *path)
 {
 	ts_packer *packer = ZSTD_createCCtx();
 	if (packer == NULL) {
-		ts_fail("%s: out of memory", path);
+		ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 		return NULL;
 	}
 	size_t code = ZSTD_CCtx_setParameter(packer, ZSTD_c_compressionLevel, LEVEL);
@@ -76,7 +77,7 @@ static ts_status refill(unpacker *u)
 	ssize_t n;
 	do n = read(u->file, u->block, sizeof u->block);
 	while (n < 0 && errno == EINTR);
-	if (n < 0) return ts_fail("%s: %s", u->path, strerror(errno));
+	if (n < 0) return ts_fail_as(TS_KIND_FILE, "%s: %s", u->path, strerror(errno));
 	u->in = (ZSTD_inBuffer){u->block, (size_t)n, 0};
 	return TS_OK;
 }
@@ -89,7 +90,7 @@ static unpacker *begin(int file, const char *path)
 	*u = (unpacker){.path = path, .file = file, .context = ZSTD_createDCtx()};
 	bool limited =
 		u->context != NULL && !ZSTD_isError(ZSTD_DCtx_setParameter(u->context, ZSTD_d_windowLogMax, WINDOW_LOG));
-	if (!limited) ts_fail("%s: out of memory", path);
+	if (!limited) ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 	if (limited && refill(u) == TS_OK) return u;
 	ZSTD_freeDCtx(u->context);
 	free(u);
@@ -127,7 +128,7 @@ static ts_status find_held(const unpacker *u, u64 *held)
 	if (n == ZSTD_CONTENTSIZE_UNKNOWN) {
 		return ts_fail("%s: its frame of zstd does not say its size; what \"zstd FILE\" writes would", u->path);
 	}
-	if (fstat(u->file, &info) != 0) return ts_fail("%s: %s", u->path, strerror(errno));
+	if (fstat(u->file, &info) != 0) return ts_fail_as(TS_KIND_FILE, "%s: %s", u->path, strerror(errno));
 	u64 blocks = (u64)info.st_size / LEAST_BLOCK;
 	*held = n;
 	if (n / MOST_OF_BLOCK <= blocks) return TS_OK;
@@ -163,7 +164,7 @@ static ts_status unpack_all(unpacker *u, u8 *to, size_t skip, size_t bytes)
 ts_status ts_packed_read(void *to, size_t skip, size_t bytes, const char *path)
 {
 	int file = open(path, O_RDONLY | O_CLOEXEC);
-	if (file < 0) return ts_fail("%s: %s", path, strerror(errno));
+	if (file < 0) return ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
 	unpacker *u = begin(file, path);
 	ts_status status = u != NULL ? unpack_all(u, to, skip, bytes) : TS_ERROR;
 	if (u != NULL) end(u);

@@ -85,7 +85,7 @@ static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *ent
 	const char *name = text_of(entry, "name");
 	snprintf(shown, sizeof shown, "%s", name);
 	if (!ts_trace_find(&id, name_now(trace, TS_NAME_buffer, name))) {
-		return ts_fail("%s: no buffer \"%s\"; touchstone list buffers names all", path, shown);
+		return ts_fail("%s: no buffer \"%s\"; the table of buffers names all", path, shown);
 	}
 	if (listed[id]) return ts_fail("%s: buffer %s is there twice", path, ts_buffer_table[id].name);
 	listed[id] = true;
@@ -145,7 +145,7 @@ static ts_status read_pipeline(ts_trace *trace, const char *path, const json_t *
 	if (trace->pipeline != NULL) return TS_OK;
 	name_effects(others, sizeof others, method);
 	return ts_fail("%s: no pipeline \"%.40s\" of effect \"%.40s\"%s; %s%s", path, method, effect,
-	               given ? "" : ", the default", others[0] != 0 ? others : "touchstone list methods names all",
+	               given ? "" : ", the default", others[0] != 0 ? others : "the table of methods names all",
 	               others[0] != 0 ? " would be right" : "");
 }
 
@@ -187,7 +187,7 @@ static char *read_text(const char *path, size_t *n)
 	ssize_t got = text != NULL ? read(file, text, (size_t)bytes) : -1;
 	close(file);
 	if (text != NULL && got < 0) {
-		ts_fail("%s: %s", path, strerror(errno));
+		ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
 		free(text);
 		return NULL;
 	}
@@ -224,7 +224,7 @@ ts_trace *ts_trace_new(const char *dir)
 	ts_params_default(&trace->params);
 	trace->dir = strdup(dir);
 	if (trace->dir != NULL) return trace;
-	ts_fail("%s: out of memory", dir);
+	ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", dir);
 	free(trace);
 	return NULL;
 }
@@ -234,7 +234,7 @@ ts_status ts_trace_open_folder(ts_trace **trace, const char *dir)
 	*trace = NULL;
 	ts_trace *made = ts_trace_new(dir);
 	if (made == NULL) return TS_ERROR;
-	if (read_json(made) != TS_OK) {
+	if (ts_blame(read_json(made), TS_KIND_FORMAT) != TS_OK) {
 		ts_trace_close(made);
 		return TS_ERROR;
 	}
@@ -249,7 +249,7 @@ static ts_status add_layout(ts_trace *trace, char *text, const ts_trace *like)
 	char *file = strchr(text, '=');
 	if (file == NULL) return ts_fail("\"%s\" is not NAME=FILE", text);
 	*file++ = 0;
-	if (!ts_trace_find(&id, text)) return ts_fail("no buffer \"%s\"; touchstone list buffers names all", text);
+	if (!ts_trace_find(&id, text)) return ts_fail("no buffer \"%s\"; the table of buffers names all", text);
 	size_t n = strlen(file);
 	if (n > 4 && strcmp(file + n - 4, ".npy") == 0) return ts_item_add(trace, id, file, TS_IN_FOLDER);
 	if (ts_packed_is(file)) return ts_fail("%s: compressed; \"zstd -d\" makes the .npy of it", file);
@@ -265,7 +265,7 @@ ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *la
 	char *list = made != NULL ? strdup(layout) : NULL, *rest = NULL;
 	if (list == NULL) {
 		ts_trace_close(made);
-		return ts_fail("%s: out of memory", dir);
+		return ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", dir);
 	}
 	made->pipeline = like->pipeline;
 	made->arrival = arrival;
@@ -301,8 +301,7 @@ ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *i
 	size_t n = strlen(stem) - (ts_packed_is(stem) ? sizeof TS_PACKED_SUFFIX - 1 : 0);
 	snprintf(name, sizeof name, "%.*s", n > 4 && n < sizeof name ? (int)n - 4 : 0, stem);
 	if (n < 5 || strncmp(stem + n - 4, ".npy", 4) != 0 || !ts_trace_find(id, name)) {
-		return ts_fail("%s: its name does not say which buffer it holds; NAME.npy of touchstone list buffers would",
-		               path);
+		return ts_fail("%s: its name does not say which buffer it holds; one as image.srgb.npy would", path);
 	}
 	char dir[TS_PATH];
 	snprintf(dir, sizeof dir, "%.*s", slash != NULL ? (int)(slash - path) : 1, slash != NULL ? path : ".");

@@ -34,13 +34,13 @@ ts_reader *ts_reader_open(const char *path, u64 data_at, u64 n, size_t element_b
 	                 .element_bytes = element_bytes,
 	                 .per_block = BLOCK_BYTES / element_bytes};
 	if (r->file < 0) {
-		ts_fail("%s: %s", path, strerror(errno));
+		ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
 	} else {
 		u64 blocks = n / r->per_block + 1;
 		r->blocks = ts_alloc(blocks < N_BLOCKS ? (size_t)blocks : N_BLOCKS, BLOCK_BYTES, "blocks of a file");
 	}
 	if (r->path != NULL && r->blocks != NULL) return r;
-	if (r->blocks != NULL) ts_fail("%s: out of memory", path);
+	if (r->blocks != NULL) ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 	ts_reader_close(r);
 	return NULL;
 }
@@ -58,7 +58,7 @@ static bool read_all(const ts_reader *r, u8 *to, size_t bytes, u64 at)
 		ssize_t n = pread(r->file, to, bytes, (off_t)at);
 		if (n < 0 && errno == EINTR) continue;
 		if (n <= 0) {
-			ts_fail("%s: %s", r->path, n == 0 ? "is shorter than it was" : strerror(errno));
+			ts_fail_as(TS_KIND_FILE, "%s: %s", r->path, n == 0 ? "is shorter than it was" : strerror(errno));
 			return false;
 		}
 		to += n;

@@ -54,7 +54,7 @@ static ts_status add_buffer(json_t *list, const ts_trace *trace, ts_buffer_id id
 	if (item->cropped) {
 		json_object_set_new(entry, "crop", json_pack("[i,i,i,i]", (int)c[0], (int)c[1], (int)c[2], (int)c[3]));
 	}
-	return json_array_append_new(list, entry) == 0 ? TS_OK : ts_fail("%s: out of memory", path);
+	return json_array_append_new(list, entry) == 0 ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 }
 
 /* What trace.json says; takes the list over. NULL without memory. */
@@ -81,7 +81,7 @@ ts_status ts_trace_save_files(const ts_trace *trace, const char *producer, ts_tr
 {
 	ts_buffer_id ids[TS_N_BUFFERS];
 	json_t *list = json_array();
-	ts_status status = list != NULL ? TS_OK : ts_fail("trace.json: out of memory");
+	ts_status status = list != NULL ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "trace.json: out of memory");
 	ts_emit_order(ids, trace->pipeline);
 	for (u32 i = 0; i < TS_N_BUFFERS && status == TS_OK; i++) {
 		if (trace->item[ids[i]].path != NULL) status = add_buffer(list, trace, ids[i], place, user);
@@ -92,5 +92,5 @@ ts_status ts_trace_save_files(const ts_trace *trace, const char *producer, ts_tr
 		return TS_ERROR;
 	}
 	json_t *root = describe(trace, producer, list);
-	return root != NULL ? ts_trace_write_json(path, root) : ts_fail("%s: out of memory", path);
+	return root != NULL ? ts_trace_write_json(path, root) : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 }

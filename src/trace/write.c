@@ -176,7 +176,7 @@ ts_status ts_trace_write_end(ts_trace_writer *w, const ts_run *run)
 	if (path == NULL) return TS_ERROR;
 	const ts_trace_description about = {w->pipeline, run, w->files, w->options.crop, version_of(w)};
 	json_t *root = ts_trace_describe(&about);
-	if (root == NULL) return ts_fail("%s: out of memory", path);
+	if (root == NULL) return ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 	return ts_trace_write_json(path, root);
 }
 

@@ -29,6 +29,7 @@ ts_status ts_rtc_open(void)
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
 	pthread_once(&once, find);
 	if (found) return TS_OK;
-	return ts_fail(
+	return ts_fail_as(
+		TS_KIND_LIBRARY,
 		"truth: rays need Embree, in Debian the package libembree" TEXT(TS_EMBREE) "-" TEXT(TS_EMBREE) ": %s", missing);
 }

@@ -27,8 +27,9 @@ static ts_status fail(ts_tree *tree, enum RTCError code, const char *doing)
 {
 	const char *error = ts_first_error_text(&tree->error);
 	if (error == NULL) error = code == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : "no reason given";
-	return ts_fail("truth: Embree failed while %s: %s; it may take %llu MiB", doing, error,
-	               (unsigned long long)(ts_memory_limit() >> 20));
+	return ts_fail_as(code == RTC_ERROR_OUT_OF_MEMORY ? TS_KIND_MEMORY : TS_KIND_LIBRARY,
+	                  "truth: Embree failed while %s: %s; it may take %llu MiB", doing, error,
+	                  (unsigned long long)(ts_memory_limit() >> 20));
 }
 
 ts_status ts_tree_fail(ts_tree *tree, const char *doing)

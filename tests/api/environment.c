@@ -44,12 +44,16 @@ static void test_runs(void **state)
 	ts_scene *made;
 	ts_trace *trace;
 	static const ts_vertex corners[3] = {{.position = {0, 0, 0}}, {.position = {1, 0, 0}}, {.position = {0, 0, 1}}};
+	static const char room[] = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+							   "property float z\nproperty float radius\nproperty float nx\nproperty float ny\n"
+							   "property float nz\nend_header\n0 0 0 1 0 1 0\n";
 	static const ts_triangle one = {.vertex = {0, 1, 2}, .material = UINT32_MAX};
 	const ts_scene_arrays arrays = {
 		.bytes = sizeof arrays, .vertices = corners, .n_vertices = 3, .triangles = &one, .n_triangles = 1};
 	make_folder(folder);
 	KEEPS(ts_context_open(&opened, NULL), ts_context_close(opened));
 	KEEPS(ts_scene_open(context, &made, SMALL, params, NULL), ts_scene_free(made));
+	KEEPS(ts_scene_open_bytes(context, &made, room, sizeof room - 1, "room", params, NULL), ts_scene_free(made));
 	KEEPS(ts_scene_make(context, &made, &arrays, params, NULL), ts_scene_free(made));
 	KEEPS(ts_trace_run(context, &trace, scene, params, "reflections", "mvr", NULL), ts_trace_close(trace));
 	snprintf(path, sizeof path, "%s/saved", folder);

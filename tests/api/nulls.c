@@ -42,6 +42,11 @@ static void test_scenes(void **state)
 	REFUSED(ts_scene_open(context, NULL, SMALL, params, NULL), "scene");
 	REFUSED(ts_scene_open(context, &made, NULL, params, NULL), "spec");
 	REFUSED(ts_scene_open(context, &made, SMALL, NULL, NULL), "params");
+	REFUSED(ts_scene_open_bytes(NULL, &made, "{}", 2, "it", params, NULL), "context");
+	REFUSED(ts_scene_open_bytes(context, NULL, "{}", 2, "it", params, NULL), "scene");
+	REFUSED(ts_scene_open_bytes(context, &made, NULL, 2, "it", params, NULL), "file");
+	REFUSED(ts_scene_open_bytes(context, &made, "{}", 2, NULL, params, NULL), "name");
+	REFUSED(ts_scene_open_bytes(context, &made, "{}", 2, "it", NULL, NULL), "params");
 	REFUSED(ts_scene_make(NULL, &made, &arrays, params, NULL), "context");
 	REFUSED(ts_scene_make(context, NULL, &arrays, params, NULL), "scene");
 	REFUSED(ts_scene_make(context, &made, NULL, params, NULL), "arrays");
@@ -301,6 +306,30 @@ static void test_images(void **state)
 	REFUSED(ts_image_read(&pixels, &width, NULL, &channels, "x.png"), "height");
 	REFUSED(ts_image_read(&pixels, &width, &height, NULL, "x.png"), "channels");
 	REFUSED(ts_image_read(&pixels, &width, &height, &channels, NULL), "path");
+	REFUSED(ts_image_read_bytes(NULL, &width, &height, &channels, bytes, 4, "it"), "pixels");
+	REFUSED(ts_image_read_bytes(&pixels, NULL, &height, &channels, bytes, 4, "it"), "width");
+	REFUSED(ts_image_read_bytes(&pixels, &width, NULL, &channels, bytes, 4, "it"), "height");
+	REFUSED(ts_image_read_bytes(&pixels, &width, &height, NULL, bytes, 4, "it"), "channels");
+	REFUSED(ts_image_read_bytes(&pixels, &width, &height, &channels, NULL, 4, "it"), "file");
+	REFUSED(ts_image_read_bytes(&pixels, &width, &height, &channels, bytes, 4, NULL), "what");
+}
+
+static void test_encoders(void **state)
+{
+	(void)state;
+	static const uint8_t codes[4] = {0};
+	static const float light[4] = {0};
+	void *file;
+	size_t n;
+	REFUSED(ts_image_encode_png(NULL, &n, codes, 1, 1, 4, NULL, "it"), "file");
+	REFUSED(ts_image_encode_png(&file, NULL, codes, 1, 1, 4, NULL, "it"), "file_bytes");
+	REFUSED(ts_image_encode_png(&file, &n, NULL, 1, 1, 4, NULL, "it"), "pixels");
+	REFUSED(ts_image_encode_png(&file, &n, codes, 1, 1, 4, NULL, NULL), "what");
+	REFUSED(ts_image_encode_exr(NULL, &n, light, 1, 1, 4, NULL, "it"), "file");
+	REFUSED(ts_image_encode_exr(&file, NULL, light, 1, 1, 4, NULL, "it"), "file_bytes");
+	REFUSED(ts_image_encode_exr(&file, &n, NULL, 1, 1, 4, NULL, "it"), "pixels");
+	REFUSED(ts_image_encode_exr(&file, &n, light, 1, 1, 4, NULL, NULL), "what");
+	assert_null(file);
 }
 
 static void test_metrics(void **state)
@@ -327,10 +356,11 @@ static void test_metrics(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_release), cmocka_unit_test(test_params),   cmocka_unit_test(test_scenes),
-		cmocka_unit_test(test_traces),  cmocka_unit_test(test_verdicts), cmocka_unit_test(test_answers),
-		cmocka_unit_test(test_truth),   cmocka_unit_test(test_vectors),  cmocka_unit_test(test_images),
-		cmocka_unit_test(test_metrics), cmocka_unit_test(test_pages),    cmocka_unit_test(test_explained),
+		cmocka_unit_test(test_release),   cmocka_unit_test(test_params),   cmocka_unit_test(test_scenes),
+		cmocka_unit_test(test_traces),    cmocka_unit_test(test_verdicts), cmocka_unit_test(test_answers),
+		cmocka_unit_test(test_truth),     cmocka_unit_test(test_vectors),  cmocka_unit_test(test_images),
+		cmocka_unit_test(test_encoders),  cmocka_unit_test(test_metrics),  cmocka_unit_test(test_pages),
+		cmocka_unit_test(test_explained),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

@@ -106,7 +106,10 @@ static void test_image(void **state)
 	assert_string_equal(image->element, "u8");
 	const uint8_t *pixels = image->data;
 	assert_false(memcmp(pixels, pixels + 3, 64 * 36 * 3 - 3) == 0);
-	refused(ts_trace_run(context, &trace, scene, params, "reflections", "magic", NULL), "magic");
+	refused(ts_trace_run(context, &trace, scene, params, "reflections", "magic", NULL),
+	        "by magic: no such method; there are epr, mvr");
+	refused(ts_trace_run(context, &trace, scene, params, "magic", "mvr", NULL),
+	        "no effect \"magic\"; ts_method_at names all");
 	assert_null(trace);
 }
 

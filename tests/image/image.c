@@ -84,6 +84,59 @@ static void test_exr(void **state)
 	}
 }
 
+/* In memory a file has the bytes that it has on disk, and is read as well. */
+static void test_files_in_memory(void **state)
+{
+	(void)state;
+	const ts_image_text texts[] = {{"Source", "a test"}, {NULL, NULL}};
+	uint8_t codes[TEXELS * 3], file[8192];
+	float light[TEXELS * 3], *read;
+	for (unsigned i = 0; i < TEXELS * 3; i++) light[i] = (float)(codes[i] = value(i)) / 255.0f;
+	for (int exr = 0; exr < 2; exr++) {
+		void *made;
+		size_t n = 0;
+		uint32_t width, height, channels;
+		assert_int_equal(exr ? ts_image_write_exr(name("m.exr"), light, WIDTH, HEIGHT, 3, texts)
+		                     : ts_image_write_png(name("m.png"), codes, WIDTH, HEIGHT, 3, texts),
+		                 TS_OK);
+		assert_int_equal(exr ? ts_image_encode_exr(&made, &n, light, WIDTH, HEIGHT, 3, texts, "m")
+		                     : ts_image_encode_png(&made, &n, codes, WIDTH, HEIGHT, 3, texts, "m"),
+		                 TS_OK);
+		assert_int_equal(slurp(file, sizeof file), n);
+		assert_memory_equal(made, file, n);
+		assert_int_equal(ts_image_read_bytes(&read, &width, &height, &channels, made, n, "m"), TS_OK);
+		assert_true(width == WIDTH && height == HEIGHT && channels == 3);
+		assert_memory_equal(read, light, sizeof light);
+		free(read);
+		assert_int_equal(ts_image_read_bytes(&read, &width, &height, &channels, made, n / 2, "m"), TS_ERROR);
+		says("m: ");
+		assert_null(read);
+		free(made);
+		assert_gone();
+	}
+}
+
+/* A picture that no file holds. */
+static void test_odd_sizes(void **state)
+{
+	(void)state;
+	static const uint32_t odd[][3] = {{0, 1, 3}, {1, 0, 3},        {1, 1, 2},
+	                                  {1, 1, 5}, {1u << 31, 1, 1}, {1 << 15, 1 << 15, 1}};
+	for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) {
+		void *made;
+		size_t n;
+		const float light[4] = {0};
+		assert_int_equal(
+			ts_image_encode_png(&made, &n, (const uint8_t *)"odd", odd[i][0], odd[i][1], odd[i][2], NULL, "odd"),
+			TS_ERROR);
+		says("odd: ");
+		assert_null(made);
+		assert_int_equal(ts_image_write_exr(name("o.exr"), light, odd[i][0], odd[i][1], odd[i][2], NULL), TS_ERROR);
+		says("channels would be right");
+		assert_int_not_equal(access(path, F_OK), 0);
+	}
+}
+
 static void refuse(const uint8_t *file, size_t n, uint64_t most, const char *words)
 {
 	uint8_t *rgba;
@@ -190,9 +243,11 @@ static void test_other_formats(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_png),           cmocka_unit_test(test_read_png),  cmocka_unit_test(test_exr),
-		cmocka_unit_test(test_damaged),       cmocka_unit_test(test_bad_paths), cmocka_unit_test(test_other_formats),
-		cmocka_unit_test(test_damaged_files),
+		cmocka_unit_test(test_png),           cmocka_unit_test(test_read_png),
+		cmocka_unit_test(test_exr),           cmocka_unit_test(test_damaged),
+		cmocka_unit_test(test_bad_paths),     cmocka_unit_test(test_other_formats),
+		cmocka_unit_test(test_damaged_files), cmocka_unit_test(test_files_in_memory),
+		cmocka_unit_test(test_odd_sizes),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -53,6 +53,39 @@ static void last_message_may_be_an_argument(void **state)
 	assert_string_equal(ts_error_message(), "outer: inner");
 }
 
+/* A line that ends with the last message is of the same kind, however long; another is not. */
+static void kinds_stay_as_messages_grow(void **state)
+{
+	(void)state;
+	char path[900];
+	memset(path, 'p', sizeof path);
+	path[sizeof path - 1] = 0;
+	assert_int_equal(ts_fail_as(TS_KIND_FILE, "%s: absent", path), TS_ERROR);
+	assert_int_equal(ts_error_kind(), TS_KIND_FILE);
+	ts_fail("%s: %s", path, ts_error_message());
+	assert_int_equal(ts_error_kind(), TS_KIND_FILE);
+	ts_fail("outer: %s", ts_error_message());
+	assert_int_equal(ts_error_kind(), TS_KIND_FILE);
+	ts_fail("%s; and more", ts_error_message());
+	assert_int_equal(ts_error_kind(), TS_KIND_ARGUMENT);
+	ts_refuse("element 5");
+	assert_int_equal(ts_error_kind(), TS_KIND_FORMAT);
+}
+
+/* Nothing more than its being of the arguments is known. */
+static void blame_spares_known_kinds(void **state)
+{
+	(void)state;
+	assert_int_equal(ts_blame(ts_fail("line 3"), TS_KIND_FORMAT), TS_ERROR);
+	assert_int_equal(ts_error_kind(), TS_KIND_FORMAT);
+	assert_null(ts_alloc(SIZE_MAX, 2, "all"));
+	assert_int_equal(ts_blame(TS_ERROR, TS_KIND_FORMAT), TS_ERROR);
+	assert_int_equal(ts_error_kind(), TS_KIND_MEMORY);
+	ts_fail("line 4");
+	assert_int_equal(ts_blame(TS_DIFFERENT, TS_KIND_FORMAT), TS_DIFFERENT);
+	assert_int_equal(ts_error_kind(), TS_KIND_ARGUMENT);
+}
+
 /* A refusal is one until something fails. */
 static void refusals_are_told_from_failures(void **state)
 {
@@ -104,10 +137,16 @@ static void threads_have_their_own(void **state)
 int main(void)
 {
 	const struct CMUnitTest error[] = {
-		cmocka_unit_test(what_cannot_be_formatted_is_said),         cmocka_unit_test(message_is_formatted),
-		cmocka_unit_test(control_characters_become_question_marks), cmocka_unit_test(letters_beyond_ascii_survive),
-		cmocka_unit_test(last_message_may_be_an_argument),          cmocka_unit_test(refusals_are_told_from_failures),
-		cmocka_unit_test(long_messages_are_cut_and_say_so),         cmocka_unit_test(threads_have_their_own),
+		cmocka_unit_test(what_cannot_be_formatted_is_said),
+		cmocka_unit_test(message_is_formatted),
+		cmocka_unit_test(control_characters_become_question_marks),
+		cmocka_unit_test(letters_beyond_ascii_survive),
+		cmocka_unit_test(last_message_may_be_an_argument),
+		cmocka_unit_test(refusals_are_told_from_failures),
+		cmocka_unit_test(kinds_stay_as_messages_grow),
+		cmocka_unit_test(blame_spares_known_kinds),
+		cmocka_unit_test(long_messages_are_cut_and_say_so),
+		cmocka_unit_test(threads_have_their_own),
 	};
 	return cmocka_run_group_tests(error, NULL, NULL);
 }

@@ -1,5 +1,9 @@
 """Pictures of the package for Python: files give back what was written, and metrics have their closed forms."""
 import math
+import os
+import shutil
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -25,9 +29,21 @@ def test_files_give_back_what_was_written(tmp_path, channels):
 	assert np.array_equal(touchstone.read_image(tmp_path / "a.png"), codes / np.float32(255))
 	assert np.array_equal(touchstone.read_image(tmp_path / "a.exr"), light)
 	assert b"a test" in (tmp_path / "a.png").read_bytes()
+	assert touchstone.encode_png(codes, {"Source": "a test"}) == (tmp_path / "a.png").read_bytes()
+	assert touchstone.encode_exr(light) == (tmp_path / "a.exr").read_bytes()
+	assert np.array_equal(touchstone.read_image_bytes(touchstone.encode_exr(light)), light)
 	decoded = touchstone.decode_image((tmp_path / "a.png").read_bytes())
 	assert np.array_equal(decoded[..., :3], np.broadcast_to(codes[..., :3], (5, 7, 3)))
 	assert np.array_equal(decoded[..., 3], codes[..., 3] if channels == 4 else np.full((5, 7), 255))
+
+
+def test_without_the_module_of_images_the_kind_is_library(tmp_path):
+	touchstone.write_png(tmp_path / "a.png", GREY)
+	alone = shutil.copy(os.environ["TOUCHSTONE_LIBRARY"], tmp_path)
+	read = "import sys, touchstone\ntry: touchstone.read_image(sys.argv[1])\nexcept touchstone.Error as error: print(error.kind)"
+	said = subprocess.run([sys.executable, "-c", read, tmp_path / "a.png"], env={**os.environ, "TOUCHSTONE_LIBRARY": alone},
+	                      capture_output=True, text=True, check=True)
+	assert said.stdout == "library\n"
 
 
 def test_rows_of_numbers_are_one_channel(tmp_path):

@@ -96,6 +96,29 @@ def test_answers_and_errors(context, scene, reference):
 		context.open_scene("atrium", {"width": -1})
 
 
+def test_a_scene_of_bytes_is_that_of_its_file(context):
+	room = pathlib.Path("scenes/room.gltf")
+	same = context.open_scene_bytes(room.read_bytes(), SMALL, name="room", camera="circle")
+	traces = [context.run(scene, "reflections", "mvr", SMALL) for scene in (same, context.open_scene(room, SMALL, camera="circle"))]
+	assert traces[0].digest("image.srgb") == traces[1].digest("image.srgb")
+	with pytest.raises(touchstone.Error, match="mine: its first bytes"):
+		context.open_scene_bytes(b"no scene", name="mine")
+
+
+def kind_of(call):
+	with pytest.raises(touchstone.Error) as raised:
+		call()
+	return raised.value.kind
+
+
+def test_errors_have_kinds(context, scene, tmp_path):
+	assert kind_of(lambda: context.run(scene, "reflections", "magic", SMALL)) == "argument"
+	assert kind_of(lambda: context.open(tmp_path / "none")) == "file"
+	assert kind_of(lambda: touchstone.decode_image(b"no picture")) == "format"
+	ended = touchstone.Context(cancelled=lambda: True)
+	assert kind_of(lambda: ended.run(scene, "reflections", "mvr", SMALL)) == "cancelled"
+
+
 def test_callbacks():
 	heard = []
 	context = touchstone.Context(progress=lambda *told: heard.append(told), cancelled=lambda: len(heard) > 0)

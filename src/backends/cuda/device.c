@@ -90,7 +90,7 @@ ts_status ts_cu_find(ts_cu *cu, u32 index)
 	if (result != CUDA_SUCCESS) return ts_cu_failed(cu, "the devices", result);
 	if (n == 0) return no_device();
 	if (index >= n) {
-		return ts_fail("device %u: there are %u devices, from 0; `touchstone list backends` names them", index, n);
+		return ts_fail("device %u: there are %u devices, from 0", index, n);
 	}
 	result = calls.DeviceGet(&cu->device, (int)index);
 	if (result != CUDA_SUCCESS) return ts_cu_failed(cu, "the device", result);

@@ -10,7 +10,7 @@ ts_status ts_cu_failed(const ts_cu *cu, const char *what, CUresult result)
 	const char *name = NULL, *text = NULL;
 	if (cu->call->GetErrorName(result, &name) != CUDA_SUCCESS || name == NULL) name = "an error without a name";
 	if (cu->call->GetErrorString(result, &text) != CUDA_SUCCESS || text == NULL) text = "nothing more is known";
-	return ts_fail("backend cuda: %s: %s (%s)", what, text, name);
+	return ts_fail_as(TS_KIND_DEVICE, "backend cuda: %s: %s (%s)", what, text, name);
 }
 
 CUresult ts_cu_enter(const ts_cu *cu) { return cu->call->CtxSetCurrent(cu->context); }

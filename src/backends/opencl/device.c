@@ -136,7 +136,7 @@ ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index)
 		return TS_SKIPPED;
 	}
 	if (index >= n) {
-		return ts_fail("device %u: there are %u devices, from 0; `touchstone list backends` names them", index, n);
+		return ts_fail("device %u: there are %u devices, from 0", index, n);
 	}
 	*device = ids[index];
 	*about = describe(ids[index]);

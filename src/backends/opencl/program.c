@@ -59,7 +59,7 @@ static ts_status build(ts_cl *cl, u32 index)
 	char flags[sizeof cl->flags + 32];
 	cl_int status;
 	snprintf(flags, sizeof flags, "%s -DTS_PROGRAM=%u", cl->flags, index);
-	if (entries == NULL) return ts_fail("out of memory for the text of kernels");
+	if (entries == NULL) return ts_fail_as(TS_KIND_MEMORY, "out of memory for the text of kernels");
 	cl_program program = ts_cl_call.CreateProgramWithSource(cl->context, 2, text, NULL, &status);
 	free(entries);
 	if (status != CL_SUCCESS) return ts_cl_failed("a program", status);

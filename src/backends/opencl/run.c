@@ -22,8 +22,8 @@ ts_status ts_cl_failed(const char *what, cl_int status)
 	};
 	const char *name = NULL;
 	for (size_t i = 0; i < sizeof names / sizeof *names; i++) name = names[i].status == status ? names[i].name : name;
-	return name == NULL ? ts_fail("backend opencl: %s: OpenCL error %d", what, status)
-	                    : ts_fail("backend opencl: %s: %s (%d)", what, name, status);
+	return name == NULL ? ts_fail_as(TS_KIND_DEVICE, "backend opencl: %s: OpenCL error %d", what, status)
+	                    : ts_fail_as(TS_KIND_DEVICE, "backend opencl: %s: %s (%d)", what, name, status);
 }
 
 static ts_status set(cl_kernel kernel, u32 index, size_t bytes, const void *value)

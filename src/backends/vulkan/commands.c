@@ -28,7 +28,8 @@ static ts_status whole(const ts_vk *vk)
 	u32 kernel;
 	memcpy(&kernel, vk->arguments.mapped, sizeof kernel);
 	if (kernel >= TS_N_KERNELS) return TS_OK;
-	return ts_fail(
+	return ts_fail_as(
+		TS_KIND_DEVICE,
 		"backend vulkan: %s: the driver ended a loop of %s early; llvmpipe's limit is 65,535 turns of all loops "
 		"of 8 items: ask for fewer pixels, points or triangles",
 		vk->about.name, ts_kernel_name((ts_kernel)kernel));

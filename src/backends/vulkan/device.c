@@ -157,7 +157,7 @@ ts_status ts_vk_find(ts_vk *vk, u32 index)
 	u32 n = all_devices(found);
 	if (n == 0) return no_device();
 	if (index >= n) {
-		return ts_fail("device %u: there are %u devices, from 0; `touchstone list backends` names them", index, n);
+		return ts_fail("device %u: there are %u devices, from 0", index, n);
 	}
 	vk->physical = found[index];
 	vk->call = vulkan.call;

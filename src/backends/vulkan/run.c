@@ -20,8 +20,8 @@ ts_status ts_vk_failed(const char *what, VkResult result)
 	};
 	const char *name = NULL;
 	for (size_t i = 0; i < sizeof names / sizeof *names; i++) name = names[i].result == result ? names[i].name : name;
-	return name == NULL ? ts_fail("backend vulkan: %s: Vulkan error %d", what, result)
-	                    : ts_fail("backend vulkan: %s: %s (%d)", what, name, result);
+	return name == NULL ? ts_fail_as(TS_KIND_DEVICE, "backend vulkan: %s: Vulkan error %d", what, result)
+	                    : ts_fail_as(TS_KIND_DEVICE, "backend vulkan: %s: %s (%d)", what, name, result);
 }
 
 /* What a launch hands to a kernel: its arguments, and the addresses of the parts of what is in parts. */

@@ -40,15 +40,15 @@ import numpy as np
 
 from ._library import (Error, Path, Row, check, failure, ffi, filled, in_order, lib, made, options_for, params_for, path_for,
                        pointer, rows_of, struct_of, text_for, text_of, tree_of, view_of)
-from ._pictures import (crumbs, decode_image, estimate_metrics, flicker, light_metrics, marks_for, metrics, read_image,
-                        write_exr, write_png)
+from ._pictures import (crumbs, decode_image, encode_exr, encode_png, estimate_metrics, flicker, light_metrics, marks_for,
+                        metrics, read_image, read_image_bytes, write_exr, write_png)
 from ._tables import (backends, buffers, builtins, devices, float_passes, float_text, methods, parameters, primitive_of,
                       primitives, probes, settings, sizes, stages, truths, version)
 
 __all__ = ["Context", "Error", "Page", "Scene", "Trace", "Verdicts", "backends", "buffers", "builtins", "crumbs",
-           "decode_image", "devices", "estimate_metrics", "flicker", "float_passes", "float_text", "light_metrics",
-           "methods", "metrics", "parameters", "primitives", "probes", "read_image", "settings", "sizes", "stages",
-           "truths", "version", "write_exr", "write_png"]
+           "decode_image", "devices", "encode_exr", "encode_png", "estimate_metrics", "flicker", "float_passes",
+           "float_text", "light_metrics", "methods", "metrics", "parameters", "primitives", "probes", "read_image",
+           "read_image_bytes", "settings", "sizes", "stages", "truths", "version", "write_exr", "write_png"]
 
 Params = Mapping[str, object]
 
@@ -108,6 +108,14 @@ class Context:
 		handle, _ = made("ts_scene", lib.ts_scene_free, lib.ts_scene_open, self._handle, made, path_for(spec),
 		                 params_for(params), wanted)
 		return Scene(self, handle, os.fsdecode(spec))
+
+	def open_scene_bytes(self, file: bytes, params: Params | None = None, name: str = "scene", **options: Any) -> Scene:
+		"""A scene of the bytes of a .glb, .gltf or .ply file, by that name in messages; options as of open_scene."""
+		wanted, kept = _places(options)
+		data = ffi.from_buffer(file)
+		handle, _ = made("ts_scene", lib.ts_scene_free, lib.ts_scene_open_bytes, self._handle, made, data, len(data),
+		                 text_for(name), params_for(params), wanted)
+		return Scene(self, handle, name)
 
 	def make_scene(self, params: Params | None = None, name: str | None = None,
 	               images: Iterable[tuple[np.ndarray, bool]] = (), options: Mapping[str, Any] | None = None,

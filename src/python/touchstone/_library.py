@@ -18,8 +18,13 @@ Row = types.SimpleNamespace  # the members of a struct of the headers, by their 
 
 
 class Error(Exception):
-	"""What could not be done, and why, in one line."""
+	"""What could not be done, and why, in one line. kind: "argument", "file", "format", "memory", "device", "library" or
+	"cancelled", the kinds of ts_kind."""
 	__module__ = "touchstone"
+
+	def __init__(self, message: str, kind: str = "argument") -> None:
+		super().__init__(message)
+		self.kind = kind
 
 
 def _open() -> Any:
@@ -42,7 +47,8 @@ lib = _open()
 
 def failure() -> Error:
 	"""The last one of the library."""
-	return Error(text_of(lib.ts_error_message()))
+	kinds = ffi.typeof("ts_kind").elements
+	return Error(text_of(lib.ts_error_message()), kinds[lib.ts_error_kind()].removeprefix("TS_KIND_").lower())
 
 
 def check(status: int) -> bool:

@@ -16,6 +16,13 @@ def read_image(path: Path) -> np.ndarray:
 	return view_of(pixels, (*size, n_channels[0]), np.float32, pixels, writable=True)
 
 
+def read_image_bytes(file: bytes, name: str = "image") -> np.ndarray:
+	"""As read_image, of the bytes of a file. name: what a message calls the picture."""
+	n_channels, data = ffi.new("uint32_t *"), ffi.from_buffer(file)
+	pixels, size = _read("float", lambda *out: lib.ts_image_read_bytes(*out, n_channels, data, len(data), text_for(name)))
+	return view_of(pixels, (*size, n_channels[0]), np.float32, pixels, writable=True)
+
+
 def decode_image(file: bytes, max_texels: int = 1 << 28, name: str = "image") -> np.ndarray:
 	"""The bytes of a PNG or JPEG file as 8-bit RGBA. name: what a message calls the picture."""
 	data = ffi.from_buffer(file)
@@ -32,23 +39,41 @@ def _read(kind: str, function: Callable[..., int]) -> tuple[Any, tuple[int, int]
 
 def write_png(path: Path, pixels: np.ndarray, texts: Mapping[str, str] | None = None) -> None:
 	"""Writes uint8 of 1, 3 or 4 channels, and texts by name. The file appears only when complete."""
-	_write(lib.ts_image_write_png, "uint8_t", np.uint8, path, pixels, texts)
+	_save(lib.ts_image_write_png, np.uint8, pixels, texts, path_for(path))
 
 
 def write_exr(path: Path, pixels: np.ndarray, texts: Mapping[str, str] | None = None) -> None:
 	"""Writes float32 of 1, 3 or 4 channels, and texts by name. The file appears only when complete."""
-	_write(lib.ts_image_write_exr, "float", np.float32, path, pixels, texts)
+	_save(lib.ts_image_write_exr, np.float32, pixels, texts, path_for(path))
 
 
-def _write(function: Any, kind: str, dtype: Any, path: Path, pixels: np.ndarray, texts: Mapping[str, str] | None) -> None:
+def encode_png(pixels: np.ndarray, texts: Mapping[str, str] | None = None) -> bytes:
+	"""The file that write_png writes."""
+	return _encode(lib.ts_image_encode_png, np.uint8, pixels, texts)
+
+
+def encode_exr(pixels: np.ndarray, texts: Mapping[str, str] | None = None) -> bytes:
+	"""The file that write_exr writes."""
+	return _encode(lib.ts_image_encode_exr, np.float32, pixels, texts)
+
+
+def _encode(function: Any, dtype: Any, pixels: np.ndarray, texts: Mapping[str, str] | None) -> bytes:
+	file, n_bytes = ffi.new("void **"), ffi.new("size_t *")
+	_save(function, dtype, pixels, texts, file, n_bytes, name="pixels")
+	return bytes(ffi.buffer(ffi.gc(file[0], lib.free), n_bytes[0]))
+
+
+def _save(function: Any, dtype: Any, pixels: np.ndarray, texts: Mapping[str, str] | None, *to: Any,
+          name: str | None = None) -> None:
 	pixels = np.asarray(pixels)
 	pixels = in_order(pixels[..., np.newaxis] if pixels.ndim == 2 else pixels, dtype, 3, "pixels")
 	height, width, n_channels = pixels.shape
 	if n_channels not in (1, 3, 4) or pixels.size == 0:
 		raise Error(f"pixels: shape {pixels.shape}; pixels of 1, 3 or 4 channels would be right")
 	kept = [(text_for(name), text_for(text)) for name, text in (texts or {}).items()]
-	check(function(path_for(path), pointer(kind, pixels), width, height, n_channels,
-	               ffi.new("ts_image_text[]", [*kept, (ffi.NULL, ffi.NULL)])))
+	kind = "float" if dtype is np.float32 else "uint8_t"
+	check(function(*to, pointer(kind, pixels), width, height, n_channels,
+	               ffi.new("ts_image_text[]", [*kept, (ffi.NULL, ffi.NULL)]), *([text_for(name)] if name else [])))
 
 
 def _pictures(dtype: Any, mask: np.ndarray | None,

@@ -158,7 +158,7 @@ void ts_mesh_grid(ts_mesh *mesh, u32 ns, u32 nt, u32 flags, ts_mesh_surface *sur
 	if (mesh->build == NULL || ts_build_failed(mesh->build)) return;
 	ts_corner *corner = sample(ns, nt, flags, surface, shape);
 	if (corner == NULL) {
-		ts_build_fail(mesh->build, "%s", ts_error_message());
+		ts_build_adopt(mesh->build);
 		return;
 	}
 	if ((flags & TS_GRID_FLAT) != 0) {
@@ -206,7 +206,7 @@ void ts_mesh_fill(ts_mesh *mesh, u32 n, f32 aspect, ts_mesh_surface *surface, co
 	if (mesh->build == NULL || ts_build_failed(mesh->build)) return;
 	ts_corner *corner = sample(ns, nt, 0, surface, shape);
 	if (corner == NULL) {
-		ts_build_fail(mesh->build, "%s", ts_error_message());
+		ts_build_adopt(mesh->build);
 		return;
 	}
 	u32 first = add_vertex(mesh, &corner[0]);

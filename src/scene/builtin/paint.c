@@ -117,7 +117,7 @@ static void add_slots(ts_build *build, ts_material *material, const ts_paint *pa
 	ts_dab *dabs = ts_alloc(n, sizeof *dabs, "the texture of a built-in scene");
 	u8 *rgba = ts_alloc(n, 4, "the texture of a built-in scene");
 	if (dabs == NULL || rgba == NULL) {
-		ts_build_fail(build, "%s", ts_error_message());
+		ts_build_adopt(build);
 	} else {
 		paint_dabs(dabs, paint, seed);
 		material->slot[TS_SLOT_BASE] = add_slot(build, dabs, rgba, 0, paint);

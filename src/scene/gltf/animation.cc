@@ -87,8 +87,9 @@ static size_t choose(const loader &in)
 		if (in.doc.animations[i].name == in.animation) return i;
 		if (i < 5) names += (i > 0 ? ", " : "") + quoted(in.doc.animations[i].name);
 	}
-	fail("no animation is named %s; there are %zu%s%s%s", quoted(in.animation).c_str(), in.doc.animations.size(),
-	     names.empty() ? "" : ": ", names.c_str(), in.doc.animations.size() > 5 ? ", ..." : "");
+	fail_as(TS_KIND_ARGUMENT, "no animation is named %s; there are %zu%s%s%s", quoted(in.animation).c_str(),
+	        in.doc.animations.size(), names.empty() ? "" : ": ", names.c_str(),
+	        in.doc.animations.size() > 5 ? ", ..." : "");
 }
 
 void animation_open(loader &in)

@@ -32,8 +32,8 @@ static void read_more(bytes &data, const descriptor &file, size_t n, const std::
 	while (done < data.size()) {
 		ssize_t got = read(file.fd, data.data() + done, data.size() - done);
 		if (got < 0 && errno == EINTR) continue;
-		if (got < 0) fail("%s: %s", shown.c_str(), strerror(errno));
-		if (got == 0) fail("%s: the file became shorter while it was read", shown.c_str());
+		if (got < 0) fail_as(TS_KIND_FILE, "%s: %s", shown.c_str(), strerror(errno));
+		if (got == 0) fail_as(TS_KIND_FILE, "%s: the file became shorter while it was read", shown.c_str());
 		done += (size_t)got;
 	}
 }
@@ -42,8 +42,8 @@ static bytes read_all(const std::string &path, int flags, const extent &wanted, 
 {
 	descriptor file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | flags)};
 	struct stat info;
-	if (file.fd < 0 || fstat(file.fd, &info) != 0) fail("%s: %s", shown.c_str(), strerror(errno));
-	if (!S_ISREG(info.st_mode)) fail("%s: not a regular file", shown.c_str());
+	if (file.fd < 0 || fstat(file.fd, &info) != 0) fail_as(TS_KIND_FILE, "%s: %s", shown.c_str(), strerror(errno));
+	if (!S_ISREG(info.st_mode)) fail_as(TS_KIND_FILE, "%s: not a regular file", shown.c_str());
 	uint64_t size = (uint64_t)info.st_size, limit = std::min(wanted.limit, ts_memory_limit());
 	if (size > limit)
 		fail("%s: %llu bytes; at most %llu are read", shown.c_str(), (unsigned long long)size,
@@ -62,15 +62,18 @@ bytes file_read(const std::string &path, const extent &wanted) { return read_all
 static std::string resolve(const std::string &path, const std::string &shown)
 {
 	std::unique_ptr<char, void (*)(void *)> real(realpath(path.c_str(), nullptr), free);
-	if (!real) fail("%s: %s", shown.c_str(), strerror(errno));
+	if (!real) fail_as(TS_KIND_FILE, "%s: %s", shown.c_str(), strerror(errno));
 	return real.get();
 }
 
-bytes file_read_beside(const std::string &base, const std::string &relative, const extent &wanted)
+bytes file_read_beside(const loader &in, const std::string &relative, const extent &wanted)
 {
-	size_t slash = base.rfind('/');
+	size_t slash = in.path.rfind('/');
 	std::string shown = "file " + quoted(relative);
-	std::string folder = resolve(slash == std::string::npos ? "." : base.substr(0, slash + 1), "its folder");
+	if (in.in_memory)
+		fail_as(TS_KIND_ARGUMENT, "%s: a scene in memory has no files beside it; a .glb, or data URIs, would be right",
+		        shown.c_str());
+	std::string folder = resolve(slash == std::string::npos ? "." : in.path.substr(0, slash + 1), "its folder");
 	if (folder.back() != '/') folder += '/';
 	std::string real = resolve(folder + relative, shown);
 	if (real.compare(0, folder.size(), folder) != 0) fail("%s: a link out of the scene's folder", shown.c_str());

@@ -12,14 +12,29 @@ namespace gltf {
 static constexpr uint64_t most_file_bytes = 2147483647; /* tinygltf counts in int */
 static constexpr size_t most_notes = 100;
 
-void fail(const char *format, ...)
+static error error_of(ts_kind kind, const char *format, va_list arguments)
 {
 	char line[512];
+	vsnprintf(line, sizeof line, format, arguments);
+	return {line, kind};
+}
+
+void fail(const char *format, ...)
+{
 	va_list arguments;
 	va_start(arguments, format);
-	vsnprintf(line, sizeof line, format, arguments);
+	error made = error_of(TS_KIND_FORMAT, format, arguments);
 	va_end(arguments);
-	throw error{line};
+	throw made;
+}
+
+void fail_as(ts_kind kind, const char *format, ...)
+{
+	va_list arguments;
+	va_start(arguments, format);
+	error made = error_of(kind, format, arguments);
+	va_end(arguments);
+	throw made;
 }
 
 std::string quoted(const std::string &name)
@@ -33,7 +48,7 @@ std::string quoted(const std::string &name)
  * nothing: materials read those they use. */
 struct files {
 	loader &in;
-	std::string problem;
+	error problem;
 };
 
 static bool file_exists(const std::string &key, void *user)
@@ -59,13 +74,13 @@ static bool file_fetch(bytes *out, std::string *, const std::string &key, void *
 			out->assign(bin, bin + wanted.byte_length);
 			return true;
 		}
-		*out = file_read_beside(in.path, wanted.path, {most_file_bytes, wanted.byte_length, nullptr});
+		*out = file_read_beside(in, wanted.path, {most_file_bytes, wanted.byte_length, nullptr});
 		if (out->size() < wanted.byte_length)
 			fail("file %s: %zu bytes; byteLength says %llu", quoted(wanted.path).c_str(), out->size(),
 			     (unsigned long long)wanted.byte_length);
 		return true;
 	} catch (const error &e) {
-		from.problem = e.line;
+		from.problem = e;
 		return false;
 	}
 }
@@ -103,13 +118,13 @@ static void parse(loader &in)
 {
 	tinygltf::TinyGLTF parser;
 	std::string problem, warning;
-	files from{in, ""};
+	files from{in, {}};
 	parser.SetFsCallbacks(file_callbacks(&from));
 	if (in.doc.json.size() > most_file_bytes)
 		fail("%zu bytes of JSON; at most 2147483647 are read", in.doc.json.size());
 	bool good =
 		parser.LoadASCIIFromString(&in.model, &problem, &warning, in.doc.json.data(), (unsigned)in.doc.json.size(), "");
-	if (!from.problem.empty()) fail("%s", from.problem.c_str());
+	if (!from.problem.line.empty()) throw from.problem;
 	/* tinygltf catches it, and passes its name on. */
 	if (!good && problem.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
 	if (!good) fail("%s", problem.substr(0, problem.find('\n')).c_str());
@@ -129,9 +144,12 @@ static void write_notes(loader &in)
 	if (n > most_notes) ts_build_note(in.build, "and %zu more of the kind", n - most_notes);
 }
 
-static void load(loader &in)
+static void load(loader &in, const ts_scene_file &file)
 {
-	in.file = file_read(in.path, {most_file_bytes, most_file_bytes, container_is_worth});
+	const unsigned char *first = (const unsigned char *)file.bytes;
+	if (file.n_bytes > most_file_bytes) fail("%zu bytes; at most 2147483647 are read", file.n_bytes);
+	in.file = in.in_memory ? bytes(first, first + file.n_bytes)
+	                       : file_read(in.path, {most_file_bytes, most_file_bytes, container_is_worth});
 	in.parts = container_split(in.file, ends_in_glb(in.path));
 	in.doc = guard((const char *)in.file.data() + in.parts.json_begin, in.parts.json_bytes, in.parts);
 	parse(in);
@@ -147,22 +165,28 @@ static void load(loader &in)
 
 } // namespace gltf
 
-void ts_gltf_load(ts_build *build, const char *path, const char *reflector, const char *animation, u32 neighbours)
+void ts_gltf_load(ts_build *build, const ts_scene_file *file, const char *reflector, const char *animation,
+                  u32 neighbours)
 {
+	const char *path = file->name;
+	ts_build_about(build, TS_KIND_FORMAT);
 	try {
 		gltf::loader in{};
 		in.build = build;
 		in.path = path;
+		in.in_memory = file->bytes != nullptr;
 		in.reflector = reflector;
 		in.animation = animation;
 		in.neighbours = neighbours;
-		gltf::load(in);
+		gltf::load(in, *file);
 	} catch (const gltf::error &e) {
+		ts_build_about(build, e.kind);
 		if (e.line.empty())
-			ts_build_fail(build, "%s", ts_error_message());
+			ts_build_adopt(build);
 		else
 			ts_build_fail(build, "%s: %s", path, e.line.c_str());
 	} catch (const std::bad_alloc &) {
+		ts_build_about(build, TS_KIND_MEMORY);
 		ts_build_fail(build, "%s: out of memory", path);
 	} catch (const std::exception &e) {
 		ts_build_fail(build, "%s: %s", path, e.what());

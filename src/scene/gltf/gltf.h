@@ -28,8 +28,11 @@ using bytes = std::vector<unsigned char>;
 /* One line: what, where, what would be right; without the file's name. */
 struct error {
 	std::string line;
+	ts_kind kind;
 };
+/* Fails by TS_KIND_FORMAT. */
 [[noreturn]] void fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
+[[noreturn]] void fail_as(ts_kind kind, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* A name from the file, for a message: in quotes, NULs replaced, cut to 48 bytes. What prints it cleans the rest. */
 std::string quoted(const std::string &name);
@@ -43,9 +46,10 @@ struct extent {
 	bool (*is_worth)(const bytes &head);
 };
 bytes file_read(const std::string &path, const extent &wanted);
-/* Reads `relative`, a path from path_from_uri, in the folder of the file `base`; nothing outside that folder, by name
+/* Reads `relative`, a path from path_from_uri, in the folder of the scene's file; nothing outside that folder, by name
  * or by link, is opened. */
-bytes file_read_beside(const std::string &base, const std::string &relative, const extent &wanted);
+struct loader;
+bytes file_read_beside(const loader &in, const std::string &relative, const extent &wanted);
 /* The relative path that a URI names; absolute ones, schemes, backslashes, NULs and ways out of the folder are refused.
  */
 std::string path_from_uri(const std::string &uri, const std::string &where);
@@ -138,7 +142,8 @@ struct playing {
 /* One file being loaded. */
 struct loader {
 	ts_build *build;
-	std::string path;
+	std::string path;      /* or the name */
+	bool in_memory;        /* the file, which has no folder */
 	const char *reflector; /* may be NULL */
 	const char *animation; /* may be NULL: the first one */
 	u32 neighbours;        /* nearest neighbours by whose distance points without a size get one */

@@ -50,7 +50,7 @@ static u32 image_build(loader &in, int index, bool srgb)
 		data = in.model.buffers.at((size_t)view.buffer).data.data() + view.byteOffset;
 		n = view.byteLength;
 	} else if (n == 0) {
-		external = file_read_beside(in.path, image.from.path, {most_image_bytes, most_image_bytes, is_decoded});
+		external = file_read_beside(in, image.from.path, {most_image_bytes, most_image_bytes, is_decoded});
 		data = external.data();
 		n = external.size();
 		in.texel_budget = std::min(most_texels, in.texel_budget + n * texels_a_byte);
@@ -59,7 +59,7 @@ static u32 image_build(loader &in, int index, bool srgb)
 	uint8_t *rgba = nullptr;
 	uint32_t width = 0, height = 0;
 	uint64_t limit = std::min(in.texel_budget, free_texels + n * texels_a_byte);
-	if (ts_image_decode(&rgba, &width, &height, data, n, limit, what.c_str()) != TS_OK) throw error{""};
+	if (ts_image_decode(&rgba, &width, &height, data, n, limit, what.c_str()) != TS_OK) throw error{"", TS_KIND_NONE};
 	std::unique_ptr<uint8_t, void (*)(void *)> owner(rgba, free);
 	in.texel_budget -= (uint64_t)width * height;
 	u32 built = ts_build_image(in.build, rgba, width, height, srgb);

@@ -323,8 +323,9 @@ static void fail_unknown_reflector(const loader &in)
 	unsigned n = 0;
 	for (const tinygltf::Node &node : in.model.nodes)
 		if (!node.name.empty() && n++ < 5) names += (n > 1 ? ", " : "") + quoted(node.name);
-	fail("no node of the scene is named %s; there are %u names%s%s%s; `touchstone info` lists those with triangles",
-	     quoted(in.reflector).c_str(), n, n ? ": " : "", names.c_str(), n > 5 ? ", ..." : "");
+	fail_as(TS_KIND_ARGUMENT,
+	        "no node of the scene is named %s; there are %u names%s%s%s; its description lists those with triangles",
+	        quoted(in.reflector).c_str(), n, n ? ": " : "", names.c_str(), n > 5 ? ", ..." : "");
 }
 
 void nodes_walk(loader &in)

@@ -100,7 +100,7 @@ static void make_circles(loader &in, cloud &c, const std::string &where)
 	for (const ts_surfel &s : c.surfels) centres.push_back(ts_load3(s.centre));
 	std::vector<f32> radii(centres.size());
 	if (ts_neighbours_distance(radii.data(), centres.data(), (u32)centres.size(), in.neighbours) != TS_OK)
-		throw error{""};
+		throw error{"", TS_KIND_NONE};
 	size_t n = 0;
 	for (size_t i = 0; i < radii.size(); i++) {
 		f32 normal[3];

@@ -198,8 +198,10 @@ static void add_estimated(reader *in, cloud *c)
 static bool fits_in_memory(reader *in)
 {
 	u64 bytes = sizeof(point) + 2 * sizeof(ts_v3) + sizeof(f32) + (in->has[NORMAL] ? 0 : TS_NORMALS_BYTES);
-	if (in->n > ts_memory_total() / 3 / bytes)
+	if (in->n > ts_memory_total() / 3 / bytes) {
+		ts_build_about(in->build, TS_KIND_MEMORY);
 		ts_build_fail(in->build, "%s: %u points take more than a third of this machine's memory", in->path, in->n);
+	}
 	if (!in->has[NORMAL] && in->n > TS_NORMALS_MOST)
 		ts_build_fail(in->build, "%s: %u points without normals; at most %u can be estimated", in->path, in->n,
 		              TS_NORMALS_MOST);
@@ -210,7 +212,7 @@ static bool fits_in_memory(reader *in)
 static void estimate(reader *in, cloud *c, u32 neighbours)
 {
 	if (c->points == NULL || c->centres == NULL || c->normals == NULL || c->radii == NULL) {
-		ts_build_fail(in->build, "%s", ts_error_message());
+		ts_build_adopt(in->build);
 		return;
 	}
 	for (u32 i = 0; i < in->n && !ts_build_failed(in->build); i++) {
@@ -224,7 +226,7 @@ static void estimate(reader *in, cloud *c, u32 neighbours)
 	if (status == TS_OK)
 		add_estimated(in, c);
 	else
-		ts_build_fail(in->build, "%s", ts_error_message());
+		ts_build_adopt(in->build);
 }
 
 static void add_cloud(reader *in, u32 neighbours)
@@ -258,6 +260,7 @@ static void read_all(reader *in, u32 neighbours)
 {
 	locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
 	if (c == (locale_t)0) {
+		ts_build_about(in->build, TS_KIND_MEMORY);
 		ts_build_fail(in->build, "%s: out of memory", in->path);
 		return;
 	}
@@ -268,13 +271,25 @@ static void read_all(reader *in, u32 neighbours)
 	freelocale(c);
 }
 
-void ts_ply_load(ts_build *build, const char *path, u32 neighbours)
+/* As ts_input_read returns a file. */
+static char *copied(size_t *n, const ts_scene_file *from)
 {
-	reader in = {.build = build, .path = path};
+	char *copy = ts_alloc(from->n_bytes + 1, 1, from->name);
+	if (copy == NULL) return NULL;
+	memcpy(copy, from->bytes, from->n_bytes);
+	copy[from->n_bytes] = 0;
+	*n = from->n_bytes;
+	return copy;
+}
+
+void ts_ply_load(ts_build *build, const ts_scene_file *from, u32 neighbours)
+{
+	reader in = {.build = build, .path = from->name};
 	size_t n;
-	char *file = ts_input_read(&n, path);
-	if (file == NULL) ts_build_fail(build, "%s", ts_error_message());
-	if (file != NULL && ts_ply_header_read(&in.header, build, path, file, n)) {
+	ts_build_about(build, TS_KIND_FORMAT);
+	char *file = from->bytes != NULL ? copied(&n, from) : ts_input_read(&n, from->name);
+	if (file == NULL) ts_build_adopt(build);
+	if (file != NULL && ts_ply_header_read(&in.header, build, in.path, file, n)) {
 		const ts_ply_element *points = ts_ply_header_points(&in.header);
 		in.n = (u32)points->n;
 		in.n_properties = points->n_properties;

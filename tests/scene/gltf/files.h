@@ -27,7 +27,7 @@ static inline ts_build *load_text(const char *text, const char *reflector, u32 n
 	assert_int_equal(write(file, text, strlen(text)), strlen(text));
 	close(file);
 	ts_build *build = ts_build_new("test");
-	ts_gltf_load(build, path, reflector, NULL, neighbours);
+	ts_gltf_load(build, &(ts_scene_file){.name = path}, reflector, NULL, neighbours);
 	unlink(path);
 	return build;
 }

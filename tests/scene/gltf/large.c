@@ -27,7 +27,7 @@ static ts_build *load(const char *leaf)
 {
 	ts_build *build = ts_build_new("test");
 	long before = peak_kib();
-	ts_gltf_load(build, scratch_path("%s", leaf), NULL, NULL, 8);
+	ts_gltf_load(build, &(ts_scene_file){.name = scratch_path("%s", leaf)}, NULL, NULL, 8);
 	assert_true(peak_kib() - before < 256 * 1024);
 	return build;
 }

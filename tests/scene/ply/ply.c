@@ -16,7 +16,7 @@ static ts_build *load_bytes(const void *bytes, size_t n)
 	assert_int_equal(write(file, bytes, n), n);
 	close(file);
 	ts_build *build = ts_build_new("test");
-	ts_ply_load(build, path, 2);
+	ts_ply_load(build, &(ts_scene_file){.name = path}, 2);
 	unlink(path);
 	return build;
 }

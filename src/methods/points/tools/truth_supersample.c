@@ -39,9 +39,10 @@ static ts_status check_memory(const ts_pipeline *mvr, const ts_scene *scene, con
 	u64 limit = ts_memory_limit();
 	u64 need = ts_pipeline_estimate(mvr, scene, big, true);
 	if (need <= limit) return TS_OK;
-	return ts_fail("truth C: %u times %u x %u needs about %llu MiB and may use %llu: take a smaller factor or image",
-	               factor, TS_PARAM(big, width) / factor, TS_PARAM(big, height) / factor,
-	               (unsigned long long)(need >> 20), (unsigned long long)(limit >> 20));
+	return ts_fail_as(TS_KIND_MEMORY,
+	                  "truth C: %u times %u x %u needs about %llu MiB and may use %llu: take a smaller factor or image",
+	                  factor, TS_PARAM(big, width) / factor, TS_PARAM(big, height) / factor,
+	                  (unsigned long long)(need >> 20), (unsigned long long)(limit >> 20));
 }
 
 /* One pixel of `width`: the mean of factor x factor pixels, row by row. */
