@@ -1,5 +1,6 @@
 /* What backends of devices share. */
 #include "device.h"
+#include "fast.h"
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,7 +101,7 @@ ts_status ts_device_launch(ts_backend *backend, ts_frame *frame, const ts_launch
                            ts_enqueue *enqueue)
 {
 	ts_launch taken = *launch;
-	if (!backend->ends_loops && is_by_pieces(launch, args)) {
+	if (!backend->ends_loops && is_by_pieces(launch, args) && !ts_fast_edited(launch->kernel)) {
 		taken.kernel = TS_KERNEL_splat_pieces;
 		n = ((const ts_splat_args *)args)->n_pieces;
 	}

@@ -20,4 +20,8 @@ typedef bool ts_at_once(const void *source, const void *args, u64 n, u32 threads
 #undef FAST
 #undef FAMILY
 
+/* Whether the kernel was edited, so that it runs by itself alone: nothing that has its bits stands in for it. Says so
+ * once. */
+bool ts_fast_edited(ts_kernel kernel);
+
 #endif

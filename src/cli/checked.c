@@ -16,13 +16,17 @@ static void report_found(ts_report *report, const void *user)
 	u32 passed = ts_outcomes_count(f->outcomes, TS_PASSED), skipped = ts_outcomes_count(f->outcomes, TS_LEFT_OUT);
 	u32 known = ts_outcomes_count(f->outcomes, TS_KNOWN);
 	u32 failed = (u32)json_array_size(f->outcomes->rows) - passed - skipped - known;
+	const char *verdict = ts_outcomes_count(f->outcomes, TS_FAILED) > 0 ? "different"
+	                      : failed > 0                                  ? "error"
+	                      : passed + known > 0                          ? "same"
+	                                                                    : "skipped";
 	ts_report_value(report, "version", json_string(TS_VERSION));
 	ts_report_value(report, "contract", json_integer(TS_CONTRACT_VERSION));
 	ts_report_value(report, "commit", json_string(ts_commit()));
 	ts_report_value(report, "reference_dir", json_string(f->goldens->dir.path));
 	ts_report_value(report, "backend", json_string(f->goldens->cli->job.backend->name));
 	ts_report_value(report, "relaxations", ts_text_json(f->relaxed));
-	ts_report_value(report, "verdict", json_string(failed > 0 ? "different" : passed + known > 0 ? "same" : "skipped"));
+	ts_report_value(report, "verdict", json_string(verdict));
 	ts_report_value(report, "passed", json_integer(passed));
 	ts_report_value(report, "failed", json_integer(failed));
 	ts_report_value(report, "known", json_integer(known));

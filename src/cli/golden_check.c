@@ -149,6 +149,7 @@ static void lose(ts_checked *checked, const ts_steps *steps, const ts_case *c)
 {
 	*checked = (ts_checked){.of = c, .end = TS_CASE_LOST, .first = TS_N_BUFFERS, .why = ""};
 	snprintf(checked->text, sizeof checked->text, "%s: %s", c->name, steps->why);
+	checked->seconds = steps->lost_s;
 }
 
 /* The next case, by this worker, unless it is the one that an earlier worker was lost on. */
@@ -195,7 +196,7 @@ static ts_status sum_up(const ts_cli *cli, const ts_checked *checked, u32 n, boo
 		ts_fail("%s", cli->no_device);
 		return TS_SKIPPED;
 	}
-	if (first->end == TS_CASE_LOST) return ts_fail("golden: %s", first->text);
+	if (first->end != TS_CASE_MISSING) return ts_fail("golden: %s", first->text);
 	return ts_fail("golden: %s; \"golden new\" proposes and \"golden bless\" accepts a golden", first->text);
 }
 

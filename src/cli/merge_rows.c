@@ -19,7 +19,7 @@ typedef struct {
 
 static const mergeable known[] = {
 	{"golden check", "case", true, {"cases"}, {"passed", "failed", "known", "skipped"}, {NULL}},
-	{"compare", "stage", false, {"stages", "buffers", "differences"}, {NULL}, {"first_divergence", "divergence"}},
+	{"compare", "stage", false, {"stages", "buffers", "differences"}, {"judged"}, {"first_divergence", "divergence"}},
 };
 
 typedef struct {
@@ -99,16 +99,19 @@ static json_t *sum_of(const merged *m, const char *key)
 
 static json_t *verdict_of(const merged *m)
 {
-	const char *verdict = "skipped";
+	static const char *const order[] = {"skipped", "same", "error", "different"};
+	u32 worst = 0;
 	for (u32 i = 0; i < m->parts->n; i++) {
 		const char *own = json_string_value(json_object_get(m->parts->part[i].report, "verdict"));
 		if (own == NULL) {
 			ts_part_damaged(&m->parts->part[i], "it has no verdict");
 			return NULL;
 		}
-		if (strcmp(verdict, "different") != 0 && strcmp(own, "skipped") != 0) verdict = own;
+		for (u32 k = worst + 1; k < 4; k++) {
+			if (strcmp(own, order[k]) == 0) worst = k;
+		}
 	}
-	return json_string(verdict);
+	return json_string(order[worst]);
 }
 
 /* What all shards say alike; a new reference. */

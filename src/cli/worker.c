@@ -133,6 +133,7 @@ int ts_worker_run(int (*work)(void *user), void *user, ts_steps *steps, uint32_t
 	sigprocmask(SIG_BLOCK, &set, &before);
 	do {
 		memcpy(steps->why, why, sizeof why);
+		steps->lost_s = ts_seconds() - steps->began;
 		steps->at_work = said->ended = false;
 		steps->began = ts_seconds();
 		worker = fork();

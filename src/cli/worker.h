@@ -11,7 +11,8 @@ typedef struct {
 	volatile uint32_t n;   /* steps that are done */
 	volatile bool at_work; /* on the next */
 	volatile double began; /* that step, or when the last one was done */
-	char why[192];         /* why a worker was lost on the next step; "": none was */
+	char why[192];         /* why a worker was lost on the next step, and after how many seconds; "": none was */
+	double lost_s;
 } ts_steps;
 
 /* Zeros that this process and its workers share; NULL on failure. */

@@ -21,6 +21,7 @@ ts_status ts_compare_digests(ts_verdict *v, ts_buffer_id id, const ts_trace *ref
 	*v = (ts_verdict){.judgement = TS_SAME, .n_ref = sides[0]->npy.n, .n_cand = sides[1]->npy.n, .by_digest = true};
 	if (strcmp(hex[0], hex[1]) == 0) return TS_OK;
 	const char *left = sides[1]->path == NULL ? candidate->dir : reference->dir;
+	if (sides[0]->path == NULL && sides[1]->path == NULL) left = "each side";
 	const char *why = candidate->arrival ? "points in the order of their arrival" : "a relaxed comparison";
 	v->judgement = !candidate->arrival && is_exact(relaxations) ? TS_UNLIKE : TS_UNABLE;
 	if (v->judgement == TS_UNABLE) {

@@ -98,10 +98,11 @@ static json_t *divergence_json(const ts_comparison *c, const ts_trace *reference
 json_t *ts_compare_json(const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate)
 {
 	char line[TS_LINE_TEXT];
-	json_t *o = json_pack("{s:s, s:o, s:o, s:o, s:o, s:s}", "verdict", c->n_unlike > 0 ? "different" : "same",
-	                      "differences", all_json(c, reference), "reference", ts_text_json(reference->dir), "candidate",
-	                      ts_text_json(candidate->dir), "candidate_producer", ts_text_json(candidate->producer),
-	                      "candidate_order", candidate->arrival ? "arrival" : "canonical");
+	json_t *o =
+		json_pack("{s:s, s:I, s:o, s:o, s:o, s:o, s:s}", "verdict", c->n_unlike > 0 ? "different" : "same", "judged",
+	              (json_int_t)c->n_judged, "differences", all_json(c, reference), "reference",
+	              ts_text_json(reference->dir), "candidate", ts_text_json(candidate->dir), "candidate_producer",
+	              ts_text_json(candidate->producer), "candidate_order", candidate->arrival ? "arrival" : "canonical");
 	if (o == NULL || c->first == TS_N_BUFFERS) return o;
 	ts_compare_line(line, c, reference, c->first);
 	int failed = json_object_set_new(o, "first_divergence", json_string(line));

@@ -31,7 +31,9 @@ void ts_compare_inputs(char text[TS_INPUTS_TEXT], const ts_comparison *c, const 
 		if (given || !made || ts_emit_is_scene(id) || used >= sizeof absent) continue;
 		used += (size_t)snprintf(absent + used, sizeof absent - used, "%s%s", used > 0 ? ", " : "", name);
 	}
-	if (c->forced) {
+	if (stage == NULL) {
+		snprintf(text, TS_INPUTS_TEXT, "of the scene, which no stage makes");
+	} else if (c->forced) {
 		snprintf(text, TS_INPUTS_TEXT, "given the candidate's inputs");
 	} else if (unlike != NULL) {
 		snprintf(text, TS_INPUTS_TEXT, "inputs differ: %s", unlike);

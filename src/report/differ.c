@@ -176,49 +176,43 @@ static json_t *begin(ts_page *page, const json_t *said)
 }
 
 /* Tells what they are, and how far apart. */
-static ts_status pair_last(ts_page *page, json_t *o, json_int_t reference, json_int_t image)
+static ts_status pair_last(ts_page *page, json_t *o, size_t reference, size_t image)
 {
-	ts_page_put(page, o, "reference", json_integer(reference));
-	ts_page_put(page, o, "image", json_integer(image));
-	return ts_page_add_pair(page, (size_t)reference, (size_t)image);
+	ts_page_put(page, o, "reference", json_integer((json_int_t)reference));
+	ts_page_put(page, o, "image", json_integer((json_int_t)image));
+	return ts_page_add_pair(page, reference, image);
 }
 
 ts_status ts_page_add_picture_comparison(ts_page *page, const json_t *said)
 {
 	if (page->n_pictures < 2) return ts_fail("the page: a comparison of two pictures, of which it has fewer");
 	json_t *o = begin(page, said);
-	json_int_t n = (json_int_t)page->n_pictures;
+	const size_t n = page->n_pictures;
 	return ts_page_check(page) == TS_OK ? pair_last(page, o, n - 2, n - 1) : TS_ERROR;
 }
 
-/* The place of the picture of a trace that was added; NULL: it has none. */
-static const json_t *picture_of(ts_page *page, const ts_trace *trace)
+/* The index of the picture of a trace that was added; n_pictures: it has none. */
+static size_t picture_of(const ts_page *page, const ts_trace *trace)
 {
-	json_t *dir = ts_text_json(trace->dir);
-	const json_t *picture = NULL;
-	page->failed |= dir == NULL;
-	for (size_t i = 0; i < json_array_size(page->traces); i++) {
-		const json_t *o = json_array_get(page->traces, i);
-		if (json_equal(json_object_get(o, "dir"), dir)) picture = json_object_get(o, "picture");
-	}
-	json_decref(dir);
-	return picture;
+	size_t i = page->n_pictures;
+	while (i > 0 && page->picture[i - 1].of != trace) i--;
+	return i > 0 ? i - 1 : page->n_pictures;
 }
 
 ts_status ts_page_add_comparison(ts_page *page, const ts_comparison *comparison, const ts_trace *reference,
                                  const ts_trace *candidate, const ts_relaxations *relaxations, const json_t *said)
 {
 	json_t *o = begin(page, said);
-	const json_t *a = picture_of(page, reference), *b = picture_of(page, candidate);
+	const size_t a = picture_of(page, reference), b = picture_of(page, candidate);
 	differing d = {.page = page, .o = o, .reference = reference, .candidate = candidate, .comparison = comparison};
 	if (ts_page_check(page) != TS_OK) return TS_ERROR;
-	if (a == NULL || b == NULL) return TS_OK;
-	const ts_page_picture *p = &page->picture[json_integer_value(a)], *q = &page->picture[json_integer_value(b)];
+	if (a == page->n_pictures || b == page->n_pictures) return TS_OK;
+	const ts_page_picture *p = &page->picture[a], *q = &page->picture[b];
 	if (p->width != q->width || p->height != q->height) return TS_OK;
 	d.width = p->width;
 	d.height = p->height;
 	d.left = p->left;
 	d.top = p->top;
-	if (pair_last(page, o, json_integer_value(a), json_integer_value(b)) != TS_OK) return TS_ERROR;
+	if (pair_last(page, o, a, b) != TS_OK) return TS_ERROR;
 	return look_at_pixels(&d, relaxations);
 }

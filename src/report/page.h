@@ -10,7 +10,8 @@ typedef struct {
 	u8 *rgb;                      /* NULL: shown only, never compared */
 	u32 width, height, left, top; /* left, top: its first pixel in the eye's image, of which it may be a part */
 	bool truth;
-	u32 folder; /* index of the folder that the picture is from; TS_NONE: none */
+	u32 folder;         /* index of the folder that the picture is from; TS_NONE: none */
+	const ts_trace *of; /* only to be told from others; NULL: of no trace */
 } ts_page_picture;
 
 struct ts_page {

@@ -73,7 +73,7 @@ static json_t *described(ts_page *page, const ts_trace *trace)
 static ts_status add_picture(ts_page *page, const ts_trace *trace, json_t *o)
 {
 	ts_buffer_id id;
-	ts_page_picture p = {.name = (char *)trace->pipeline->name, .group = "", .folder = TS_NONE};
+	ts_page_picture p = {.name = (char *)trace->pipeline->name, .group = "", .folder = TS_NONE, .of = trace};
 	p.rgb = read_picture(trace, &id);
 	if (p.rgb == NULL) return id == TS_N_BUFFERS ? TS_OK : TS_ERROR;
 	const ts_trace_item *item = &trace->item[id];

@@ -60,7 +60,9 @@ static void describe(ts_trace *trace, const ts_pipeline *pipeline, const ts_run 
 ts_status ts_trace_keep(ts_trace **trace, const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params,
                         const ts_how *how, const ts_keep *keep)
 {
-	keeper k = {.trace = ts_trace_new("the run"), .keep = keep};
+	char name[64];
+	snprintf(name, sizeof name, "the run by %s", pipeline->name);
+	keeper k = {.trace = ts_trace_new(name), .keep = keep};
 	ts_run run;
 	*trace = NULL;
 	if (k.trace == NULL) return TS_ERROR;

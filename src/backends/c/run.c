@@ -84,12 +84,14 @@ u64 ts_c_scan(u32 *counts, u64 n)
 	return sum;
 }
 
-/* Says once that a kernel runs without its fast path. */
-static void say_edited(ts_kernel kernel)
+bool ts_fast_edited(ts_kernel kernel)
 {
 	static atomic_bool said[TS_N_KERNELS];
-	if (edited[kernel] == NULL || atomic_exchange(&said[kernel], true)) return;
-	ts_say("%s runs without its fast path: the kernel was edited before the build", edited[kernel]);
+	if (edited[kernel] == NULL) return false;
+	if (!atomic_exchange(&said[kernel], true)) {
+		ts_say("%s runs without its fast path: the kernel was edited before the build", edited[kernel]);
+	}
+	return true;
 }
 
 static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
@@ -97,7 +99,7 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *l
 	(void)frame;
 	const ts_c_backend *c = (const ts_c_backend *)backend;
 	ts_fast_path *fast = c->no_fast_paths ? NULL : paths[launch->kernel];
-	if (!c->no_fast_paths) say_edited(launch->kernel);
+	if (!c->no_fast_paths) ts_fast_edited(launch->kernel);
 	if (fast == NULL || !fast(args, n, c->threads)) ts_c_launch(launch->kernel, args, n, c->threads);
 	return TS_OK;
 }
@@ -106,7 +108,7 @@ static bool at_once(ts_backend *backend, ts_kernel kernel, const void *source, c
 {
 	const ts_c_backend *c = (const ts_c_backend *)backend;
 	ts_at_once *shortcut = c->no_fast_paths ? NULL : shortcuts[kernel];
-	if (!c->no_fast_paths) say_edited(kernel);
+	if (!c->no_fast_paths) ts_fast_edited(kernel);
 	return shortcut != NULL && shortcut(source, args, n, c->threads);
 }
 

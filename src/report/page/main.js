@@ -14,9 +14,8 @@ function subject() {
 }
 
 function verdict({said}) {
-	const n = said.differences?.length, buffers = Array.isArray(said.buffers) ? said.buffers : [];
-	const of = buffers.filter((b) => b.verdict === "same" || b.verdict === "different").length;
-	const count = n ? h("span", {class: "dim"}, ` ${n} of ${of} buffers judged differ `) : null;
+	const n = said.differences?.length;
+	const count = n ? h("span", {class: "dim"}, ` ${n} of ${said.judged} buffers judged differ `) : null;
 	return h("p", null, chip(said.verdict), count, n ? h("a", {href: "#differences"}, "First divergence") : null);
 }
 
