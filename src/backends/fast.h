@@ -2,6 +2,7 @@
  * launching the kernel. False if it does not for these arguments, or there is no memory: then nothing was done. */
 #ifndef TS_BACKENDS_FAST_H
 #define TS_BACKENDS_FAST_H
+#include "../model/core.h"
 #include "backend.h"
 
 typedef bool ts_fast_path(const void *args, u64 n, u32 threads);

@@ -77,8 +77,16 @@ typedef struct {
 } ts_listener;
 /* Sets the listener of this thread, at first one without functions. Returns the listener before. */
 ts_listener ts_listen(const ts_listener *listener);
-/* Whether this thread's listener cancels the running work. */
+/* Whether this thread's listener cancels the running work: asks it, unless it has said so since ts_listen. */
 bool ts_cancelled(void);
+/* Fails if this thread's listener has cancelled the running work; asks nobody. */
+ts_status ts_go_on(void);
+/* The work of this thread, for the threads of a loop; NULL if nobody can cancel it. */
+typedef struct ts_stop ts_stop;
+ts_stop *ts_stop_here(void);
+/* Whether that work is cancelled: then the items of a loop that are left are skipped. Only the thread of ts_stop_here
+ * asks its listener, every few milliseconds; it costs little beside an item. */
+bool ts_stopped(ts_stop *stop);
 /* Sends the listener one line, cleaned by ts_line_clean. */
 void ts_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* Progress of long work: done of total. Ends with done == total. */

@@ -1,15 +1,37 @@
 /* What is said beside results and failures goes to the thread's listener; a library prints nothing. */
+#include <stdatomic.h>
 #include <stdio.h>
+#include <time.h>
 #include "core.h"
 
-enum { LINE_BYTES = 1024 };
+enum { LINE_BYTES = 1024, ASK_MS = 5 };
+
+struct ts_stop {
+	atomic_bool said; /* by the listener */
+	int64_t asked_ms; /* when it was asked last */
+};
 
 static _Thread_local ts_listener listener;
+static _Thread_local ts_stop own;
+
+/* By the clock that costs least. */
+static int64_t now_ms(void)
+{
+	struct timespec now;
+#ifdef CLOCK_MONOTONIC_COARSE
+	clock_gettime(CLOCK_MONOTONIC_COARSE, &now);
+#else
+	clock_gettime(CLOCK_MONOTONIC, &now);
+#endif
+	return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
+}
 
 ts_listener ts_listen(const ts_listener *to)
 {
 	const ts_listener before = listener;
 	listener = *to;
+	own.said = false;
+	own.asked_ms = now_ms();
 	return before;
 }
 
@@ -30,4 +52,21 @@ void ts_progress(const char *label, uint64_t done, uint64_t total)
 	if (listener.progress != NULL) listener.progress(listener.user, label, done, total);
 }
 
-bool ts_cancelled(void) { return listener.cancelled != NULL && listener.cancelled(listener.user) != 0; }
+bool ts_cancelled(void)
+{
+	if (listener.cancelled == NULL || own.said) return own.said;
+	own.said = listener.cancelled(listener.user) != 0;
+	own.asked_ms = now_ms();
+	return own.said;
+}
+
+ts_status ts_go_on(void) { return own.said ? ts_fail_as(TS_KIND_CANCELLED, "cancelled") : TS_OK; }
+
+ts_stop *ts_stop_here(void) { return listener.cancelled != NULL ? &own : NULL; }
+
+bool ts_stopped(ts_stop *stop)
+{
+	if (stop == NULL) return false;
+	if (stop == &own && now_ms() - own.asked_ms >= ASK_MS) return ts_cancelled();
+	return atomic_load_explicit(&stop->said, memory_order_relaxed);
+}

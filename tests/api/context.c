@@ -78,22 +78,73 @@ static void test_cancel(void **state)
 	ts_trace_close(trace);
 	assert_true(h.n_progress > 0);
 	assert_int_equal(h.last_done, h.last_total);
-	int n = h.asked;
-	assert_true(n > 5);
-	for (int end = 1; end <= n; end++) {
+	ts_status status = TS_ERROR;
+	for (int end = 1; status != TS_OK; end++) {
 		h = (host){.end_at = end};
-		refused(ts_trace_run(context, &trace, scene, params, "reflections", "mvr", NULL), "cancelled");
+		status = ts_trace_run(context, &trace, scene, params, "reflections", "mvr", NULL);
+		if (status == TS_OK) break;
+		refused(status, "cancelled");
 		assert_null(trace);
 		assert_int_equal(h.asked, end);
 	}
-	h = (host){.end_at = 0};
-	trace = small_trace(context, scene, params, "mvr");
+	assert_true(h.asked > 5);
 	done(ts_trace_digest(trace, "image.srgb", again));
 	assert_string_equal(hex, again);
 	ts_trace_close(trace);
 	ts_scene_free(scene);
 	ts_params_free(params);
 	ts_context_close(context);
+}
+
+static int n_stages(const char *effect, const char *method)
+{
+	int n = 0;
+	while (ts_method_stage(effect, method, (size_t)n) != NULL) n++;
+	return n;
+}
+
+/* A host is asked far more often than there are stages, and ends the run at once. */
+static void test_cancel_within_stages(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *effect, *method;
+		int no_fast_paths;
+	} runs[] = {{"soft-shadows", "ivir", 0}, {"reflections", "mvr", 1}};
+	static const char *const size[][2] = {
+		{"width", "160"}, {"height", "90"}, {"lamp.views", "128"}, {"depth_map.px", "128"}, {"reflectors.count", "3"}};
+	for (size_t i = 0; i < sizeof runs / sizeof *runs; i++) {
+		host h = {.end_at = 0};
+		ts_context *context;
+		ts_scene *scene;
+		ts_params *params;
+		ts_trace *trace;
+		const ts_run_options picture = {.bytes = sizeof picture, .buffers = "image.srgb"};
+		const ts_context_options options = {.bytes = sizeof options,
+		                                    .threads = 2,
+		                                    .no_fast_paths = runs[i].no_fast_paths,
+		                                    .user = &h,
+		                                    .cancelled = cancelled};
+		done(ts_context_open(&context, &options));
+		done(ts_params_make(&params));
+		for (size_t k = 0; k < sizeof size / sizeof *size; k++) done(ts_params_set(params, size[k][0], size[k][1]));
+		done(ts_scene_open(context, &scene, "gallery:triangles=50k:texels=32", params, NULL));
+		h = (host){.end_at = 0};
+		done(ts_trace_run(context, &trace, scene, params, runs[i].effect, runs[i].method, &picture));
+		ts_trace_close(trace);
+		const int n = h.asked;
+		if (n < 3 * n_stages(runs[i].effect, runs[i].method)) fail_msg("%s: asked %d times", runs[i].method, n);
+		for (int end = n / 8; end <= n / 4; end += n / 8) {
+			h = (host){.end_at = end};
+			refused(ts_trace_run(context, &trace, scene, params, runs[i].effect, runs[i].method, &picture),
+			        "cancelled");
+			assert_int_equal(ts_error_kind(), TS_KIND_CANCELLED);
+			assert_int_equal(h.asked, end);
+		}
+		ts_scene_free(scene);
+		ts_params_free(params);
+		ts_context_close(context);
+	}
 }
 
 static const ts_params *shared_params;
@@ -202,8 +253,8 @@ static void test_devices(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_options), cmocka_unit_test(test_cancel),  cmocka_unit_test(test_threads),
-		cmocka_unit_test(test_silence), cmocka_unit_test(test_devices),
+		cmocka_unit_test(test_options), cmocka_unit_test(test_cancel),  cmocka_unit_test(test_cancel_within_stages),
+		cmocka_unit_test(test_threads), cmocka_unit_test(test_silence), cmocka_unit_test(test_devices),
 	};
 	return cmocka_run_group_tests(tests, share, unshare);
 }

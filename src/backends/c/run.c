@@ -55,19 +55,21 @@ static const char *const edited[TS_N_KERNELS] = {
 #undef AT_ONCE
 #undef FAST
 
-enum { CHUNKS_A_THREAD = 64, LEAST_ITEMS = 16 };
+enum { CHUNKS_A_THREAD = 64, CHUNKS_TO_ASK = 1024, LEAST_ITEMS = 16 };
 
 void ts_c_items(ts_kernel kernel, const void *args, u64 begin, u64 end) { kernels[kernel](args, begin, end); }
 
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads)
 {
 	kernel_items *items = kernels[kernel];
-	u64 size = n / ((u64)threads * CHUNKS_A_THREAD);
+	ts_stop *stop = ts_stop_here();
+	u64 size = n / ((u64)threads * (stop != NULL ? CHUNKS_TO_ASK : CHUNKS_A_THREAD));
 	size = size < LEAST_ITEMS ? LEAST_ITEMS : size;
 	i64 chunks = (i64)((n + size - 1) / size);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (chunks > 1)
 	for (i64 chunk = 0; chunk < chunks; chunk++) {
 		u64 begin = (u64)chunk * size;
+		if (ts_stopped(stop)) continue;
 		items(args, begin, begin + size < n ? begin + size : n);
 	}
 }
@@ -101,7 +103,7 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *l
 	ts_fast_path *fast = c->no_fast_paths ? NULL : paths[launch->kernel];
 	if (!c->no_fast_paths) ts_fast_edited(launch->kernel);
 	if (fast == NULL || !fast(args, n, c->threads)) ts_c_launch(launch->kernel, args, n, c->threads);
-	return TS_OK;
+	return ts_go_on();
 }
 
 static bool at_once(ts_backend *backend, ts_kernel kernel, const void *source, const void *args, u64 n)

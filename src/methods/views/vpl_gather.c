@@ -79,7 +79,7 @@ static ts_status over_pairs(ts_run *run, const ts_launch *launch, ts_traverse_si
 {
 	ts_traverse_args how;
 	if (ts_vpl_pairs_arguments(run, &how) != TS_OK) return TS_ERROR;
-	if (ts_launch_at_once(run, launch, &how, args, ts_traverse_starts(run, &how))) return TS_OK;
+	if (ts_launch_at_once(run, launch, &how, args, ts_traverse_starts(run, &how))) return ts_go_on();
 	return ts_traverse(run, &how, sink, args);
 }
 

@@ -53,12 +53,14 @@ bool ts_c_fast_hull(const void *of, u64 n, u32 threads)
 {
 	const ts_hull_args *args = of;
 	if (args->cosine != TS_COSINE_IS_OURS || args->printed != 0 || args->by_moments != 0) return false;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel num_threads(threads)
 	{
 		lobes l = {.count = 0};
 #pragma omp for schedule(dynamic, 64)
 		for (i64 group = 0; group < (i64)((n + PIXELS - 1) / PIXELS); group++) {
 			u64 first = (u64)group * PIXELS;
+			if (ts_stopped(stop)) continue;
 			l.count = 0;
 			for (u64 i = first; i < first + PIXELS && i < n; i++) add_pixel(args, &l, i);
 			integrate(&l);

@@ -83,8 +83,10 @@ static void give(const part *p, ts_align *frames, u32 n)
 bool ts_c_fast_align(const void *of, u64 n, u32 threads)
 {
 	const ts_align_args *args = of;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for num_threads(threads)
 	for (i64 first = 0; first < (i64)n; first += PIECES) {
+		if (ts_stopped(stop)) continue;
 		part p;
 		u32 m = (i64)n - first < PIECES ? (u32)((i64)n - first) : PIECES;
 		if (m < PIECES) memset(&p, 0, sizeof p);

@@ -19,8 +19,10 @@ static void mark(u8 *texel, const ts_splat_args *args, u32 threads)
 {
 	const ts_sample_offsets o = ts_sample_offsets_of(TS_N_SAMPLES);
 	ts_v3 eye = ts_load3(args->view->eye);
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, 512) num_threads(threads)
 	for (i64 i = 0; i < (i64)args->n_pixels; i++) {
+		if (ts_stopped(stop)) continue;
 		u32 at[TS_SAMPLE_ROOM];
 		const ts_face *cube = &args->cubes[args->pixels[i].reflector];
 		if (cube->n == 0) continue;
@@ -81,8 +83,10 @@ bool ts_asked_make(ts_asked *asked, const ts_splat_args *args, u32 threads)
 	asked->blocks = ts_alloc_zero(n_blocks, 1, "blocks of texels");
 	if (asked->first == NULL || asked->texel == NULL || asked->blocks == NULL) return false;
 	mark(asked->texel, args, threads);
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 	for (i64 i = 0; i < (i64)args->n_cubes * 6; i++) {
+		if (ts_stopped(stop)) continue;
 		const ts_face *cube = &args->cubes[i / 6];
 		u64 n = cube->n, side = (u64)i % 6;
 		u8 *block = asked->blocks + asked->first[i / 6] + side * blocks_of(cube->n);

@@ -1,5 +1,6 @@
 /* Densities of EPR, with the bits of ts_k_density: the triangles that a cube may see go side by side. */
 #include "density_eye.h"
+#include "../../../model/core.h"
 #include "../../wide.h"
 #include "closest_lanes.h"
 #include "density_bound.h"
@@ -154,8 +155,10 @@ static bool applies(const ts_density_args *args)
 bool ts_c_eye_density(const ts_density_args *args, u32 n, u32 threads)
 {
 	if (!applies(args)) return false;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 	for (i64 first = 0; first < (i64)n; first += TS_PART) {
+		if (ts_stopped(stop)) continue;
 		count_part(args, (u32)first, (i64)n - first < TS_PART ? (u32)((i64)n - first) : TS_PART);
 	}
 	return true;

@@ -85,9 +85,12 @@ bool ts_c_fast_split_count(const void *arguments, u64 n, u32 threads)
 	if (room == NULL) return false;
 	lanes of;
 	set(&of, room, args->views, n_views);
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, TRIANGLES_A_CHUNK) num_threads(threads)
-	for (i64 i = 0; i < (i64)n; i++)
+	for (i64 i = 0; i < (i64)n; i++) {
+		if (ts_stopped(stop)) continue;
 		count(args, &of, room + (ENTRIES + (size_t)omp_get_thread_num()) * n_views, (u32)i);
+	}
 	free(room);
 	return true;
 }

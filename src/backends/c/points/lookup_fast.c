@@ -35,8 +35,10 @@ bool ts_c_fast_lookup(const void *of, u64 n, u32 threads)
 	const ts_lookup_args *args = of;
 	if (args->n_samples > TS_SAMPLE_ROOM) return false;
 	ts_sample_offsets o = ts_sample_offsets_of(args->n_samples);
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, 64) num_threads(threads)
 	for (i64 first = 0; first < (i64)n; first += PIXELS) {
+		if (ts_stopped(stop)) continue;
 		look_up(args, &o, (u64)first, (i64)n - first < PIXELS ? (u32)((i64)n - first) : PIXELS);
 	}
 	return true;

@@ -116,8 +116,10 @@ bool ts_c_fast_mirror_pixel(const void *of, u64 n, u32 threads)
 	bool enough = room != NULL && workers != NULL;
 	for (u32 t = 0; enough && t < threads; t++) workers[t].fragments.n = 0;
 	if (!enough) n_bands = 0;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(static, 1) num_threads(threads)
 	for (i64 k = 0; k < n_bands; k++) {
+		if (ts_stopped(stop)) continue;
 		i32 t = omp_get_thread_num();
 		write_band(args, &workers[t], room + t * RING * width, k / bands * height + k % bands * BAND);
 	}

@@ -72,8 +72,12 @@ static void count(const ts_points_args *args, u64 first, u32 n)
 
 bool ts_c_fast_points_count(const void *of, u64 n, u32 threads)
 {
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, CHUNK) num_threads(threads)
-	for (i64 first = 0; first < (i64)n; first += PIECES) count(of, (u64)first, pieces_from((u64)first, n));
+	for (i64 first = 0; first < (i64)n; first += PIECES) {
+		if (ts_stopped(stop)) continue;
+		count(of, (u64)first, pieces_from((u64)first, n));
+	}
 	return true;
 }
 
@@ -147,8 +151,10 @@ bool ts_c_fast_points(const void *of, u64 n, u32 threads)
 	if (args->room < args->offset[n]) return false;
 	f32 *rows = ts_alloc(threads * 3 * room, sizeof *rows, "rows of points");
 	if (rows == NULL) return false;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, CHUNK) num_threads(threads)
 	for (i64 first = 0; first < (i64)n; first += PIECES) {
+		if (ts_stopped(stop)) continue;
 		f32 *row = rows + (size_t)omp_get_thread_num() * 3 * room;
 		put(args, (u64)first, pieces_from((u64)first, n), (f32 *const[]){row, row + room, row + 2 * room});
 	}

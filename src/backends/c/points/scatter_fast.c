@@ -41,6 +41,7 @@ typedef struct {
 	i64 n_writes;
 	pool *pools;
 	u32 n_pools;
+	ts_stop *stop;
 } job;
 
 static u32 n_points(const pool *p) { return p->begin[p->n_runs]; }
@@ -281,7 +282,9 @@ static void work(job *j)
 	i64 last = (i64)j->args->first_view + j->args->n_views;
 	for (;;) {
 		mine->n_runs = 0;
-		if (j->stored) {
+		if (ts_stopped(j->stop)) {
+			/* The last round. */
+		} else if (j->stored) {
 			fill_stored(j, mine);
 		} else {
 			fill_pieces(j, mine);
@@ -342,7 +345,8 @@ static void count(const job *j)
 static bool scatter(const ts_scatter_args *args, u64 n, bool stored, u32 threads)
 {
 	if (args->depths == NULL) return false;
-	job j = {.args = args, .n_items = n, .stored = stored, .first_group = args->first_view / 32};
+	job j = {
+		.args = args, .n_items = n, .stored = stored, .stop = ts_stop_here(), .first_group = args->first_view / 32};
 	j.n_groups = (args->first_view + args->n_views - 1) / 32 - j.first_group + 1;
 	if (j.n_groups > MOST_GROUPS) return false;
 	bool made = make_planes(&j) && make_pools(&j, threads);

@@ -206,6 +206,7 @@ bool ts_c_fast_shade(const void *of, u64 n, u32 threads)
 	part *parts =
 		args->adaptive == 0 && args->n_samples <= TS_N_SAMPLES ? ts_alloc(threads, sizeof *parts, "points seen") : NULL;
 	if (parts == NULL) return false;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel num_threads(threads)
 	{
 		part *p = &parts[omp_get_thread_num()];
@@ -215,6 +216,7 @@ bool ts_c_fast_shade(const void *of, u64 n, u32 threads)
 		ts_surface_bins_begin(&p->bins, &args->from.scene, put_lit, &p->sink);
 #pragma omp for schedule(dynamic, CHUNK)
 		for (i64 i = 0; i < (i64)n; i += ENTRIES) {
+			if (ts_stopped(stop)) continue;
 			p->first = (u64)i;
 			p->n = (i64)n - i < ENTRIES ? (u32)((i64)n - i) : ENTRIES;
 			shade_part(p, args);

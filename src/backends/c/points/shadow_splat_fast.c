@@ -220,10 +220,13 @@ static void scatter_piece(worker *w, u64 piece)
 }
 
 /* The first batch counts the points. */
-static void work(worker *w, i64 n)
+static void work(worker *w, i64 n, ts_stop *stop)
 {
 #pragma omp for schedule(dynamic, PIECES_A_CHUNK)
-	for (i64 i = 0; i < n; i++) scatter_piece(w, (u64)i);
+	for (i64 i = 0; i < n; i++) {
+		if (ts_stopped(stop)) continue;
+		scatter_piece(w, (u64)i);
+	}
 	if (w->args->of.first_view != 0) w->tally.of.points = 0;
 	ts_k_shadow_count(w->args, &w->tally);
 }
@@ -239,9 +242,10 @@ bool ts_c_fast_shadow_splat_pieces(const void *of, u64 n, u32 threads)
 		workers[t].args = args;
 		workers[t].casters = casters + (size_t)t * n_views;
 	}
+	ts_stop *stop = ts_stop_here();
 	if (made) {
 #pragma omp parallel num_threads(threads)
-		work(&workers[omp_get_thread_num()], (i64)n);
+		work(&workers[omp_get_thread_num()], (i64)n, stop);
 	}
 	free(workers);
 	free(casters);

@@ -42,6 +42,7 @@ typedef struct {
 	cluster *clusters; /* NULL: all texels are asked for */
 	u32 *order;        /* of clusters, of each thread */
 	u8 *faces;         /* of cubes of tasks, of each thread */
+	ts_stop *stop;
 } job;
 
 /* Cubes, and which of their faces. */
@@ -278,7 +279,7 @@ static u8 any_face(const u8 *faces)
 static void splat_face(const job *j, worker *w, const u8 *faces, const u8 *any, part p)
 {
 	w->owner = TS_NONE;
-	for (u64 c = p.begin; c < p.end; c++) {
+	for (u64 c = p.begin; c < p.end && !ts_stopped(j->stop); c++) {
 		u64 of = w->order[c];
 		if ((any[c - p.begin] >> w->face.side & 1) == 0 || is_cluster_needless(j, w, of)) continue;
 		splat_cluster(j, w, faces + of * CLUSTER, of);
@@ -338,7 +339,7 @@ static void splat_cube(const job *j, worker *w, u32 cube, u32 sides, const u8 *f
 	part p = {0, 0};
 	if (j->args->cubes[cube].n == 0) return;
 	find_order(j, w, cube);
-	for (; p.begin < j->n_clusters; p.begin = p.end) {
+	for (; p.begin < j->n_clusters && !ts_stopped(j->stop); p.begin = p.end) {
 		p.end = part_end(j, w, p.begin);
 		splat_part(j, w, cube, sides, faces, p);
 	}
@@ -399,9 +400,11 @@ static bool make_clusters(job *j, u32 threads)
 	j->clusters = ts_alloc(j->n_clusters, sizeof *j->clusters, "clusters of points");
 	if (j->clusters == NULL) return false;
 #pragma omp parallel for num_threads(threads)
-	for (i64 i = 0; i < (i64)j->n_clusters; i++)
+	for (i64 i = 0; i < (i64)j->n_clusters; i++) {
+		if (ts_stopped(j->stop)) continue;
 		j->clusters[i] = cluster_of(j, (u64)i * CLUSTER, cluster_end(j, (u64)i * CLUSTER));
-	return true;
+	}
+	return !ts_stopped(j->stop);
 }
 
 static bool ask(job *j, u32 threads)
@@ -427,7 +430,7 @@ static worker *make_workers(job *j, u32 threads)
 static bool splat(const ts_splat_args *args, u32 threads)
 {
 	if (args->from.offset == NULL || args->mark != 0) return false;
-	job j = {.args = args};
+	job j = {.args = args, .stop = ts_stop_here()};
 	bool made = ts_splat_live_make(&j.live, args, threads);
 	j.n_clusters = (j.live.n + CLUSTER - 1) / CLUSTER;
 	made = made && ask(&j, threads);

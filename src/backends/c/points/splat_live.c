@@ -110,12 +110,14 @@ bool ts_splat_live_make(ts_splat_live *live, const ts_splat_args *args, u32 thre
 	if (!make_room(live, n_rows + 1)) return false;
 	if (stored && !make_room_for_points(live, n_points, n_rows)) return false;
 	find(live, from->offset, args->n_pieces, most);
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for num_threads(threads)
 	for (i64 i = 0; i < (i64)live->n; i++) {
+		if (ts_stopped(stop)) continue;
 		take_piece(live, (u64)i, from);
 		if (stored) take_points(live, (u64)i, from->points);
 	}
-	return true;
+	return !ts_stopped(stop);
 }
 
 void ts_splat_live_clear(ts_splat_live *live)

@@ -34,7 +34,7 @@ static inline u32 ts_splat_live_points(const ts_splat_live *live, u64 begin, u64
 	return live->index[end] - live->index[begin];
 }
 
-/* False: no memory. Clear *live in either case. */
+/* False: no memory, or the work is cancelled. Clear *live in either case. */
 bool ts_splat_live_make(ts_splat_live *live, const ts_splat_args *args, u32 threads);
 void ts_splat_live_clear(ts_splat_live *live);
 

@@ -20,8 +20,12 @@ static void split(const ts_density_args *args, u32 triangle)
 bool ts_c_fast_split(const void *of, u64 n, u32 threads)
 {
 	const ts_density_args *args = of;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, TRIANGLES_A_CHUNK) num_threads(threads)
-	for (i64 i = 0; i < (i64)n; i++) split(args, (u32)i);
+	for (i64 i = 0; i < (i64)n; i++) {
+		if (ts_stopped(stop)) continue;
+		split(args, (u32)i);
+	}
 	return true;
 }
 

@@ -118,7 +118,8 @@ TS_WIDE(void, keep_least_keys, (u64 *restrict to, const u64 *restrict from, u64 
 }
 
 /* The first thread's texels are the cube's. */
-static void draw_cube(worker *w, u32 n_workers, const ts_arrays *scene, const ts_face *cube, u64 n_texels)
+static void draw_cube(worker *w, u32 n_workers, const ts_arrays *scene, const ts_face *cube, u64 n_texels,
+                      ts_stop *stop)
 {
 	worker *own = &w[omp_get_thread_num()];
 	i64 n_blocks = (i64)((scene->n_triangles + TRIANGLES - 1) / TRIANGLES);
@@ -126,6 +127,7 @@ static void draw_cube(worker *w, u32 n_workers, const ts_arrays *scene, const ts
 	begin(own, scene, cube);
 #pragma omp for schedule(dynamic, BLOCKS_A_CHUNK) nowait
 	for (i64 block = 0; block < n_blocks; block++) {
+		if (ts_stopped(stop)) continue;
 		u32 first = (u32)block * TRIANGLES, left = scene->n_triangles - first;
 		draw_block(own, scene, cube, first, left < TRIANGLES ? left : TRIANGLES);
 	}
@@ -143,11 +145,12 @@ static u64 cube_texels(const ts_face *cube) { return 6 * (u64)cube->n * cube->n;
 static void draw_cubes(const ts_cube_face_args *args, worker *w, u32 n_workers)
 {
 	const ts_face *cubes = args->cubes + args->first_cube;
+	ts_stop *stop = ts_stop_here();
 	for (u32 r = 0; r < args->n_cubes; r++) {
 		if (cubes[r].n == 0) continue;
 		w[0].texels = args->texels + (cubes[r].offset - cubes[0].offset);
 #pragma omp parallel num_threads(n_workers)
-		draw_cube(w, n_workers, &args->scene, &cubes[r], cube_texels(&cubes[r]));
+		draw_cube(w, n_workers, &args->scene, &cubes[r], cube_texels(&cubes[r]), stop);
 	}
 }
 

@@ -3,6 +3,7 @@
 #include "draw_views.h"
 #include <omp.h>
 #include <stdlib.h>
+#include "../../../model/core.h"
 #include "../../wide.h"
 #include "draw_batch.h"
 
@@ -55,7 +56,7 @@ TS_WIDE(void, see_view, (sight *restrict to, const ts_draw_block *restrict b, ts
 }
 
 /* Rows of a view that one thread owns. */
-static void draw_band(worker *w, const ts_arrays *scene, const ts_draw_view *of, u32 band, u32 n_bands)
+static void draw_band(worker *w, const ts_arrays *scene, const ts_draw_view *of, u32 band, u32 n_bands, ts_stop *stop)
 {
 	static const ts_row row[3] = {{0, 1.0f}, {1, 1.0f}, {2, 1.0f}};
 	ts_draw_batch *b = &w->batch;
@@ -66,7 +67,7 @@ static void draw_band(worker *w, const ts_arrays *scene, const ts_draw_view *of,
 	b->owned.y0 = (i32)((u64)of->view.height * band / n_bands);
 	b->owned.y1 = (i32)((u64)of->view.height * (band + 1) / n_bands) - 1;
 	b->n = 0;
-	for (u32 first = 0; first < scene->n_triangles; first += TRIANGLES) {
+	for (u32 first = 0; first < scene->n_triangles && !ts_stopped(stop); first += TRIANGLES) {
 		u32 left = scene->n_triangles - first;
 		ts_draw_block_read(&w->block, scene, first, left < TRIANGLES ? left : TRIANGLES);
 		see_view(&w->sight, &w->block, of->view, of->object);
@@ -87,11 +88,12 @@ bool ts_draw_views(const ts_arrays *scene, const ts_draw_view *views, u32 n, u32
 	u32 n_bands = threads > 1 && n != 0 ? (2 * threads + n - 1) / n : 1;
 	worker *w = malloc(threads * sizeof *w);
 	if (w == NULL) return false;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
 	for (i64 i = 0; i < (i64)n * n_bands; i++) {
 		u32 view = (u32)(i / n_bands), band = (u32)(i % n_bands);
 		if (views[view].view.width != 0) {
-			draw_band(&w[omp_get_thread_num()], scene, &views[view], band, n_bands);
+			draw_band(&w[omp_get_thread_num()], scene, &views[view], band, n_bands, stop);
 		}
 	}
 	free(w);

@@ -179,8 +179,10 @@ bool ts_c_fast_visibility(const void *of, u64 n, u32 threads)
 {
 	const ts_visibility_args *args = of;
 	if (args->vertex_mode != 0) return false;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, 4) num_threads(threads)
 	for (i64 first = 0; first < (i64)n; first += LANES) {
+		if (ts_stopped(stop)) continue;
 		see_part(args, (u32)first, (i64)n - first < LANES ? (u32)((i64)n - first) : LANES);
 	}
 	return true;

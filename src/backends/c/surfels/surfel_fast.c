@@ -107,9 +107,12 @@ bool ts_c_fast_surfel_depth(const void *of, u64 n, u32 threads)
 	const ts_surfel_depth_args *args = of;
 	ts_surfel_bins b;
 	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, -(double)INFINITY, threads);
+	ts_stop *stop = ts_stop_here();
 	if (made) {
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-		for (i64 tile = 0; tile < (i64)b.n_tiles; tile++) depth_tile(args, &b, (u32)tile);
+		for (i64 tile = 0; tile < (i64)b.n_tiles; tile++) {
+			if (!ts_stopped(stop)) depth_tile(args, &b, (u32)tile);
+		}
 	}
 	ts_surfel_bins_free(&b);
 	return made;
@@ -239,9 +242,12 @@ bool ts_c_fast_surfel_blend(const void *of, u64 n, u32 threads)
 	ts_surfel_bins b;
 	if (args->filter.filter == TS_FILTER_IS_EWA) return false;
 	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, screen_reach(&args->filter), threads);
+	ts_stop *stop = ts_stop_here();
 	if (made) {
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-		for (i64 tile = 0; tile < (i64)b.n_tiles; tile++) blend_tile(args, &b, (u32)tile);
+		for (i64 tile = 0; tile < (i64)b.n_tiles; tile++) {
+			if (!ts_stopped(stop)) blend_tile(args, &b, (u32)tile);
+		}
 		ts_add_i64(&args->tally[1], b.pixels);
 	}
 	ts_surfel_bins_free(&b);
@@ -255,6 +261,7 @@ bool ts_c_fast_deferred(const void *of, u64 n, u32 threads)
 	f32 radiance[3];
 	u8 srgb[3];
 	ts_k_show(radiance, srgb, ts_k_background(), args->exposure);
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel num_threads(threads)
 	{
 		i64 tally = 0;
@@ -262,6 +269,7 @@ bool ts_c_fast_deferred(const void *of, u64 n, u32 threads)
 		own.tally = &tally;
 #pragma omp for schedule(dynamic, ITEMS)
 		for (i64 i = 0; i < (i64)n; i++) {
+			if (ts_stopped(stop)) continue;
 			if (args->pixels[i].depth == TS_SKY) {
 				memcpy(args->radiance + i * 3, radiance, sizeof radiance);
 				memcpy(args->srgb + i * 3, srgb, sizeof srgb);

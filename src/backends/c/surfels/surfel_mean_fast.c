@@ -97,8 +97,10 @@ bool ts_c_fast_surfel_blend_mean(const void *of, u64 n, u32 threads)
 {
 	const ts_surfel_blend_mean_args *args = of;
 	ts_camera_k view = ts_k_view(args->view);
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 	for (i64 first = 0; first < (i64)n; first += PART) {
+		if (ts_stopped(stop)) continue;
 		mean_part(args, &view, (u64)first, (u32)(n - (u64)first < PART ? n - (u64)first : PART));
 	}
 	return true;

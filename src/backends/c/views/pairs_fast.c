@@ -191,8 +191,10 @@ static void ask(const job *j, const flags *f, u32 node, u32 level)
 static void all(const job *j, u32 threads)
 {
 	u32 level = j->last > BELOW ? j->last - BELOW : 0;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 	for (i64 node = j->scene[level]; node < (i64)j->scene[level + 1]; node++) {
+		if (ts_stopped(stop)) continue;
 		u32 *room = j->room + (size_t)omp_get_thread_num() * 3 * j->n;
 		flags f = {room, room + j->n, room + 2 * (size_t)j->n};
 		ask(j, &f, (u32)node, level);

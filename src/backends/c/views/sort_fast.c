@@ -15,8 +15,10 @@ static bool is_sorted(const u32 *entries, u32 n)
 bool ts_c_fast_leaf_sort(const void *of, u64 n, u32 threads)
 {
 	const ts_sort_args *args = of;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, LISTS_A_CHUNK) num_threads(threads)
 	for (i64 i = 0; i < (i64)n; i++) {
+		if (ts_stopped(stop)) continue;
 		u32 first = args->offset[i];
 		if (!is_sorted(args->entries + first, args->offset[i + 1] - first)) ts_k_leaf_sort_item(args, (u64)i);
 	}

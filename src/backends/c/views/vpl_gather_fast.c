@@ -207,8 +207,12 @@ bool ts_c_fast_vpl_gather(const void *of, u64 n, u32 threads)
 	j.near = j.args.near * ts_k_leaf_side(&j.args);
 	if (j.args.n <= MOST_TEXELS) j.directions = malloc(n_texels * sizeof *j.directions);
 	for (u32 i = 0; j.directions != NULL && i < n_texels; i++) j.directions[i] = ts_k_paraboloid_direction(i, j.args.n);
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(dynamic, PIXELS_A_CHUNK) num_threads(threads)
-	for (i64 i = 0; i < (i64)n; i++) gather_pixel(&j, (u64)i);
+	for (i64 i = 0; i < (i64)n; i++) {
+		if (ts_stopped(stop)) continue;
+		gather_pixel(&j, (u64)i);
+	}
 	free(j.directions);
 	return true;
 }
