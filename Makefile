@@ -361,6 +361,10 @@ $(PYTHON_PACKAGE)/made: $(PYTHON_SOURCES) $(wildcard include/touchstone/*) scrip
 	$(Q)CC='$(CC)' scripts/abi --declarations > $(@D)/declarations.h
 	$(Q)echo libtouchstone.so.$(ABI) > $(@D)/soname && touch $@
 
+##   python             the package for Python with the library of this build, and how to import it
+python: all $(PYTHON_PACKAGE)/made
+	@echo "PYTHONPATH='$$(realpath $(BUILD)/python)' python3"
+
 # A probe asks about one pixel: the compiler would work for longer than the probe.
 PROBES := $(call object,$(filter src/probe/%,$(LIB_C)) $(wildcard src/methods/*/tools/probe*.c))
 $(PROBES): OWN := $(if $(filter -O2 -O3,$(OPT)),-O1)
@@ -633,4 +637,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release-check bench style format deps-build deps-test install uninstall installcheck dist wheel release docs clean help FORCE
+.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release-check bench style format deps-build deps-test install uninstall installcheck dist wheel release python docs clean help FORCE

@@ -87,6 +87,9 @@ void ts_render_help(void)
 		last = (*at)->effect;
 	}
 	ts_help_table("Effects", rows, n);
+	const ts_builtin_info *b;
+	for (n = 0; n < TS_MAX_METHODS && (b = ts_builtin_at(n)) != NULL; n++) rows[n] = (ts_help_row){b->name, b->doc};
+	ts_help_table("Built-in scenes", rows, n);
 }
 
 static bool is_read(const ts_job *job, const ts_pipeline *const *methods, u32 n_methods, const char *param)

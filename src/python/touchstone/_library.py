@@ -28,10 +28,11 @@ class Error(Exception):
 
 
 def _open() -> Any:
-	"""TOUCHSTONE_LIBRARY, else the one of a wheel, else what the loader finds, else what this package was installed with."""
+	"""TOUCHSTONE_LIBRARY, else the one of a wheel or of a build, else what the loader finds, else what stands where this
+	package was installed with it."""
 	soname = (_here / "soname").read_text().strip()
-	named, inside = os.environ.get("TOUCHSTONE_LIBRARY"), _here / soname
-	tried = [named] if named else [str(inside)] if inside.exists() else [soname, str(_here.parents[2] / soname)]
+	own = [str(path) for path in (_here / soname, _here.parents[1] / "libtouchstone.so") if path.exists()]
+	tried = [os.environ["TOUCHSTONE_LIBRARY"]] if os.environ.get("TOUCHSTONE_LIBRARY") else own or [soname, str(_here.parents[2] / soname)]
 	for path in tried:
 		try:
 			return ffi.dlopen(path)

@@ -15,7 +15,8 @@ function subject() {
 
 function verdict({said}) {
 	const n = said.differences?.length;
-	const count = n ? h("span", {class: "dim"}, ` ${n} of ${said.judged} buffers judged differ `) : null;
+	const counted = n && said.judged !== undefined;
+	const count = counted ? h("span", {class: "dim"}, ` ${n} of ${said.judged} buffers judged differ `) : null;
 	return h("p", null, chip(said.verdict), count, n ? h("a", {href: "#differences"}, "First divergence") : null);
 }
 
