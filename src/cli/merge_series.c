@@ -20,7 +20,7 @@ static ts_status parse(ts_cli *run, const ts_parts *parts, char **words)
 ts_status ts_merge_series(ts_cli *cli, const ts_parts *parts)
 {
 	static const u32 judging[] = {TS_OPTION_JUNIT, TS_OPTION_MARKDOWN, TS_OPTION_TAP};
-	for (u32 i = 0; i < 2; i++) {
+	for (u32 i = 0; i < sizeof judging / sizeof *judging; i++) {
 		if (!cli->given[judging[i]]) continue;
 		return ts_fail("--%s: of what judges; these are shards of render: leave it out",
 		               ts_option_table[judging[i]].name);
