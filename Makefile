@@ -166,12 +166,13 @@ endif
 ##   all (default)      libraries and the command: build/touchstone; with DEVICES= without the kernels of Vulkan, CUDA and `explain`
 all: $(BUILD)/libtouchstone.a $(BUILD)/libtouchstone.so $(BUILD)/touchstone
 	$(Q)ln -sfn $(patsubst build/%,%,$(BUILD))/touchstone build/touchstone
-	$(if $(LEFT_OUT),@echo "left out: $(LEFT_OUT); make without DEVICES= builds them")
+	$(say_left_out)
 
 # What builds all kernels once more: two thirds of the work from an edit of a kernel to a picture.
 ONCE_MORE := vulkan cuda explain
 DEVICES ?= $(ONCE_MORE)
-LEFT_OUT := $(filter-out $(DEVICES),$(ONCE_MORE))
+LEFT_OUT = $(filter-out $(DEVICES),$(ONCE_MORE))
+say_left_out = $(if $(LEFT_OUT),@echo "left out: the kernels of $(LEFT_OUT); \`make\` builds them")
 with = $(if $(filter $(1),$(DEVICES)),$(2))
 $(BUILD)/gen/devices: FORCE
 	$(call keep,$(DEVICES))
@@ -365,9 +366,12 @@ $(PYTHON_PACKAGE)/made: $(PYTHON_SOURCES) $(wildcard include/touchstone/*) scrip
 python: all $(PYTHON_PACKAGE)/made
 	@echo "PYTHONPATH='$$(realpath $(BUILD)/python)' python3"
 
-# A probe asks about one pixel: the compiler would work for longer than the probe.
-PROBES := $(call object,$(filter src/probe/%,$(LIB_C)) $(wildcard src/methods/*/tools/probe*.c))
-$(PROBES): OWN := $(if $(filter -O2 -O3,$(OPT)),-O1)
+
+# A probe asks about one pixel, and the command reads arguments: the compiler would work for longer than they do.
+BRIEF := $(call object,$(filter src/probe/% src/api/% src/cli/%,$(LIB_C) $(CLI_C)) $(wildcard src/methods/*/tools/probe*.c))
+$(BRIEF): OWN := $(if $(filter -O2 -O3,$(OPT)),-O1)
+# Items are long and have few loops: they run no faster at -O3, which is theirs where somebody asks for it.
+$(ITEMS_O): OWN := $(if $(filter file-O3,$(origin OPT)$(OPT)),-O2)
 
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
@@ -401,7 +405,7 @@ $(BUILD)/gen/items/%.def: src/kernels/%.h $(wildcard src/kernels/*/kernels.def)
 $(BUILD)/obj/$(ITEMS_C:.c=)/%.o: $(ITEMS_C) $(BUILD)/gen/items/%.def $(BUILD)/flags
 	$(call say,CC,$< ($*))
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(C_FLAGS) -I$(BUILD)/gen -DITEMS='"../../kernels/$*.h"' -DITEMS_DEF='"items/$*.def"' -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) $(OWN) -I$(BUILD)/gen -DITEMS='"../../kernels/$*.h"' -DITEMS_DEF='"items/$*.def"' -c $< -o $@
 
 $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 	$(call say,CXX,$<)
@@ -410,10 +414,12 @@ $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 
 -include $(ALL_O:.o=.d)
 
-##   demo               install what is missing, build, render the mirrors of the atrium
+##   demo               install what is missing, build what it takes, render the mirrors of the atrium: out/demo.html
+demo: DEVICES = $(file <$(BUILD)/gen/devices)
 demo: deps-build
-	$(Q)$(MAKE) --no-print-directory all
-	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 960x540 -o out/demo --force
+	$(Q)$(MAKE) --no-print-directory all DEVICES='$(DEVICES)'
+	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 800x450 -o out/demo --force --report out/demo.html
+	$(say_left_out)
 
 ##   test               install what is missing, build, run the tests; T="PARTS OF NAMES"; also with config=asan|ubsan|tsan
 ##   test-TIER          the same for a tier of tests/tiers.txt, which `test` leaves out: devices ports packages long

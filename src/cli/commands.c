@@ -50,7 +50,7 @@ const ts_command ts_command_table[] = {
      .run = ts_explain_command},
 	{"info", "SCENE", "what was loaded, and what in the file was not understood", 1, 1, WHERE, TS_OPT(JSON),
      .run = ts_info_command},
-	{"list", "WHAT", "the program's own tables", 1, 1, TS_OPT(EFFECT), TS_OPT(METHOD), TS_OPT(JSON),
+	{"list", "WHAT [NAME]", "the program's own tables", 1, 2, TS_OPT(EFFECT), TS_OPT(METHOD), TS_OPT(JSON),
      .run = ts_list_command},
 	{"bench",
      "TABLE",

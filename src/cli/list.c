@@ -1,5 +1,7 @@
-/* `list WHAT`: the program's own tables, so never stale. */
+/* `list WHAT`: the program's own tables, so never stale; and what they say of one NAME, or of a pattern. */
 #include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 #include "../study/bench.h"
 #include "../study/methods.h"
 #include "../study/reads.h"
@@ -21,13 +23,11 @@ static const ts_column buffer_columns[] = {{"name", "buffer", false},
                                            {0}};
 static const ts_column size_columns[] = {
 	{"name", "size", false}, {"noun", "one of them", false}, {"doc", "what", false}, {0}};
-static const ts_column param_columns[] = {{"name", "parameter", false},
-                                          {"default", "default", false},
-                                          {"range", "range", false},
-                                          {"unit", "unit", false},
-                                          {"source", "source", false},
-                                          {"doc", "what", false},
-                                          {0}};
+static const ts_column param_columns[] = {
+	{"name", "parameter", false},  {"default", "default", false},     {"range", "range", false},
+	{"unit", "unit", false},       {"source", "source", false},       {"doc", "what", false},
+	{"methods", "methods", false}, /* of one parameter alone, as what follows */
+	{"stages", "stages", false},   {"others", "read also by", false}, {0}};
 static const ts_column method_columns[] = {{"name", "method", false},
                                            {"effect", "effect", false},
                                            {"runs", "runs", false},
@@ -50,13 +50,14 @@ static const ts_column vector_columns[] = {
 	{"name", "vector", false}, {"rule", "rule", false}, {"kind", "kind", false}, {"doc", "what comes out", false}, {0}};
 static const ts_column plain_columns[] = {{"name", "name", false}, {"doc", "what", false}, {0}};
 
-/* The methods whose table it is; none: of all. */
+/* The methods whose table it is; none: of all. The name, or the pattern, of the rows; NULL: of all. */
 typedef struct {
 	const ts_pipeline *methods[TS_MAX_METHODS];
 	u32 n_methods;
+	const char *name;
 } ts_listed;
 
-enum { CELL = 1024 };
+enum { CELL = 4096, READERS = 3 };
 
 /* Adds a name to others that blanks separate. */
 static void add_name(char text[CELL], const char *name)
@@ -125,11 +126,33 @@ static bool is_read(const ts_listed *of, const char *param)
 	return read;
 }
 
+/* Which methods read it, of whatever effect; which stages; the scene, and truths. */
+static void cell_readers(ts_table *table, const char *param)
+{
+	char methods[CELL] = "", stages[CELL] = "", others[CELL] = "";
+	const ts_stage_info *stage;
+	const ts_truth_info *truth;
+	for (const ts_pipeline *const *m = ts_pipelines(); *m != NULL; m++) {
+		if (ts_reads_method(*m, NULL, param) && !ts_words_have(methods, (*m)->name)) add_name(methods, (*m)->name);
+	}
+	for (size_t i = 0; (stage = ts_stage_at(i)) != NULL; i++) {
+		if (ts_reads("stage", stage->name, param)) add_name(stages, stage->name);
+	}
+	if (ts_reads_scene(param)) add_name(others, "scene");
+	for (size_t i = 0; (truth = ts_truth_at(i)) != NULL; i++) {
+		if (ts_reads("truth", truth->name, param)) add_name(others, truth->name);
+	}
+	ts_table_text(table, methods);
+	ts_table_text(table, stages);
+	ts_table_text(table, others);
+}
+
 static ts_table list_params(const ts_listed *of)
 {
 	const ts_param_info *p;
 	ts_table table = ts_table_begin("params", "", param_columns);
 	ts_params *defaults;
+	if (of->name == NULL) table.n_columns -= READERS;
 	table.failed |= ts_params_make(&defaults) != TS_OK;
 	for (size_t i = 0; (p = ts_param_at(i)) != NULL && !table.failed; i++) {
 		char value[64], range[128];
@@ -142,6 +165,7 @@ static ts_table list_params(const ts_listed *of)
 		ts_table_text(&table, p->unit);
 		ts_table_text(&table, p->source);
 		ts_table_text(&table, p->help);
+		if (of->name != NULL) cell_readers(&table, p->name);
 	}
 	ts_params_free(defaults);
 	return table;
@@ -284,7 +308,6 @@ static ts_status find_methods(ts_listed *of, const ts_job *job)
 {
 	char item[32];
 	ts_status status = TS_OK;
-	of->n_methods = 0;
 	if (job->effect != NULL) return ts_methods_find(of->methods, &of->n_methods, job->effect, job->method);
 	for (const char *names = job->method; status == TS_OK && ts_words_item(&names, item, sizeof item);) {
 		status = add_methods(of, item);
@@ -292,15 +315,40 @@ static ts_status find_methods(ts_listed *of, const ts_job *job)
 	return status;
 }
 
-static ts_status print_list(size_t i, const ts_job *job)
+/* The width of the terminal; without one that of `help`. */
+static u32 terminal_width(void)
 {
-	ts_listed of;
+	struct winsize size;
+	return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+/* Keeps the rows of a name or a pattern. */
+static ts_status keep(ts_table *table, const char *name)
+{
+	char all[64];
+	ts_nearest nearest = ts_nearest_begin(name);
+	for (size_t i = 0; i < table->n_cells; i += table->n_columns) ts_nearest_offer(&nearest, table->cells[i].text);
+	snprintf(all, sizeof all, "list %s", table->key);
+	const char *hint = ts_nearest_hint(&nearest, all);
+	ts_table_keep(table, name);
+	table->apart = terminal_width();
+	if (table->n_cells > 0 || table->failed) return TS_OK;
+	return ts_fail("%s: no \"%.60s\"%s", all, name, hint);
+}
+
+static ts_status print_list(size_t i, const ts_job *job, const char *name)
+{
+	ts_listed of = {.name = name};
 	ts_report report;
 	bool of_methods = job->method != NULL || job->effect != NULL;
 	if (of_methods && lists[i].make_of == NULL) return ts_fail("list %s: takes no --method or --effect", lists[i].name);
 	if (find_methods(&of, job) != TS_OK) return TS_ERROR;
-	ts_report_begin(&report, job->output.json);
 	ts_table table = lists[i].make_of != NULL ? lists[i].make_of(&of) : lists[i].make();
+	if (name != NULL && keep(&table, name) != TS_OK) {
+		ts_table_end(&table);
+		return TS_ERROR;
+	}
+	ts_report_begin(&report, job->output.json);
 	ts_report_table(&report, &table);
 	return ts_report_end(&report);
 }
@@ -308,7 +356,9 @@ static ts_status print_list(size_t i, const ts_job *job)
 ts_status ts_list_command(ts_cli *cli)
 {
 	for (size_t i = 0; i < N_LISTS; i++) {
-		if (strcmp(lists[i].name, cli->arguments[0]) == 0) return print_list(i, &cli->job);
+		if (strcmp(lists[i].name, cli->arguments[0]) == 0) {
+			return print_list(i, &cli->job, cli->n_arguments > 1 ? cli->arguments[1] : NULL);
+		}
 	}
 	return unknown(cli->arguments[0]);
 }

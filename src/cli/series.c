@@ -141,6 +141,18 @@ static void note_time(ts_series *series)
 	}
 }
 
+/* The parameters of a sweep, by their names. */
+static int put_values(json_t *object, const ts_job *job, u32 combination)
+{
+	char values[TS_MAX_SWEEPS][TS_SWEEP_TEXT];
+	ts_params params = job->params;
+	int failed = ts_sweep_set(&job->sweep, combination, &params, values) != TS_OK;
+	for (u32 k = 0; k < job->sweep.n && !failed; k++) {
+		failed |= json_object_set_new(object, job->sweep.swept[k].name, json_string(values[k]));
+	}
+	return failed;
+}
+
 /* A new reference; NULL without memory. */
 static json_t *times_json(const ts_series *series)
 {
@@ -148,7 +160,8 @@ static json_t *times_json(const ts_series *series)
 	int failed = 0;
 	for (u32 k = 0; k < series->n_done; k++) {
 		const ts_series_time *time = &series->times[k];
-		json_t *each = json_object(), *row = json_object();
+		json_t *each = json_object(), *row = json_object(), *values = json_object();
+		failed |= put_values(values, series->job, time->combination);
 		for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
 			char name[24];
 			if (isnan(time->milliseconds[i])) continue;
@@ -156,6 +169,7 @@ static json_t *times_json(const ts_series *series)
 			failed |= json_object_set_new(each, name, json_real(time->milliseconds[i]));
 		}
 		failed |= json_object_set_new(row, "combination", json_integer(time->combination));
+		failed |= json_object_set_new(row, "values", values);
 		failed |= json_object_set_new(row, "frame", json_integer(time->frame));
 		failed |= json_object_set_new(row, "resident_bytes", json_integer((json_int_t)time->resident_bytes));
 		failed |= json_object_set_new(row, "milliseconds", each);
@@ -323,6 +337,7 @@ static void report_pictures(ts_series *series)
 	row(&table, "../contact-sheet.png", rows);
 	row(&table, "../rmse-*.svg", "errors against the first truth");
 	if (sequence) row(&table, "../flicker-frame.svg", "change beyond that of the truth");
+	if (sequence) row(&table, "../change-frame.svg", "change since the frame before");
 	if (sequence) row(&table, "../*.mp4", "the frames, " TS_VIDEO_RATE " a second, where ffmpeg is installed");
 	row(&table, sequence ? "../sequence.csv" : "../sweep.csv", "figures of each render");
 	ts_report_table(&series->report, &table);

@@ -1,5 +1,6 @@
 /* What render or compare wrote to a folder. Its report.json is untrusted: no name leads out of the folder, and every
  * picture is checked. */
+#include <fnmatch.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include <unistd.h>
@@ -43,15 +44,19 @@ static bool take_apart(found *f, const char *dir, const json_t *report, const ch
 	return true;
 }
 
-/* What the report says the picture shows; NULL: nothing. */
+/* What the report says the file shows; NULL: nothing. A series says it as from the folder of a render. */
 static const char *words_of(const json_t *report, const char *file)
 {
 	const json_t *list = json_object_get(report, "pictures");
-	size_t n = strlen(file);
+	const char *slash = strrchr(file, '/');
 	for (size_t i = 0; i < json_array_size(list); i++) {
 		const json_t *row = json_array_get(list, i);
 		const char *name = json_string_value(json_object_get(row, "name"));
-		if (name == NULL || strncmp(name, file, n) != 0 || (name[n] != 0 && name[n] != ' ')) continue;
+		char pattern[NAME_BYTES];
+		if (name == NULL) continue;
+		if (slash == NULL && strncmp(name, "../", 3) == 0) name += 3;
+		snprintf(pattern, sizeof pattern, "%.*s", (int)strcspn(name, " "), name);
+		if (fnmatch(pattern, slash != NULL ? slash + 1 : file, 0) != 0) continue;
 		return json_string_value(json_object_get(row, "shows"));
 	}
 	return NULL;
@@ -116,6 +121,30 @@ static ts_status add_picture(ts_page *page, const found *f, const json_t *report
 	return ts_page_check(page);
 }
 
+/* A plot or a video of a series: the browser shows it by itself. Others are left out. */
+static ts_status add_media(ts_page *page, const char *dir, const json_t *report, const char *file)
+{
+	static const char *const types[][2] = {{"*.svg", "image/svg+xml"}, {"*.mp4", "video/mp4"}};
+	for (u32 i = 0; i < 2; i++) {
+		char path[PATH_BYTES];
+		size_t bytes;
+		if (file == NULL || file[0] == '.' || strchr(file, '/') != NULL || fnmatch(types[i][0], file, 0) != 0) continue;
+		snprintf(path, sizeof path, "%s/%s", dir, file);
+		char *content = ts_input_read(&bytes, path);
+		json_t *coded = content != NULL ? ts_page_base64(content, bytes, path) : NULL;
+		free(content);
+		if (coded == NULL) return TS_ERROR;
+		const char *words = words_of(report, file);
+		json_t *o = json_object();
+		ts_page_put(page, o, "name", ts_text_json(file));
+		ts_page_put(page, o, "type", json_string(types[i][1]));
+		ts_page_put(page, o, "content", coded);
+		if (words != NULL) ts_page_put(page, o, "shows", json_string(words));
+		ts_page_append(page, page->media, o);
+	}
+	return ts_page_check(page);
+}
+
 /* What of the report tables are made of. */
 static void put_report(ts_page *page, const char *dir, json_t *report, json_t *times)
 {
@@ -140,9 +169,9 @@ ts_status ts_page_add_folder(ts_page *page, const char *dir)
 	                                 dir);
 	const json_t *files = json_object_get(report, "files");
 	for (size_t i = 0; i < json_array_size(files) && status == TS_OK; i++) {
-		if (take_apart(&f, dir, report, json_string_value(json_array_get(files, i)))) {
-			status = add_picture(page, &f, report);
-		}
+		const char *file = json_string_value(json_array_get(files, i));
+		bool picture = take_apart(&f, dir, report, file);
+		status = picture ? add_picture(page, &f, report) : add_media(page, dir, report, file);
 	}
 	if (status == TS_OK) {
 		put_report(page, dir, report, times);

@@ -59,6 +59,7 @@ ts_page *ts_page_make(double ppd, u32 n_probes)
 	page->comparisons = list(page, "comparisons");
 	page->pairs = list(page, "pairs");
 	page->pictures = list(page, "pictures");
+	page->media = list(page, "media");
 	put_colours(page);
 	if (ts_page_check(page) == TS_OK) return page;
 	ts_page_free(page);

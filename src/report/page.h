@@ -17,7 +17,7 @@ typedef struct {
 struct ts_page {
 	double ppd;
 	u32 n_probes, n_folders;
-	json_t *root, *pictures, *pairs, *folders, *traces, *comparisons; /* root owns the others */
+	json_t *root, *pictures, *pairs, *folders, *traces, *comparisons, *media; /* root owns the others */
 	ts_page_picture *picture;
 	size_t n_pictures, capacity;
 	bool failed; /* out of memory */

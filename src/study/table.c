@@ -1,4 +1,5 @@
 /* Tables as text and as JSON. */
+#include <fnmatch.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -75,6 +76,24 @@ void ts_table_known(ts_table *table, double value, int decimals)
 	} else {
 		ts_table_real(table, value, decimals);
 	}
+}
+
+void ts_table_keep(ts_table *table, const char *pattern)
+{
+	size_t n = 0;
+	for (size_t row = 0; row < table->n_cells; row += table->n_columns) {
+		bool kept = fnmatch(pattern, table->cells[row].text, 0) == 0;
+		for (u32 c = 0; c < table->n_columns; c++) {
+			ts_cell cell = table->cells[row + c];
+			if (kept) {
+				table->cells[n++] = cell;
+			} else {
+				free(cell.text);
+				json_decref(cell.value);
+			}
+		}
+	}
+	table->n_cells = n;
 }
 
 /* Bytes of the first line of `text`: as many words as fit in `width`, at least one. A word ends before a blank, or
@@ -172,8 +191,29 @@ void ts_table_say(const ts_table *table)
 	ts_say("%s", text);
 }
 
+static void print_apart(const ts_table *table, FILE *out)
+{
+	int head = 0;
+	for (u32 c = 0; c < table->n_columns; c++) {
+		int bytes = (int)strlen(table->columns[c].head);
+		head = bytes > head ? bytes : head;
+	}
+	size_t room = table->apart > (u32)head + GAP ? table->apart - (u32)head - GAP : 1;
+	for (size_t i = 0; i < table->n_cells; i++) {
+		const char *left = table->columns[i % table->n_columns].head;
+		if (i > 0 && i % table->n_columns == 0) fputc('\n', out);
+		for (const char *rest = table->cells[i].text; *rest != 0; rest = next_line(rest, room), left = "") {
+			fprintf(out, "%-*s%.*s\n", head + GAP, left, (int)line_bytes(rest, room), rest);
+		}
+	}
+}
+
 void ts_table_print(const ts_table *table, FILE *out)
 {
+	if (table->apart > 0) {
+		print_apart(table, out);
+		return;
+	}
 	size_t width[TS_MAX_COLUMNS];
 	const char *rest[TS_MAX_COLUMNS];
 	u32 n = table->n_columns;

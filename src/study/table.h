@@ -27,6 +27,7 @@ typedef struct {
 	size_t n_cells, capacity;
 	bool timed;  /* holds times or figures of the system, which differ between runs */
 	bool silent; /* the report has the table in JSON and CSV only */
+	u32 apart;   /* not 0: in text each cell is a line behind its head, wrapped to this width */
 	bool failed; /* out of memory */
 } ts_table;
 
@@ -40,6 +41,8 @@ void ts_table_real(ts_table *table, double value, int decimals);
 void ts_table_none(ts_table *table);
 /* Appends a real; where the value is NaN, an empty cell. */
 void ts_table_known(ts_table *table, double value, int decimals);
+/* Keeps the rows whose first cell matches a pattern, as names of files do in a shell. Rows must be complete. */
+void ts_table_keep(ts_table *table, const char *pattern);
 /* Prints the last row, which must be complete, on standard error, as progress of long work. */
 void ts_table_say(const ts_table *table);
 /* Rows must be complete. Beyond 120 columns texts are wrapped within their columns. */

@@ -99,6 +99,19 @@ def folder(path, where):
 RAMP = [i * 6553 % 65536 for i in range(3 * 16 * 16)]
 
 
+def series(path, where, name):
+	"""The page has the plots and videos of a series, its values, and what each picture shows."""
+	data = data_of(path)
+	media = {m["name"]: m for m in data["media"]}
+	assert set(media) == {n for n in os.listdir(where) if n.endswith((".svg", ".mp4"))} and name in media, list(media)
+	for each in media.values():
+		with open(f"{where}/{each['name']}", "rb") as file:
+			assert base64.b64decode(each["content"]) == file.read() and each["shows"]
+	values = [row["values"] for row in data["folders"][0]["times"]["renders"]]
+	assert values == ([{"density.scale": "0.25"}, {"density.scale": "0.5"}] if name.startswith("rmse") else [{}, {}]), values
+	assert all(p["shows"] for p in data["pictures"]) and len(data["pictures"]) > 4
+
+
 def ramp(path):
 	"""A PNG of 16 bits a channel."""
 	rows = b"".join(b"\0" + struct.pack(">48H", *RAMP[48 * y:48 * (y + 1)]) for y in range(16))
@@ -185,4 +198,4 @@ def noise(path, side):
 
 
 if __name__ == "__main__":
-	{f.__name__: f for f in (folder, ramp, codes, flip, spoil, comparison, names, noise)}[sys.argv[1]](*sys.argv[2:])
+	{f.__name__: f for f in (folder, ramp, codes, flip, spoil, comparison, names, noise, series)}[sys.argv[1]](*sys.argv[2:])

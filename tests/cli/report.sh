@@ -93,6 +93,17 @@ done
 run report odd -o odd.html
 verdict "$status" 'a page of odd figures'
 
+# Series: a sweep, and a sequence of one method with a video.
+series=("${frame[@]:0:${#frame[@]}-1}" --method epr)
+run "${series[@]}" --truth=A --set density.scale=0.25,0.5 -o sweep --report sweep.html
+[ "$status" -eq 0 ] && run "${series[@]}" --frames 0..1 -o sequence
+echo video > sequence/epr.mp4
+sed -i 's/"files": \[/&"epr.mp4", /' sequence/report.json
+run report sequence -o sequence.html
+verdict "$status" 'pages of series'
+holds 'a sweep has its plot, its values and captions' series sweep.html sweep rmse-density.scale.svg
+holds 'a sequence has its video' series sequence.html sequence epr.mp4
+
 refuses 'report: no file to write; add -o FILE.html' report r
 refuses 'report: too few arguments' report -o x.html
 refuses 'nothing: holds no trace.json, report.json or params.txt' report nothing -o x.html
@@ -134,7 +145,7 @@ if command -v chromium chromium-browser google-chrome > /dev/null; then
 		[ "$outcome" = not ] && name=${name#ok }
 		[ "$outcome" = ok ]
 		verdict $? "$name"
-	done < <(/usr/bin/python3 "$browser" compared.html rendered.html hostile.html odd.html)
+	done < <(/usr/bin/python3 "$browser" compared.html rendered.html hostile.html odd.html sweep.html sequence.html)
 	[ "$tests" -gt 40 ]
 	verdict $? 'all checks in a browser ran'
 else

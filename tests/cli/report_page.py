@@ -1,4 +1,4 @@
-"""A page in a browser (browser.py). Usage: report_page.py COMPARED RENDERED HOSTILE ODD, pages that tests/cli/report.sh made.
+"""A page in a browser (browser.py). Usage: report_page.py COMPARED RENDERED HOSTILE ODD SWEEP SEQUENCE, pages that tests/cli/report.sh made.
 Prints a line a check, "ok NAME" or "not ok NAME: WHY"."""
 import json
 import os
@@ -42,7 +42,7 @@ def quiet(page, path):
 # ---- checks ----
 
 def no_faults(pages):
-	for path in pages:
+	for path in pages[:5]:
 		with Browser(1200, 800) as page:
 			opened(page, path)
 			for name in ("slider", "flicker", "heat", "side"):
@@ -225,9 +225,25 @@ def odd_figures_do_no_harm(pages):
 		assert page.run("document.getElementById('figures').textContent").count("cannot be shown") == 1
 
 
+def series_are_told(pages):
+	with Browser(1200, 800) as page:
+		opened(page, pages[4])
+		assert page.run("document.querySelectorAll('#plots img').length") > 0
+		page.wait("[...document.querySelectorAll('#plots img')].every((e) => e.complete && e.naturalWidth > 0)")
+		heads = page.run("[...document.querySelectorAll('#figures th')].map((e) => e.textContent)")
+		assert "density.scale" in heads and "epr, ms" in heads and "combination" not in heads, heads
+		assert "{" not in page.run("document.getElementById('figures').textContent")
+		assert page.run("[...document.querySelectorAll('#stage-pictures figcaption')].every((e) => e.querySelector('.dim'))")
+		assert page.run("[...document.querySelectorAll('.pane figcaption b')].every((e) => e.getClientRects().length === 1)")
+	with Browser(1200, 800) as page:
+		opened(page, pages[5])
+		assert page.run("document.querySelector('#plots video').src").startswith("data:video/mp4;base64,")
+		assert page.run("[label(view.a), label(view.b)]") == ["epr (frame-000000)", "epr (frame-000001)"]
+
+
 CHECKS = [no_faults, names_and_roles, keyboard_reaches_all, arrows_move_the_divider, space_flickers, arrows_move_the_pixel, heat_maps,
           differing_pixel_shows_probe, other_pixel_shows_command, first_differences_told, small_screen, dark_and_light, hostile_text_is_text,
-          odd_figures_do_no_harm]
+          odd_figures_do_no_harm, series_are_told]
 
 
 def main():

@@ -35,6 +35,29 @@ for i, key in enumerate(["name", "default", "range", "unit", "source", "doc"]):
 PY
 verdict $? 'wrapping loses nothing'
 
+# One row alone, wrapped to the terminal.
+prints '^stages  *split cull' list params density.scale
+prints '^parameter  *mvr.filter$' list params 'mvr.*'
+prints '^writes  *splat.depth_index$' list stages splat
+prints '^bytes  *32$' list buffers points.record
+refuses 'params: no "density.scal"; the nearest is density.scale, and "list params" lists all$' list params density.scal
+refuses 'params: no "nix\*"; "list params" lists all$' list params 'nix*'
+python3 - "$touchstone" <<'PY'
+import fcntl, os, pty, struct, subprocess, sys, termios
+def widest(columns):
+	ours, theirs = pty.openpty()
+	fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+	subprocess.run([sys.argv[1], "list", "params", "width"], stdout=theirs, check=True)
+	return max(map(len, os.read(ours, 65536).decode().splitlines()))
+assert 40 < widest(50) <= 50 and 90 < widest(100) <= 100
+PY
+verdict $? 'a row alone is as wide as the terminal'
+run list params 'mvr.*' --json
+python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))["params"]
+assert {r["name"] for r in rows} > {"mvr.filter"} and all(r["name"].startswith("mvr.") and "mvr" in r["methods"].split() for r in rows)' \
+	"$scratch/stdout"
+verdict $? 'in JSON, who reads it'
+
 run list ''
 lists=$(sed 's/.*there are //; s/,//g; s/ and / /' "$scratch/stderr")
 for what in $lists; do

@@ -40,6 +40,11 @@ function attempt(make) {
 	};
 }
 
+/* With places where a line may end: behind marks, as words of parameters and folders have them. */
+function breakable(words) {
+	return words.split(/(?<=[,/(=])/).flatMap((part) => [part, h("wbr")]);
+}
+
 function folded(words, ...children) {
 	return h("details", null, h("summary", null, words), ...children);
 }

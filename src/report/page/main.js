@@ -20,12 +20,13 @@ function verdict({said}) {
 	return h("p", null, chip(said.verdict), count, n ? h("a", {href: "#differences"}, "First divergence") : null);
 }
 
-/* What is looked at first: a comparison, else the first pair, else the first picture. */
+/* What is looked at first: a comparison, else the first pair, else the first two pictures. */
 function firstPair() {
 	const shownBoth = data.comparisons.find((c) => c.image !== undefined) || data.pairs[0];
 	if (shownBoth) return [pictures[shownBoth.reference], pictures[shownBoth.image]];
 	const one = pictures.find((picture) => picture.judged);
-	return one ? [one, one] : null;
+	const fits = (other) => other.judged && other !== one && other.width === one.width && other.height === one.height;
+	return one ? [one, pictures.find(fits) || one] : null;
 }
 
 /* The pixel of the first difference, if there is one. */
@@ -37,7 +38,7 @@ function chooseFirst() {
 
 function main() {
 	const pair = firstPair();
-	const parts = [metricsSection(), differencesSection(), figuresSection(), gallery(), tracesSection()];
+	const parts = [mediaSection(), metricsSection(), differencesSection(), figuresSection(), gallery(), tracesSection()];
 	const sections = [pair ? viewer() : null, ...parts].filter((part) => part);
 	const link = (part) => h("li", null, h("a", {href: "#" + part.id}, part.querySelector("h2").textContent));
 	const title = h("h1", null, "touchstone report"), about = subject();

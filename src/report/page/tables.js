@@ -21,7 +21,15 @@ function title(key) {
 function columnsOf(rows) {
 	const keys = [...new Set(rows.flatMap((row) => Object.keys(row)))];
 	const isNumber = (key) => rows.some((row) => typeof row[key] === "number");
-	return keys.map((key) => ({key, head: key.replace(/_/g, " "), right: isNumber(key)}));
+	return keys.map((key) => ({key, head: key.includes(".") ? key : key.replace(/_/g, " "), right: isNumber(key)}));
+}
+
+/* What a row says by name, of methods or parameters, has columns of its own. */
+function flattened(rows) {
+	const own = ([key, value]) => (value === null || typeof value !== "object" || Array.isArray(value) ? [[key, value]] :
+		Object.entries(value).map(([name, each]) => [key === "values" ? name : `${name}, ${TITLES[key] ? "ms" : key}`, each]));
+	return rows.map((row) => Object.fromEntries(Object.entries(row)
+		.filter(([key]) => key !== "combination" || !row.values).flatMap(own)));
 }
 
 function plainTable(key, rows) {
@@ -48,7 +56,8 @@ function timesTable(rows) {
 
 function tablesOf(object) {
 	const found = Object.entries(object || {}).filter(([key, rows]) => !QUIET.has(key) && isTable(rows));
-	return found.map(([key, rows]) => (key === "milliseconds" ? timesTable(rows) : plainTable(key, rows)));
+	const isTimes = (key, rows) => key === "milliseconds" && rows[0].stage !== undefined;
+	return found.map(([key, rows]) => (isTimes(key, rows) ? timesTable(rows) : plainTable(key, flattened(rows))));
 }
 
 function parameters(params) {
@@ -121,10 +130,22 @@ function gallery() {
 	const figure = (picture) => {
 		const {width, height, shows} = picture, src = "data:image/png;base64," + picture.png;
 		const doc = shows ? h("div", {class: "dim"}, shows) : null;
-		const words = h("figcaption", null, h("b", null, label(picture)), doc);
+		const words = h("figcaption", null, h("b", null, breakable(label(picture))), doc);
 		return h("figure", null, h("img", {src, alt: shows || picture.name, loading: "lazy", width, height}), words);
 	};
 	return section("stage-pictures", "Pictures of stages", h("div", {class: "gallery"}, rest.map(figure)));
+}
+
+/* Plots and videos of a sweep or a sequence. */
+function mediaSection() {
+	if (!data.media.length) return null;
+	const figure = ({name, type, content, shows}) => {
+		const src = `data:${type};base64,${content}`, video = type.startsWith("video/");
+		const words = h("figcaption", null, h("b", null, breakable(name)), shows ? h("div", {class: "dim"}, shows) : null);
+		return h("figure", null, video ? h("video", {src, controls: true, loop: true, muted: true}) :
+			h("img", {src, alt: shows || name}), words);
+	};
+	return section("plots", "Plots and videos", h("div", {class: "gallery media"}, data.media.map(figure)));
 }
 
 function figuresSection() {

@@ -9,7 +9,9 @@ const parts = {};
 
 function label(picture) {
 	const twins = pictures.filter((other) => other.name === picture.name).length > 1;
-	return twins && picture.from !== picture.name ? `${picture.name} (${picture.from})` : picture.name;
+	if (!twins || picture.from === picture.name) return picture.name;
+	const dir = data.folders.length === 1 ? data.folders[0].dir + "/" : "";
+	return `${picture.name} (${picture.from.startsWith(dir) ? picture.from.slice(dir.length) : picture.from})`;
 }
 
 function mapsOf() {
@@ -46,7 +48,7 @@ function copied(canvas, words) {
 }
 
 function pane(side, words, name, canvases) {
-	const title = h("figcaption", null, h("b", {class: side}, words), h("span", {class: "dim"}, name));
+	const title = h("figcaption", null, h("b", {class: side}, words), h("span", {class: "dim"}, breakable(name)));
 	return h("figure", {class: "pane"}, title, h("div", {class: "scroll"}, sheetOf(canvases)));
 }
 
