@@ -366,7 +366,6 @@ $(PYTHON_PACKAGE)/made: $(PYTHON_SOURCES) $(wildcard include/touchstone/*) scrip
 python: all $(PYTHON_PACKAGE)/made
 	@echo "PYTHONPATH='$$(realpath $(BUILD)/python)' python3"
 
-
 # A probe asks about one pixel, and the command reads arguments: the compiler would work for longer than they do.
 BRIEF := $(call object,$(filter src/probe/% src/api/% src/cli/%,$(LIB_C) $(CLI_C)) $(wildcard src/methods/*/tools/probe*.c))
 $(BRIEF): OWN := $(if $(filter -O2 -O3,$(OPT)),-O1)
