@@ -134,7 +134,7 @@ IMAGE_CC := src/image/openimageio.cc
 LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/* methods methods/* families golden vectors)) \
-	$(patsubst %,src/backends/%.c,args find) src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,descr emit sums)) \
+	$(patsubst %,src/backends/%.c,args fast find) src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,descr emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(if $(REPORTS),$(REPORTS:%=src/cli/%.c) $(patsubst %,src/study/%.c,folder folder_ours table) src/scene/print_text.c) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends baseline command commit digest golden* help \
@@ -257,7 +257,8 @@ FAST_PATHS := $(BUILD)/gen/fast.inc
 $(FAST_PATHS): scripts/fast-paths src/backends/kernels.h src/families.def $(wildcard src/kernels/*/* src/backends/c/*/fast.def) include/touchstone/records.def
 	$(Q)mkdir -p $(@D)
 	$(Q)CC='$(CC)' scripts/fast-paths $@
-$(call object,src/backends/c/run.c): $(FAST_PATHS)
+$(call object,src/backends/c/run.c src/backends/fast.c): $(FAST_PATHS)
+$(call object,src/backends/fast.c): OWN := -I$(BUILD)/gen
 # And what a trace says of its maker.
 $(call object,src/backends/c/run.c): OWN := -I$(BUILD)/gen -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
 ##   golden             runs the cases of reference/cases.txt again and compares; writes nothing

@@ -105,9 +105,9 @@ else
 	skip 'GNU parallel' parallel
 fi
 
+mkdir build && ln -s "$touchstone" build/touchstone
 recipe 'GitHub Actions' > workflow.yml
 if /usr/bin/python3 -c 'import yaml' 2> found; then
-	mkdir build && ln -s "$touchstone" build/touchstone
 	/usr/bin/python3 - <<'PY' > commands
 import yaml
 flow = yaml.safe_load(open("workflow.yml"))

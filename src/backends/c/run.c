@@ -44,15 +44,6 @@ static ts_at_once *const shortcuts[TS_N_KERNELS] = {
 };
 #undef AT_ONCE
 #undef EDITED
-
-/* Names of kernels whose fast path was left out by the build. */
-#define AT_ONCE(kernel)
-#define EDITED(kernel) [TS_KERNEL_##kernel] = #kernel,
-static const char *const edited[TS_N_KERNELS] = {
-#include "fast.inc"
-};
-#undef EDITED
-#undef AT_ONCE
 #undef FAST
 
 enum { CHUNKS_A_THREAD = 64, CHUNKS_TO_ASK = 1024, LEAST_ITEMS = 16 };
@@ -84,16 +75,6 @@ u64 ts_c_scan(u32 *counts, u64 n)
 	}
 	counts[n] = (u32)sum;
 	return sum;
-}
-
-bool ts_fast_edited(ts_kernel kernel)
-{
-	static atomic_bool said[TS_N_KERNELS];
-	if (edited[kernel] == NULL) return false;
-	if (!atomic_exchange(&said[kernel], true)) {
-		ts_say("%s runs without its fast path: the kernel was edited before the build", edited[kernel]);
-	}
-	return true;
 }
 
 static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
