@@ -132,8 +132,9 @@ static void cell_readers(ts_table *table, const char *param)
 	char methods[CELL] = "", stages[CELL] = "", others[CELL] = "";
 	const ts_stage_info *stage;
 	const ts_truth_info *truth;
-	for (const ts_pipeline *const *m = ts_pipelines(); *m != NULL; m++) {
-		if (ts_reads_method(*m, NULL, param) && !ts_words_have(methods, (*m)->name)) add_name(methods, (*m)->name);
+	const ts_method_info *m;
+	for (size_t i = 0; (m = ts_method_at(i)) != NULL; i++) {
+		if (ts_reads_named(m->effect, m->name, param) && !ts_words_have(methods, m->name)) add_name(methods, m->name);
 	}
 	for (size_t i = 0; (stage = ts_stage_at(i)) != NULL; i++) {
 		if (ts_reads("stage", stage->name, param)) add_name(stages, stage->name);

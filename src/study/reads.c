@@ -51,6 +51,11 @@ bool ts_reads_method(const ts_pipeline *method, const ts_params *params, const c
 	return false;
 }
 
+bool ts_reads_named(const char *effect, const char *method, const char *param)
+{
+	return ts_reads_method(ts_pipeline_find(effect, method), NULL, param);
+}
+
 /* Marks the stages that the buffer comes from. */
 static void mark_makers(const ts_pipeline *method, ts_buffer_id id, bool marked[TS_N_BUFFERS])
 {
