@@ -81,6 +81,37 @@ static void test_comparison(void **state)
 	remove_folder(folder);
 }
 
+/* Of two candidates of one name the one that was judged is shown. */
+static void test_judged_pair(void **state)
+{
+	(void)state;
+	char folder[FOLDER], path[PATH];
+	size_t n;
+	ts_trace *candidates[2];
+	ts_verdicts *verdicts;
+	ts_html *page = open_page();
+	const ts_buffer_view *image = ts_trace_buffer(reference, "image.srgb");
+	make_folder(folder);
+	snprintf(path, sizeof path, "%s/page.html", folder);
+	done(ts_html_add_trace(page, reference));
+	for (int i = 0; i < 2; i++) {
+		done(ts_trace_candidate(context, &candidates[i], reference, 0));
+		done(ts_trace_put(candidates[i], "image.srgb", image->n_dims, image->shape, image->data, bytes_of(image)));
+		done(ts_html_add_trace(page, candidates[i]));
+	}
+	assert_int_equal(ts_compare(context, &verdicts, reference, candidates[0], NULL), TS_OK);
+	done(ts_html_add_verdicts(page, verdicts, reference, candidates[0], NULL, NULL));
+	done(ts_html_write(page, path));
+	char *text = read_all(path, &n);
+	assert_non_null(strstr(text, "\"judged\":1,"));
+	assert_non_null(strstr(text, "\"reference\":0,\"image\":1"));
+	free(text);
+	ts_html_close(page);
+	ts_verdicts_free(verdicts);
+	for (int i = 0; i < 2; i++) ts_trace_close(candidates[i]);
+	remove_folder(folder);
+}
+
 static void test_pictures(void **state)
 {
 	(void)state;
@@ -144,6 +175,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_comparison),
+		cmocka_unit_test(test_judged_pair),
 		cmocka_unit_test(test_pictures),
 		cmocka_unit_test(test_options),
 	};
