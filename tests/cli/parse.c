@@ -18,7 +18,7 @@ static void test_values(void **state)
 	assert_refused("render --metod epr",
 	               "render: no option --metod; the nearest is --method, and \"touchstone help render\" lists all");
 	assert_refused("render", "render: too few arguments; write touchstone render EFFECT [SCENE]");
-	assert_refused("list params more", "list: one argument too many, \"more\"; write touchstone list WHAT");
+	assert_refused("list params more yet", "list: one argument too many, \"yet\"; write touchstone list WHAT [NAME]");
 }
 
 /* Each byte as a letter: a character of text as it is, any other as its number. */

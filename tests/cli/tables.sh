@@ -42,7 +42,8 @@ prints '^writes  *splat.depth_index$' list stages splat
 prints '^bytes  *32$' list buffers points.record
 refuses 'params: no "density.scal"; the nearest is density.scale, and "list params" lists all$' list params density.scal
 refuses 'params: no "nix\*"; "list params" lists all$' list params 'nix*'
-python3 - "$touchstone" <<'PY'
+if python3 -c 'import pty; pty.openpty()' 2> "$scratch/found"; then
+	python3 - "$touchstone" <<'PY'
 import fcntl, os, pty, struct, subprocess, sys, termios
 def widest(columns):
 	ours, theirs = pty.openpty()
@@ -51,7 +52,10 @@ def widest(columns):
 	return max(map(len, os.read(ours, 65536).decode().splitlines()))
 assert 40 < widest(50) <= 50 and 90 < widest(100) <= 100
 PY
-verdict $? 'a row alone is as wide as the terminal'
+	verdict $? 'a row alone is as wide as the terminal'
+else
+	verdict 0 'a row alone is as wide as the terminal # SKIP no terminals here'
+fi
 run list params 'mvr.*' --json
 python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))["params"]
 assert {r["name"] for r in rows} > {"mvr.filter"} and all(r["name"].startswith("mvr.") and "mvr" in r["methods"].split() for r in rows)' \
