@@ -146,7 +146,7 @@ if [ -n "${TS_WHOLE-}" ] && command -v chromium chromium-browser google-chrome >
 		[ "$outcome" = ok ]
 		verdict $? "$name"
 	done < <(/usr/bin/python3 "$browser" compared.html rendered.html hostile.html odd.html sweep.html sequence.html)
-	[ "$tests" -gt 40 ]
+	[ "$tests" -gt 50 ]
 	verdict $? 'all checks in a browser ran'
 else
 	echo "ok $((tests += 1)) - the page in a browser # SKIP with TS_WHOLE=1, where there is a chromium"
