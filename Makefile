@@ -370,7 +370,7 @@ python: all $(PYTHON_PACKAGE)/made
 # A probe asks about one pixel, the command reads arguments, a study adds up figures: the compiler would work for longer than
 # they do.
 BRIEF := $(call object,$(filter src/probe/% src/api/% src/cli/% src/study/% src/report/%,$(LIB_C) $(CLI_C)) $(wildcard src/methods/*/tools/*.c))
-$(BRIEF): OWN := $(if $(filter -O2 -O3,$(OPT)),-O1)
+$(BRIEF): OWN += $(if $(filter -O2 -O3,$(OPT)),-O1)
 # Items are long and have few loops: they run no faster at -O3, which is theirs where somebody asks for it.
 $(ITEMS_O): OWN := $(if $(filter file-O3,$(origin OPT)$(OPT)),-O2)
 
