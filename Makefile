@@ -367,9 +367,9 @@ $(PYTHON_PACKAGE)/made: $(PYTHON_SOURCES) $(wildcard include/touchstone/*) scrip
 python: all $(PYTHON_PACKAGE)/made
 	@echo "PYTHONPATH='$$(realpath $(BUILD)/python)' python3"
 
-# A probe asks about one pixel, the command reads arguments, a study adds up figures: the compiler would work for longer than
-# they do.
-BRIEF := $(call object,$(filter src/probe/% src/api/% src/cli/% src/study/% src/report/%,$(LIB_C) $(CLI_C)) $(wildcard src/methods/*/tools/*.c))
+# A probe asks about one pixel, the command reads arguments, a study adds up figures, a file is read once: the compiler would
+# work for longer than they do.
+BRIEF := $(call object,$(filter src/probe/% src/api/% src/cli/% src/study/% src/report/% src/scene/gltf/%,$(LIB_C) $(LIB_CC) $(CLI_C)) $(wildcard src/methods/*/tools/*.c))
 $(BRIEF): OWN += $(if $(filter -O2 -O3,$(OPT)),-O1)
 # Items are long and have few loops: they run no faster at -O3, which is theirs where somebody asks for it.
 $(ITEMS_O): OWN := $(if $(filter file-O3,$(origin OPT)$(OPT)),-O2)
@@ -411,7 +411,7 @@ $(BUILD)/obj/$(ITEMS_C:.c=)/%.o: $(ITEMS_C) $(BUILD)/gen/items/%.def $(BUILD)/fl
 $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 	$(call say,CXX,$<)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CXX) $(CXX_FLAGS) $(CPP_LIBS) -c $< -o $@
+	$(Q)$(CXX) $(CXX_FLAGS) $(CPP_LIBS) $(OWN) -c $< -o $@
 
 -include $(ALL_O:.o=.d)
 
@@ -419,7 +419,7 @@ $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 demo: DEVICES = $(file <$(BUILD)/gen/devices)
 demo: deps-build
 	$(Q)$(MAKE) --no-print-directory all DEVICES='$(DEVICES)'
-	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 800x450 -o out/demo --force --report out/demo.html
+	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 720x405 -o out/demo --force --report out/demo.html
 	$(say_left_out)
 
 ##   test               install what is missing, build, run the tests; T="PARTS OF NAMES"; also with config=asan|ubsan|tsan
