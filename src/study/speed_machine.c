@@ -40,7 +40,7 @@ static void read_caches(char *text, size_t bytes)
 
 void ts_speed_machine_print(const ts_speed *speed)
 {
-	char model[128], caches[128], text[256];
+	char model[128], caches[128], text[320];
 	ts_c_backend c;
 	ts_c_begin(&c, 1);
 	const ts_backend *backend = speed->job->how.backend != NULL ? speed->job->how.backend : &c.backend;
