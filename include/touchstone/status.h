@@ -26,7 +26,7 @@ typedef enum {
 	TS_SKIPPED = 77,  /* an optional backend is absent */
 } ts_status;
 
-/* What a failure is about, for programs that act on it. */
+/* Kinds of failures. A program that acts on a failure asks for its kind, and not for the words of its message. */
 typedef enum {
 	TS_KIND_NONE,      /* nothing has failed */
 	TS_KIND_ARGUMENT,  /* what the call was given, or its combination: any failure that is none of the following */
