@@ -337,7 +337,8 @@ static void report_missed(const ts_render *render, ts_report *report)
 		if (truth->n_hits == 0) continue;
 		double percent = 100.0 * (double)truth->n_missed / (double)truth->n_hits;
 		ts_report_line(report,
-		               "empty look-ups of EPR where a ray of truth %s hits: %" PRIu64 " of %" PRIu64 ", %.5f %%%s",
+		               "empty look-ups of EPR where a ray of truth %s through the texel's centre hits: %" PRIu64
+		               " of %" PRIu64 ", %.5f %%%s",
 		               ts_truths()[t]->name, truth->n_missed, truth->n_hits, percent,
 		               truth->chosen != NULL ? ", at the chosen pixels" : "");
 		ts_report_line(report, "%s", "");

@@ -62,7 +62,13 @@ TS_VECTOR(cull_chance)
 TS_VECTOR(splat_box)
 {
 	ts_camera_k view = ts_k_view(ts_row_at_ts_view(in, 0u));
-	ts_box box = ts_k_splat_box(&view, ts_row_v3(in, 16u), ts_row_v3(in, 19u), ts_row_v3(in, 22u), ts_row_f32(in, 25u));
+	ts_square square;
+	square.c = ts_row_v3(in, 16u);
+	square.u = ts_row_v3(in, 19u);
+	square.v = ts_row_v3(in, 22u);
+	square.length = ts_row_f32(in, 25u);
+	square.slack = ts_row_f32(in, 26u);
+	ts_box box = ts_k_splat_box(&view, &square, in[27] != 0u ? 0.0f : TS_SPLAT_INSET);
 	out[0] = (u32)box.x0;
 	out[1] = (u32)box.y0;
 	out[2] = (u32)box.x1;

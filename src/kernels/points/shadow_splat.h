@@ -17,6 +17,7 @@
 	ARG(TALLY, i64, n_splats, 3) \
 	ARG(TALLY, i64, n_texels, 4) /* points larger than a texel; texels that these were offered to */ \
 	ARG(VALUE, u32, clip, none) \
+	ARG(VALUE, f32, inset, none) /* as of splat */ \
 	ARG(VALUE, u32, plane_depth, none)
 TS_ARGS(ts_shadow_splat_args);
 
@@ -123,7 +124,8 @@ TS_FN u32 ts_k_shadow_square(const ts_shadow_splat_args *args, const ts_shadow_c
 	TS_GLOBAL const ts_align *frame = &args->of.from.frames[point->piece];
 	const ts_camera_k *view = &caster->view;
 	ts_v3 c = ts_k_lattice_point(frame, point->x, point->y);
-	ts_box box = ts_k_splat_box(view, c, ts_load3(frame->u), ts_load3(frame->v), point->length);
+	ts_square square = ts_k_square(&args->of.from.pieces[point->piece], frame, c, point->length);
+	ts_box box = ts_k_splat_box(view, &square, args->inset);
 	if (args->clip != 0u || (point->flags & TS_POINT_TINY) != 0u) box = ts_k_box_meet(box, caster->cover.touched);
 	u64 first = caster->offscreen->offset - args->of.views[args->of.first_view].offset;
 	f32 least = ts_max(own, view->near);

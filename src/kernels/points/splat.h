@@ -23,6 +23,7 @@
 	ARG(VALUE, u32, n_words, none) \
 	ARG(VALUE, u32, n_pieces, none) \
 	ARG(VALUE, u32, clip, none) \
+	ARG(VALUE, f32, inset, none) /* of a square's box, TS_SPLAT_INSET; 0: texels that the box touches belong */ \
 	ARG(VALUE, u32, n_pixels, none) \
 	ARG(VALUE, u32, plane_depth, none) \
 	ARG(VALUE, u32, coloured, none) /* not 0: texels hold the points' colours, not their indices */ \
@@ -51,14 +52,13 @@ TS_FN u32 ts_k_splat_word(const ts_splat_args *args, u32 index)
 TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const ts_cover *triangle,
                      const ts_flight *point, u32 word, u64 first)
 {
-	TS_GLOBAL const ts_align *frame = &args->from.frames[point->piece];
 	ts_v3 c = point->centre;
-	ts_v3 u = ts_load3(frame->u);
-	ts_v3 v = ts_load3(frame->v);
-	ts_box box = ts_k_splat_box(view, c, u, v, point->length);
+	ts_square square =
+		ts_k_square(&args->from.pieces[point->piece], &args->from.frames[point->piece], c, point->length);
+	ts_box box = ts_k_splat_box(view, &square, args->inset);
 	if (args->clip != 0u || (point->flags & TS_POINT_TINY) != 0u) box = ts_k_box_meet(box, triangle->touched);
 	f32 distance = ts_put(ts_length(ts_sub(c, view->eye)));
-	ts_v3 n = ts_cross(u, v);
+	ts_v3 n = ts_cross(square.u, square.v);
 	u32 count = 0u;
 	for (i32 j = box.y0; j <= box.y1; j++) {
 		for (i32 i = box.x0; i <= box.x1; i++) {

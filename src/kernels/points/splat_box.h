@@ -27,45 +27,75 @@ TS_FN ts_cover ts_k_splat_triangle(const ts_camera_k *view, TS_GLOBAL const ts_p
 	return ts_k_cover_of(view, &t, 129);
 }
 
-TS_FN ts_box ts_k_extent_box(ts_v2 lo, ts_v2 hi)
+/* The square of a point of a piece, c +- (l/2) u +- (l/2) v; `slack` bounds the rounding of its corners. */
+typedef struct {
+	ts_v3 c, u, v;
+	f32 length, slack;
+} ts_square;
+
+/* 2^-19 of the greatest coordinate: squares of one piece that meet overlap by this much. */
+TS_FN f32 ts_k_piece_slack(TS_GLOBAL const ts_piece *piece)
 {
-	ts_box r;
-	r.x0 = ts_floor_i32(lo.x);
-	r.y0 = ts_floor_i32(lo.y);
-	r.x1 = ts_floor_i32(hi.x);
-	r.y1 = ts_floor_i32(hi.y);
+	f32 most = 0.0f;
+	for (u32 k = 0u; k < 3u; k++) {
+		most = ts_max(most, ts_max(ts_abs(piece->a[k]), ts_max(ts_abs(piece->b[k]), ts_abs(piece->c[k]))));
+	}
+	return most * 0.0000019073486328125f;
+}
+
+TS_FN ts_square ts_k_square(TS_GLOBAL const ts_piece *piece, TS_GLOBAL const ts_align *frame, ts_v3 c, f32 length)
+{
+	ts_square r;
+	r.c = c;
+	r.u = ts_load3(frame->u);
+	r.v = ts_load3(frame->v);
+	r.length = length;
+	r.slack = ts_k_piece_slack(piece);
 	return r;
 }
 
-/* The box of texels around the projected square c +- (l/2) u +- (l/2) v, after clipping at the near plane; empty if the
- * square lies behind that plane. */
-TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, ts_v3 c, ts_v3 u, ts_v3 v, f32 length)
+/* The widest inset of a box from a texel's border: half a texel, less 1/256 for the rounding of projected corners. */
+#define TS_SPLAT_INSET 0.49609375f
+
+/* How far a box reaches into a texel that belongs to it, if the square's nearest corner is at z. */
+TS_FN f32 ts_k_box_inset(f32 widest, f32 focal, f32 slack, f32 z) { return ts_max(widest - (focal * slack) / z, 0.0f); }
+
+/* The texels whose centres lie in the bounding box of the projected square, after clipping at the near plane; with
+ * `widest` 0, all that the box touches. Empty if the square lies behind that plane. */
+TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, const ts_square *s, f32 widest)
 {
-	f32 half_length = length * 0.5f;
-	ts_v3 du = ts_scale(u, half_length);
-	ts_v3 dv = ts_scale(v, half_length);
+	f32 half_length = s->length * 0.5f;
+	ts_v3 du = ts_scale(s->u, half_length);
+	ts_v3 dv = ts_scale(s->v, half_length);
 	ts_polygon square;
 	square.n = 4u;
-	square.corner[0] = ts_k_to_view(view, ts_sub(ts_sub(c, du), dv));
-	square.corner[1] = ts_k_to_view(view, ts_sub(ts_add(c, du), dv));
-	square.corner[2] = ts_k_to_view(view, ts_add(ts_add(c, du), dv));
-	square.corner[3] = ts_k_to_view(view, ts_add(ts_sub(c, du), dv));
+	square.corner[0] = ts_k_to_view(view, ts_sub(ts_sub(s->c, du), dv));
+	square.corner[1] = ts_k_to_view(view, ts_sub(ts_add(s->c, du), dv));
+	square.corner[2] = ts_k_to_view(view, ts_add(ts_add(s->c, du), dv));
+	square.corner[3] = ts_k_to_view(view, ts_add(ts_sub(s->c, du), dv));
 	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
 	if (ts_k_any_behind(&square, near)) ts_k_clip(&square, near);
-	ts_box none;
-	none.x0 = 0;
-	none.y0 = 0;
-	none.x1 = -1;
-	none.y1 = -1;
-	if (square.n == 0u) return none;
+	ts_box r;
+	r.x0 = 0;
+	r.y0 = 0;
+	r.x1 = -1;
+	r.y1 = -1;
+	if (square.n == 0u) return r;
 	ts_v2 lo = ts_k_project(view, &square.corner[0]);
 	ts_v2 hi = lo;
+	f32 z = square.corner[0].z;
 	for (u32 k = 1u; k < square.n; k++) {
 		ts_v2 p = ts_k_project(view, &square.corner[k]);
 		lo = ts_v2_make(ts_min(lo.x, p.x), ts_min(lo.y, p.y));
 		hi = ts_v2_make(ts_max(hi.x, p.x), ts_max(hi.y, p.y));
+		z = ts_min(z, square.corner[k].z);
 	}
-	return ts_k_box_meet(ts_k_extent_box(lo, hi), ts_k_view_box(view));
+	f32 inset = ts_k_box_inset(widest, view->focal, s->slack, z);
+	r.x0 = ts_floor_i32(lo.x + inset);
+	r.y0 = ts_floor_i32(lo.y + inset);
+	r.x1 = ts_floor_i32(hi.x - inset);
+	r.y1 = ts_floor_i32(hi.y - inset);
+	return ts_k_box_meet(r, ts_k_view_box(view));
 }
 
 /* Distance at which the ray through a texel's centre meets the piece's plane, at most a tile's length from the distance

@@ -13,7 +13,8 @@ typedef struct {
 	ts_lines lines;
 	ts_v3 u, v, n;
 	ts_v3 du, dv; /* half a square's sides; all points of a piece have the same length */
-	u64 first;    /* texel */
+	f32 slack;
+	u64 first; /* texel */
 } ts_piece_view;
 
 /* One coordinate of a square's corners: ((c -+ du) -+ dv) - eye. */
@@ -32,12 +33,20 @@ TS_FN void ts_k_square_axis(f32 corner[4], const ts_piece_view *f, ts_row row, t
 }
 
 /* ts_k_splat_box of a point of the piece. */
-TS_FN ts_box ts_k_piece_box(const ts_piece_view *f, ts_v3 c, f32 length)
+TS_FN ts_box ts_k_piece_box(const ts_piece_view *f, ts_v3 c, f32 length, f32 widest)
 {
 	f32 x[4], y[4], z[4];
 	ts_k_square_axis(z, f, f->ahead, c);
 	f32 ahead = ts_min(ts_min(z[0], z[1]), ts_min(z[2], z[3]));
-	if (ts_flush(ahead - f->view.near) < 0.0f) return ts_k_splat_box(&f->view, c, f->u, f->v, length);
+	if (ts_flush(ahead - f->view.near) < 0.0f) {
+		ts_square square;
+		square.c = c;
+		square.u = f->u;
+		square.v = f->v;
+		square.length = length;
+		square.slack = f->slack;
+		return ts_k_splat_box(&f->view, &square, widest);
+	}
 	ts_k_square_axis(x, f, f->right, c);
 	ts_k_square_axis(y, f, f->up, c);
 	f32 size = (f32)f->view.width;
@@ -46,11 +55,12 @@ TS_FN ts_box ts_k_piece_box(const ts_piece_view *f, ts_v3 c, f32 length)
 		x[k] = middle + (f->view.focal * x[k]) / z[k];
 		y[k] = middle - (f->view.focal * y[k]) / z[k];
 	}
+	f32 inset = ts_k_box_inset(widest, f->view.focal, f->slack, ahead);
 	ts_box r;
-	r.x0 = ts_k_floor_within(ts_min(ts_min(x[0], x[1]), ts_min(x[2], x[3])), size);
-	r.y0 = ts_k_floor_within(ts_min(ts_min(y[0], y[1]), ts_min(y[2], y[3])), size);
-	r.x1 = ts_k_floor_within(ts_max(ts_max(x[0], x[1]), ts_max(x[2], x[3])), size);
-	r.y1 = ts_k_floor_within(ts_max(ts_max(y[0], y[1]), ts_max(y[2], y[3])), size);
+	r.x0 = ts_k_floor_within(ts_min(ts_min(x[0], x[1]), ts_min(x[2], x[3])) + inset, size);
+	r.y0 = ts_k_floor_within(ts_min(ts_min(y[0], y[1]), ts_min(y[2], y[3])) + inset, size);
+	r.x1 = ts_k_floor_within(ts_max(ts_max(x[0], x[1]), ts_max(x[2], x[3])) - inset, size);
+	r.y1 = ts_k_floor_within(ts_max(ts_max(y[0], y[1]), ts_max(y[2], y[3])) - inset, size);
 	return ts_k_box_meet(r, ts_k_view_box(&f->view));
 }
 
@@ -61,7 +71,7 @@ TS_FN u32 ts_k_piece_point(const ts_splat_args *args, const ts_piece_view *f, u3
 	ts_v3 c = ts_load3(point->centre);
 	f32 length = point->length;
 	bool clip = args->clip != 0u;
-	ts_box box = ts_k_piece_box(f, c, length);
+	ts_box box = ts_k_piece_box(f, c, length, args->inset);
 	if (clip || (point->flags & TS_POINT_TINY) != 0u) box = ts_k_box_meet(box, f->cover.touched);
 	f32 distance = ts_put(ts_length(ts_sub(c, f->view.eye)));
 	u32 word = ts_k_splat_word(args, index);
@@ -100,6 +110,7 @@ TS_FN bool ts_k_piece_view(ts_piece_view *f, const ts_splat_args *args, u64 piec
 	f32 half_length = ts_at(args->from.points, args->from.offset[piece])->length * 0.5f;
 	f->du = ts_scale(f->u, half_length);
 	f->dv = ts_scale(f->v, half_length);
+	f->slack = ts_k_piece_slack(&args->from.pieces[piece]);
 	f->first = cube->offset + (u64)face * cube->n * cube->n;
 	return true;
 }

@@ -161,8 +161,9 @@ static const ts_vector density[] = {
 
 static const ts_vector splats[] = {
 	{ PRIMITIVE(splat_box), "ts_k_splat_box",
-	  "texels x0, y0, x1, y1 that the square about c with axes u and v may cover",
-	  { VIEW("view"), NEAR("c", 3), UNIT("u"), UNIT("v"), LENGTH("length", 1) }, GIVES(I32, 4),
+	  "texels x0, y0, x1, y1 whose centres the box of the square about c with axes u and v holds, or that it touches",
+	  { VIEW("view"), NEAR("c", 3), UNIT("u"), UNIT("v"), LENGTH("length", 1), LENGTH("slack", 1), FLAG("touched") },
+	  GIVES(I32, 4),
 	  .relate = relate_splat },
 	{ PRIMITIVE(plane_distance), "ts_k_plane_distance",
 	  "distance, through the middle of texel (i, j), to the plane through c with normal n",

@@ -13,6 +13,7 @@ static ts_status shadow_splat(ts_run *run)
 	ts_shadow_splat_args args = {
 		.of = ts_scatter_values(run),
 		.clip = TS_PARAM(&run->params, splat_clip),
+		.inset = ts_splat_inset(&run->params),
 		.plane_depth = TS_PARAM(&run->params, shadow_splat_depth) == TS_SHADOW_DEPTH_PLANE,
 	};
 	if (ts_scatter_run(run, &splats, &args, sizeof args, args.of.n_views) != TS_OK) return TS_ERROR;

@@ -19,6 +19,11 @@ static const ts_launch direct_ties = TS_LAUNCH(splat_fragments, TS_COUNTED_POINT
 static const ts_launch coloured_in_order = TS_LAUNCH(splat, STORED, TS_COUNTED_POINTS(from), COLOURS);
 static const ts_launch coloured_arrived = TS_LAUNCH(splat, STORED, COLOURS);
 
+f32 ts_splat_inset(const ts_params *params)
+{
+	return TS_PARAM(params, splat_box) == TS_BOX_TOUCHED ? 0 : TS_SPLAT_INSET;
+}
+
 static ts_splat_args values(const ts_run *run)
 {
 	return (ts_splat_args){
@@ -26,6 +31,7 @@ static ts_splat_args values(const ts_run *run)
 		.n_words = (u32)ts_run_size(run, TS_DIM_view_words),
 		.n_pieces = (u32)ts_run_size(run, TS_DIM_pieces),
 		.clip = TS_PARAM(&run->params, splat_clip),
+		.inset = ts_splat_inset(&run->params),
 		.plane_depth = TS_PARAM(&run->params, splat_plane_depth),
 	};
 }

@@ -313,7 +313,8 @@ static inline ts_splat_args mesh_splat(const mesh *m, u64 *texels, i64 *n_scatte
 	                       .n_writes = n_writes,
 	                       .n_cubes = m->n_cubes,
 	                       .n_words = 2,
-	                       .clip = 1};
+	                       .clip = 1,
+	                       .inset = TS_SPLAT_INSET};
 }
 
 /* A triangle of every sort: plump, sliver, far from equal edges, tiny or large, anywhere about the origin. */

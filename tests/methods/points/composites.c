@@ -89,14 +89,19 @@ static void project(const u32 *view, double3 p, double at[3])
 static judgement splat_box(const u32 *in, const u32 *out)
 {
 	double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL}, half = 0.5 * ts_row_f32(in, 25), at[3];
+	double nearest = HUGE_VAL;
 	const i32 *box = (const i32 *)(const void *)out;
 	for (u32 k = 0; k < 4; k++) {
 		double3 p = d3_mad(d3_row(in, 16), d3_row(in, 19), k % 2 != 0 ? half : -half);
 		project(in, d3_mad(p, d3_row(in, 22), k / 2 != 0 ? half : -half), at);
 		if (at[2] < ts_row_f32(in, 15) + 0.5) return NOT_JUDGED;
 		for (u32 i = 0; i < 2; i++) low[i] = fmin(low[i], at[i]), high[i] = fmax(high[i], at[i]);
+		nearest = fmin(nearest, at[2]);
 	}
+	double inset = in[27] != 0 ? 0 : fmax(127.0 / 256 - ts_row_f32(in, 3) * (double)ts_row_f32(in, 26) / nearest, 0);
 	for (u32 i = 0; i < 2; i++) {
+		low[i] += inset;
+		high[i] -= inset;
 		double last = in[7 + 4 * i] - 1.0, slack = 0.02 + 1e-5 * fabs(low[i]) + 1e-5 * fabs(high[i]);
 		double first = fmax(floor(low[i] - slack), 0), end = fmin(floor(high[i] + slack), last);
 		if (box[i] < first || box[2 + i] > end) return WRONG;

@@ -24,7 +24,8 @@ typedef struct {
 static const setting settings[] = {
 	{"atrium:triangles=10000:texels=32", {{"reflectors.count", "4"}}},
 	{"atrium:triangles=10000:texels=32", {{"reflectors.count", "0"}}},
-	{"gallery:triangles=10000:texels=32", {{"reflectors.count", "3"}, {"lookup.bounces", "3"}, {"seed", "5"}}},
+	{"gallery:triangles=10000:texels=32",
+     {{"reflectors.count", "3"}, {"lookup.bounces", "3"}, {"seed", "5"}, {"splat.box", "touched"}}},
 	{"dining:triangles=10000:texels=32",
      {{"reflectors.count", "3"}, {"lookup.bounces", "2"}, {"points.conservative", "off"}, {"points.cull", "off"}}},
 	{"gallery:triangles=10000:texels=32",

@@ -26,7 +26,8 @@ from traces import Trace, write_candidate
 STAGES = {'visibility': visibility, 'splat': splat, 'scatter': scatter}
 METHODS = {'reflections': {'epr': ('visibility', 'splat')}, 'soft-shadows': {'ivir': ('scatter',), 'vir': ('scatter',)},
            'omni-shadows': {'ivir': ('scatter',), 'vir': ('scatter',)}}
-SUPPORTED = {'visibility.test': ('plane', 'vertex'), 'splat.clip': ('on', 'off'), 'splat.plane_depth': ('off',)}
+SUPPORTED = {'visibility.test': ('plane', 'vertex'), 'splat.clip': ('on', 'off'),
+             'splat.box': ('centre', 'touched'), 'splat.plane_depth': ('off',)}
 
 
 def arguments():

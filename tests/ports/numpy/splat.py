@@ -13,12 +13,15 @@ def run(trace, broken=0):
 	clipped = trace.params['splat.clip'] == 'on' and broken != 4
 	bounded = clipped | (points['flags'] & TINY > 0)
 	square = squares(points, trace['align.frame'][points['piece']])
+	slack = np.abs([pieces[corner] for corner in 'abc']).max((0, 2)) * np.float32(2 ** -19)
+	widest = np.float32(127 / 256 if trace.params['splat.box'] == 'centre' else 0)
 	texels = np.full(6 * (faces['n'].astype(np.int64) ** 2).sum(), EMPTY)
 	for view in views(faces):
 		seen = view.has(trace['visibility.bits'])[pieces['triangle']]
 		outlines, outline = outline_pieces(pieces, seen, view, broken)
 		index, keys = farthest_first(points, outline[points['piece']] >= 0, view, broken)
-		low, high, left = boxes(square[index], view, np.float32(.5 if broken == 3 else 0))
+		reach = slack[points['piece'][index]], widest
+		low, high, left = boxes(square[index], view, reach, np.float32(.5 if broken == 3 else 0))
 		index, keys = index[left], keys[left]
 		which = outline[points['piece'][index]]
 		splat, column, row = spread(*outlines.meet(low, high, which, bounded[index]))
@@ -57,8 +60,12 @@ def farthest_first(points, shown, view, broken):
 	return index[order], keys[order]
 
 
-def boxes(square, view, shift):
+def boxes(square, view, reach, shift):
 	"""Steps 1 and 2: first and last texels of the squares, and of which of them something is left."""
-	corners, left = clip(view.see(square), [view.near_plane()])
-	pixels = view.project(corners[left]) + shift
-	return np.maximum(floor_i32(pixels.min(1)), 0), np.minimum(floor_i32(pixels.max(1)), view.n - 1), left
+	(slack, widest), (corners, left) = reach, clip(view.see(square), [view.near_plane()])
+	corners = corners[left]
+	with np.errstate(divide='ignore'):
+		inset = np.maximum(widest - (view.focal * slack[left]) / corners[..., 2].min(1), np.float32(0))[:, None]
+	pixels = view.project(corners) + shift
+	low, high = floor_i32(pixels.min(1) + inset), floor_i32(pixels.max(1) - inset)
+	return np.maximum(low, 0), np.minimum(high, view.n - 1), left

@@ -23,7 +23,16 @@ ts_corner corner(ts_camera_k view, ts_point p, float a, float b)
 	return ts_k_to_view(view, ts_mad(along, load(frame[p.piece].v.v), b * half_length));
 }
 
-// Steps 1 and 2: the texels of the box of the projected square; none where nothing is before the near plane.
+// Step 2: 2^-19 of the greatest coordinate of a piece.
+float slack(ts_piece p)
+{
+	ts_v3 most = load(p.a), b = load(p.b), c = load(p.c);
+	most = ts_v3(ts_max(ts_abs(most.x), ts_abs(b.x)), ts_max(ts_abs(most.y), ts_abs(b.y)), ts_max(ts_abs(most.z), ts_abs(b.z)));
+	return ts_max(ts_max(ts_max(most.x, ts_abs(c.x)), ts_max(most.y, ts_abs(c.y))), ts_max(most.z, ts_abs(c.z))) * 0.0000019073486328125;
+}
+
+// Steps 1 and 2: the texels whose centres the box of the projected square has; none where nothing is before the near
+// plane.
 ts_box square_box(ts_camera_k view, ts_point p)
 {
 	ts_polygon square;
@@ -36,12 +45,16 @@ ts_box square_box(ts_camera_k view, ts_point p)
 	if (ts_k_any_behind(square, near)) ts_k_clip(square, near);
 	if (square.n == 0) return ts_box(0, 0, -1, -1);
 	ts_v2 low = ts_k_project(view, square.corner[0]), high = low;
+	float z = square.corner[0].z;
 	for (uint k = 1; k < square.n; k++) {
 		ts_v2 q = ts_k_project(view, square.corner[k]);
 		low = ts_v2(ts_min(low.x, q.x), ts_min(low.y, q.y));
 		high = ts_v2(ts_max(high.x, q.x), ts_max(high.y, q.y));
+		z = ts_min(z, square.corner[k].z);
 	}
-	return ts_box(ts_floor_i32(low.x), ts_floor_i32(low.y), ts_floor_i32(high.x), ts_floor_i32(high.y));
+	float inset = ts_max(127.0 / 256.0 - (view.focal * slack(piece[p.piece].v)) / z, 0.0);
+	return ts_box(ts_floor_i32(low.x + inset), ts_floor_i32(low.y + inset), ts_floor_i32(high.x - inset),
+	              ts_floor_i32(high.y - inset));
 }
 
 // Step 3: the piece, clipped and projected; of no corners where the face does not see it.

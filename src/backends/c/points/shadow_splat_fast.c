@@ -42,6 +42,7 @@ typedef struct {
 	u64 piece;
 	ts_flight point;
 	ts_v3 u, v;
+	f32 slack;
 	block points;
 	caster *casters;
 	u32 n_casters;
@@ -79,7 +80,8 @@ TS_WIDE(void, place_points,
 }
 
 /* The texels of the projected squares, like ts_k_splat_box where no corner is behind the near plane. */
-TS_WIDE(void, put_boxes, (squares *restrict to, ts_camera_k view, ts_v3 du, ts_v3 dv), (to, view, du, dv))
+TS_WIDE(void, put_boxes, (squares *restrict to, ts_camera_k view, ts_v3 du, ts_v3 dv, f32 widest, f32 slack),
+        (to, view, du, dv, widest, slack))
 {
 	f32 width = (f32)view.width, height = (f32)view.height;
 	for (u32 i = 0; i < to->n; i++) {
@@ -89,11 +91,13 @@ TS_WIDE(void, put_boxes, (squares *restrict to, ts_camera_k view, ts_v3 du, ts_v
 		                       ts_k_to_view(&view, ts_add(high, dv)), ts_k_to_view(&view, ts_add(low, dv))};
 		ts_v2 p[4];
 		for (u32 k = 0; k < 4; k++) p[k] = ts_k_project(&view, &corner[k]);
-		to->box[i].x0 = ts_k_floor_within(ts_min(ts_min(p[0].x, p[1].x), ts_min(p[2].x, p[3].x)), width);
-		to->box[i].y0 = ts_k_floor_within(ts_min(ts_min(p[0].y, p[1].y), ts_min(p[2].y, p[3].y)), height);
-		to->box[i].x1 = ts_k_floor_within(ts_max(ts_max(p[0].x, p[1].x), ts_max(p[2].x, p[3].x)), width);
-		to->box[i].y1 = ts_k_floor_within(ts_max(ts_max(p[0].y, p[1].y), ts_max(p[2].y, p[3].y)), height);
-		to->ahead[i] = ts_min(ts_min(corner[0].z, corner[1].z), ts_min(corner[2].z, corner[3].z));
+		f32 ahead = ts_min(ts_min(corner[0].z, corner[1].z), ts_min(corner[2].z, corner[3].z));
+		f32 inset = ts_k_box_inset(widest, view.focal, slack, ahead);
+		to->box[i].x0 = ts_k_floor_within(ts_min(ts_min(p[0].x, p[1].x), ts_min(p[2].x, p[3].x)) + inset, width);
+		to->box[i].y0 = ts_k_floor_within(ts_min(ts_min(p[0].y, p[1].y), ts_min(p[2].y, p[3].y)) + inset, height);
+		to->box[i].x1 = ts_k_floor_within(ts_max(ts_max(p[0].x, p[1].x), ts_max(p[2].x, p[3].x)) - inset, width);
+		to->box[i].y1 = ts_k_floor_within(ts_max(ts_max(p[0].y, p[1].y), ts_max(p[2].y, p[3].y)) - inset, height);
+		to->ahead[i] = ahead;
 	}
 }
 
@@ -133,11 +137,12 @@ static void splat(worker *w, caster *c, squares *of)
 		ts_k_lines(&c->lines, &c->of.cover);
 	}
 	if (c->of.cover.n == 0) return;
-	put_boxes(of, *view, ts_scale(w->u, half_length), ts_scale(w->v, half_length));
+	ts_square s = {.u = w->u, .v = w->v, .length = length, .slack = w->slack};
+	put_boxes(of, *view, ts_scale(w->u, half_length), ts_scale(w->v, half_length), w->args->inset, w->slack);
 	for (u32 i = 0; i < of->n; i++) {
-		ts_v3 centre = ts_v3_make(of->place[0][i], of->place[1][i], of->place[2][i]);
+		s.c = ts_v3_make(of->place[0][i], of->place[1][i], of->place[2][i]);
 		bool behind = ts_flush(of->ahead[i] - view->near) < 0.0f;
-		ts_box box = behind ? ts_k_splat_box(view, centre, w->u, w->v, length) : ts_k_box_meet(of->box[i], all);
+		ts_box box = behind ? ts_k_splat_box(view, &s, w->args->inset) : ts_k_box_meet(of->box[i], all);
 		square(w, c, box, of->z[i]);
 	}
 }
@@ -208,6 +213,7 @@ static void scatter_piece(worker *w, u64 piece)
 	w->point = ts_k_flight_of_piece(from, piece);
 	w->u = ts_load3(frame->u);
 	w->v = ts_load3(frame->v);
+	w->slack = ts_k_piece_slack(&from->pieces[piece]);
 	find_casters(w);
 	if (w->n_casters == 0 && w->args->of.first_view != 0) return;
 	ts_cover cover = ts_k_lattice_cover(frame, from->half_size);

@@ -34,7 +34,7 @@ enum { TS_SPLAT_ROOM = TS_SPLAT_POINTS + TS_SPLAT_LANES };
 typedef struct {
 	u32 n, live[TS_SPLAT_ROOM], word[TS_SPLAT_ROOM];
 	f32 centre[3][TS_SPLAT_ROOM]; /* world */
-	f32 side[TS_SPLAT_SIDES][TS_SPLAT_ROOM];
+	f32 side[TS_SPLAT_SIDES][TS_SPLAT_ROOM], slack[TS_SPLAT_ROOM];
 	i32 whole[TS_SPLAT_WHOLES][TS_SPLAT_ROOM];
 } ts_splat_block;
 

@@ -13,7 +13,7 @@ enum { SIDE = 3, COLUMN = 0x49, ROW = 7, FEW = 0x1b };
 /* What all lanes know; [3] is right, up, ahead. */
 typedef struct {
 	f32 eye[3], sign[3], world_eye[3];
-	f32 focal, middle, size, near;
+	f32 focal, middle, size, near, widest;
 	i32 width, last; /* last: texel of the face */
 	u32 apart;       /* 1: all are drawn one by one */
 } lanes;
@@ -35,6 +35,7 @@ static lanes lanes_of(const ts_splat_face *f)
 	           .middle = (f32)f->view.width * 0.5f,
 	           .size = (f32)f->view.width,
 	           .near = f->view.near,
+	           .widest = f->args->inset,
 	           .width = f->view.width,
 	           .last = f->view.width * f->view.width - 1};
 	for (u32 k = 0; k < 3; k++) {
@@ -106,10 +107,11 @@ TS_WIDE(u32, place_splats,
 			px.at[k] = f.middle + (f.focal * px.at[k]) / pz.at[k];
 			py.at[k] = f.middle - (f.focal * py.at[k]) / pz.at[k];
 		}
-		i32 x0 = ts_max_i32(ts_k_floor_within(least(&px), f.size), b->whole[0][i]);
-		i32 y0 = ts_max_i32(ts_k_floor_within(least(&py), f.size), b->whole[1][i]);
-		i32 x1 = ts_min_i32(ts_k_floor_within(most(&px), f.size), b->whole[2][i]);
-		i32 y1 = ts_min_i32(ts_k_floor_within(most(&py), f.size), b->whole[3][i]);
+		f32 inset = ts_k_box_inset(f.widest, f.focal, b->slack[i], least(&pz));
+		i32 x0 = ts_max_i32(ts_k_floor_within(least(&px) + inset, f.size), b->whole[0][i]);
+		i32 y0 = ts_max_i32(ts_k_floor_within(least(&py) + inset, f.size), b->whole[1][i]);
+		i32 x1 = ts_min_i32(ts_k_floor_within(most(&px) - inset, f.size), b->whole[2][i]);
+		i32 y1 = ts_min_i32(ts_k_floor_within(most(&py) - inset, f.size), b->whole[3][i]);
 		ts_v3 to_point = ts_v3_make(x[i] - f.world_eye[0], y[i] - f.world_eye[1], z[i] - f.world_eye[2]);
 		u32 distance = ts_f2u(ts_put(ts_length(to_point)));
 		u32 counts = (u32)((i32)(i - n_points) >> 31); /* all bits, or none */
@@ -188,10 +190,10 @@ typedef struct {
 static ts_box box_of(const ts_splat_face *f, const ts_splat_block *b, const alone *of, u32 at, ts_v3 c)
 {
 	ts_box limit = {b->whole[0][at], b->whole[1][at], b->whole[2][at], b->whole[3][at]};
-	const ts_align *frame = &f->args->from.frames[of->live->piece[b->live[at]]];
-	f32 length = of->live->length[b->live[at]];
-	ts_box box = ts_k_splat_box(&f->view, c, ts_load3(frame->u), ts_load3(frame->v), length);
-	return ts_k_box_meet(box, limit);
+	u32 piece = of->live->piece[b->live[at]];
+	const ts_points_args *from = &f->args->from;
+	ts_square s = ts_k_square(&from->pieces[piece], &from->frames[piece], c, of->live->length[b->live[at]]);
+	return ts_k_box_meet(ts_k_splat_box(&f->view, &s, f->args->inset), limit);
 }
 
 static u32 plane_distance(const ts_splat_face *f, const ts_splat_live *live, u32 at, ts_v3 c, f32 distance, i32 i,
@@ -274,13 +276,13 @@ typedef i32 integers __attribute__((vector_size(4 * LANES)));
 
 /* What all points of a row have in common. */
 typedef struct {
-	f32 side[TS_SPLAT_SIDES];
+	f32 side[TS_SPLAT_SIDES], slack;
 	i32 whole[TS_SPLAT_WHOLES], live;
 } common;
 
 static common common_of(const ts_splat_face *f, const ts_splat_live *live, const ts_splat_batch *batch, u32 k)
 {
-	common c = {.live = (i32)batch->live[k]};
+	common c = {.live = (i32)batch->live[k], .slack = live->slack[batch->live[k]]};
 	for (u32 s = 0; s < TS_SPLAT_SIDES; s++) c.side[s] = live->side[s / 3 * 3 + f->row[s % 3].axis][batch->live[k]];
 	for (u32 s = 0; s < TS_SPLAT_WHOLES; s++) c.whole[s] = batch->whole[s][k];
 	return c;
@@ -294,6 +296,8 @@ TS_WIDE(void, add_common, (ts_splat_block * b, const common *c, u32 at, u32 n), 
 			floats side = (floats){0} + c->side[s];
 			memcpy(b->side[s] + begin, &side, sizeof side);
 		}
+		floats slack = (floats){0} + c->slack;
+		memcpy(b->slack + begin, &slack, sizeof slack);
 		for (u32 s = 0; s < TS_SPLAT_WHOLES; s++) {
 			integers whole = (integers){0} + c->whole[s];
 			memcpy(b->whole[s] + begin, &whole, sizeof whole);

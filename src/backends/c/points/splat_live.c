@@ -5,7 +5,7 @@
 #include "../../../kernels/points/splat_pieces.h"
 #include "../../../model/core.h"
 
-enum { WORDS = 5 + TS_SPLAT_CORNERS + TS_SPLAT_SIDES, POINTS = TS_SPLAT_POINTS, LANES = TS_SPLAT_LANES };
+enum { WORDS = 6 + TS_SPLAT_CORNERS + TS_SPLAT_SIDES, POINTS = TS_SPLAT_POINTS, LANES = TS_SPLAT_LANES };
 
 ts_splat_bounds ts_splat_bounds_of(const f32 *const centre[3], u32 n)
 {
@@ -42,8 +42,9 @@ static bool make_room(ts_splat_live *live, size_t n)
 	live->index = words + 3 * room;
 	f32 *floats = (f32 *)(words + 4 * room);
 	live->length = floats;
-	for (u32 k = 0; k < TS_SPLAT_CORNERS; k++) live->corner[k] = floats + (1 + k) * room;
-	for (u32 k = 0; k < TS_SPLAT_SIDES; k++) live->side[k] = floats + (1 + TS_SPLAT_CORNERS + k) * room;
+	live->slack = floats + room;
+	for (u32 k = 0; k < TS_SPLAT_CORNERS; k++) live->corner[k] = floats + (2 + k) * room;
+	for (u32 k = 0; k < TS_SPLAT_SIDES; k++) live->side[k] = floats + (2 + TS_SPLAT_CORNERS + k) * room;
 	return true;
 }
 
@@ -82,6 +83,7 @@ static void take_piece(ts_splat_live *live, u64 i, const ts_points_args *from)
 	live->triangle[i] = piece->triangle;
 	live->tiny[i] = point.flags & TS_POINT_TINY;
 	live->length[i] = point.length;
+	live->slack[i] = ts_k_piece_slack(piece);
 	for (u32 axis = 0; axis < 3; axis++) {
 		live->corner[axis][i] = piece->a[axis];
 		live->corner[3 + axis][i] = piece->b[axis];

@@ -24,7 +24,7 @@ typedef struct {
 	u64 n;
 	u32 *piece, *triangle, *tiny;
 	u32 *index; /* of the first point of each row; [n]: number of all points */
-	f32 *length, *corner[TS_SPLAT_CORNERS], *side[TS_SPLAT_SIDES];
+	f32 *length, *slack, *corner[TS_SPLAT_CORNERS], *side[TS_SPLAT_SIDES];
 	f32 *centre[3];          /* NULL: points are made */
 	ts_splat_bounds *bounds; /* of rows */
 } ts_splat_live;

@@ -1,6 +1,7 @@
 /* Points of one triangle, splatted again by themselves. */
 #include <stdlib.h>
 #include "../../../kernels/points/splat.h"
+#include "../points.h"
 #include "probe.h"
 
 json_t *ts_probe_key(u64 key)
@@ -82,6 +83,7 @@ static u64 splat_face(const ts_probe *p, ts_probe_set *s, const ts_camera_k *vie
 	ts_splat_args args = {.from = {.pieces = s->piece, .frames = s->frame, .points = s->point},
 	                      .texels = texels,
 	                      .clip = TS_PARAM(&p->trace->params, splat_clip),
+	                      .inset = ts_splat_inset(&p->trace->params),
 	                      .plane_depth = TS_PARAM(&p->trace->params, splat_plane_depth)};
 	for (size_t i = 0; i < s->n; i++) {
 		ts_cover cover = ts_k_splat_triangle(view, &s->piece[s->point[i].piece]);

@@ -5,6 +5,7 @@
 #include "../../../kernels/points/forward.h"
 #include "../../../kernels/points/splat.h"
 #include "../../../trace/where.h"
+#include "../points.h"
 #include "probe.h"
 
 typedef struct {
@@ -44,14 +45,16 @@ static ts_status offer_point(ts_probe *p, const place *at, const state *s, const
 {
 	u32 word = index;
 	ts_point point = *record;
-	ts_box box =
-		ts_k_splat_box(&at->view, ts_load3(point.centre), ts_load3(s->frame.u), ts_load3(s->frame.v), point.length);
+	f32 inset = ts_splat_inset(&p->trace->params);
+	ts_square square = ts_k_square(&s->piece, &s->frame, ts_load3(point.centre), point.length);
+	ts_box box = ts_k_splat_box(&at->view, &square, inset);
 	i32 x = (i32)at->x, y = (i32)at->y;
 	if (x < box.x0 || x > box.x1 || y < box.y0 || y > box.y1) return TS_OK;
 	point.piece = 0;
 	ts_splat_args args = {.from = {.pieces = &s->piece, .frames = &s->frame, .points = &point},
 	                      .texels = texels,
 	                      .clip = TS_PARAM(&p->trace->params, splat_clip),
+	                      .inset = inset,
 	                      .plane_depth = TS_PARAM(&p->trace->params, splat_plane_depth)};
 	texels[at->inside] = TS_EMPTY;
 	ts_flight flight = ts_k_flight_record(&args.from, 0);

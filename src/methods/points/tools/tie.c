@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include "../../../kernels/points/splat.h"
 #include "../../../trace/reader.h"
+#include "../points.h"
 
 /* What decides whether a point offers a distance to a texel. */
 typedef struct {
@@ -113,6 +114,7 @@ static ts_status offers(splat_ties *t, u64 texel, u32 index, u32 distance, bool 
 	point.piece = 0;
 	ts_splat_args args = {.from = {.pieces = &piece, .frames = &frame, .points = &point},
 	                      .clip = TS_PARAM(&r->params, splat_clip),
+	                      .inset = ts_splat_inset(&r->params),
 	                      .plane_depth = TS_PARAM(&r->params, splat_plane_depth)};
 	u64 inside = texel - cube.offset - (u64)face * cube.n * cube.n;
 	if (key_of(&cube, face, inside, &args, &key) != TS_OK) return TS_ERROR;

@@ -23,9 +23,9 @@ ts_status ts_truth_a(ts_truth *truth, ts_run *run, ts_sampling *sampling);
 /* B: like A, with true reflections from the surface point, 25 rays per pixel; the own reflector may be hit. */
 ts_status ts_truth_b(ts_truth *truth, ts_run *run, ts_sampling *sampling);
 
-/* The hits by which EPR's look-ups are judged: the triangle, or TS_NONE, that each sample of each reflective pixel hits
- * (P x 25, the first legs of A); TS_NONE also at pixels that `sampling` did not choose. Release *hits by free(); NULL
- * on failure. */
+/* The hits by which EPR's look-ups are judged: the triangle, or TS_NONE, that the centre of the texel sees which each
+ * sample of each reflective pixel reads (P x 25); TS_NONE also at pixels that `sampling` did not choose. Release *hits
+ * by free(); NULL on failure. */
 ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, const ts_sampling *sampling, u32 **hits);
 
 /* Adds the number of these rays that hit something, and of the run's look-ups (lookup.point) that are empty there.

@@ -226,6 +226,19 @@ ts_status ts_truth_b(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 	return trace(t, run, sampling, 1, "truth B");
 }
 
+/* The middle of the texel, of n a side, that holds s: both from -1 to 1. */
+static f32 middle_of_texel(f32 s, u32 n) { return ((f32)ts_k_cube_texel(s, n) + 0.5f) * 2.0f / (f32)n - 1.0f; }
+
+/* Through the centre of the texel that the sample reads. */
+static ts_truth_query through_texel(const tracer *t, const ts_pixel *pixel, u32 k)
+{
+	ts_truth_query query = first_from_centre(t, pixel, k);
+	u32 n = t->faces[pixel->reflector].n;
+	ts_cube_place at = ts_k_cube_place(query.direction);
+	query.direction = ts_normalize(ts_k_cube_direction(at.face, middle_of_texel(at.s, n), middle_of_texel(at.t, n)));
+	return query;
+}
+
 ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, const ts_sampling *sampling, u32 **hits)
 {
 	tracer t = tracer_of(truth, run);
@@ -237,7 +250,7 @@ ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, const ts_sampling *s
 		bool left_out = sampling != NULL && sampling->chosen && !ts_sampling_chooses(sampling, pixel->index);
 		ts_truth_query queries[TS_N_SAMPLES];
 		ts_truth_hit found[TS_N_SAMPLES];
-		for (u32 k = 0; k < TS_N_SAMPLES; k++) queries[k] = first_from_centre(&t, pixel, k);
+		for (u32 k = 0; k < TS_N_SAMPLES; k++) queries[k] = through_texel(&t, pixel, k);
 		if (!left_out) ts_truth_cast_all(found, t.truth, queries, TS_N_SAMPLES);
 		for (u32 k = 0; k < TS_N_SAMPLES; k++) made[i * TS_N_SAMPLES + k] = left_out ? TS_NONE : found[k].triangle;
 	}

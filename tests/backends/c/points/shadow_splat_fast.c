@@ -69,8 +69,10 @@ static void test_equal(void **state)
 		random_views(views, N_VIEWS);
 		random_mesh(&m);
 		mesh_make_points(&m, how);
-		ts_shadow_splat_args args = {
-			.of = views_scatter(&m, views, N_VIEWS, how, tally[0]), .clip = i % 3 != 0, .plane_depth = i % 4 != 0};
+		ts_shadow_splat_args args = {.of = views_scatter(&m, views, N_VIEWS, how, tally[0]),
+		                             .clip = i % 3 != 0,
+		                             .plane_depth = i % 4 != 0,
+		                             .inset = i % 5 == 0 ? 0 : TS_SPLAT_INSET};
 		args.of.from.points = NULL;
 		for (u32 first = 0; first < N_VIEWS; first += i % 5 == 0 ? N_VIEWS : 17) {
 			args.of.first_view = first;

@@ -56,6 +56,7 @@ static int begin(void **state)
 		                      .n_cubes = 1,
 		                      .n_words = 1,
 		                      .clip = reference.params.splat_clip,
+		                      .inset = TS_SPLAT_INSET,
 		                      .plane_depth = reference.params.splat_plane_depth};
 		ts_k_splat_item(&args, p);
 		if (counts[1] == 0) fail_msg("point %u covers nothing", (unsigned)p);

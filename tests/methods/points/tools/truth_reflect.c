@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <stdlib.h>
+#include "../../../../src/kernels/raster/cube.h"
 #include "../../../../src/kernels/points/samples.h"
 #include "../../../../src/kernels/base/shade.h"
 #include "../../../../src/truth/query.h"
@@ -237,7 +238,7 @@ static void test_threads(void **state)
 	end(s);
 }
 
-/* The hits are those of single rays from the cube's centre. */
+/* The hits are those of single rays from the cube's centre through the centres of texels. */
 static void test_hits(void **state)
 {
 	(void)state;
@@ -247,6 +248,9 @@ static void test_hits(void **state)
 	for (u32 i = 0; i < s->n_pixels; i++)
 		for (u32 k = 0; k < TS_N_SAMPLES; k++) {
 			ts_v3 d = ts_k_sample_ray(&s->pixels[i], ts_load3(s->eye.eye), k).direction;
+			ts_cube_place at = ts_k_cube_place(d);
+			f32 x = (floorf((at.s + 1) * 32) + 0.5f) / 32 - 1, y = (floorf((at.t + 1) * 32) + 0.5f) / 32 - 1;
+			d = ts_normalize(ts_k_cube_direction(at.face, x, y));
 			ts_truth_query query = {.origin = ts_load3(s->faces[0].centre), .direction = d};
 			u32 hit = ts_truth_cast(s->truth, &query).triangle;
 			assert_int_not_equal(hit, TS_NONE);
