@@ -262,13 +262,6 @@ static u32 make_material(ts_build *build, const f32 tint[3])
 	return ts_build_material(build, &material);
 }
 
-/* Surfels show no mirrors: where there is nothing else, or is to be nothing else, none are added. */
-static bool is_for_surfels(ts_build *build, const ts_params *params)
-{
-	const ts_scene *scene = ts_build_peek(build);
-	return TS_PARAM(params, surfels_from_mesh) > 0 || (scene->n_surfels > 0 && scene->n_triangles == 0);
-}
-
 /* Adds one of those that stand still. */
 static void add_standing(ts_build *build, const f32 mirror[4], u32 material)
 {
@@ -291,7 +284,7 @@ void ts_reflectors_add(ts_build *build, const ts_params *params, const char *cam
 {
 	floor_plan plan;
 	u32 materials[N_TINTS];
-	if (TS_PARAM(params, reflectors_count) == 0 || ts_build_failed(build) || is_for_surfels(build, params)) return;
+	if (TS_PARAM(params, reflectors_count) == 0 || ts_build_failed(build)) return;
 	plan_make(&plan, ts_build_peek(build), params, camera, rays);
 	f32 radius = radius_for(build, &plan, TS_PARAM(params, reflectors_px));
 	ts_object *objects = ts_alloc(plan.n, sizeof *objects, "the added reflectors");
