@@ -1,6 +1,7 @@
 /* What the pictures of a file show: a room, a thing, or what looks like one; where eye, mirrors and lamps stand. */
 #include "../../src/kernels/base/scene.h"
 #include "../../src/kernels/base/pose.h"
+#include "../../src/scene/lamp.h"
 #include "../../src/scene/sources.h"
 #include "../../src/scene/view.h"
 #include <setjmp.h>
@@ -244,11 +245,42 @@ static void test_lamp_in_a_cavity(void **state)
 	ts_scene_free(scene);
 }
 
+/* A shelf of two-sided boards, into which the eye looks: the lamp lights the middle of its back through the open front,
+ * and not the boards' other sides from above. */
+static void test_lamp_before_a_shelf(void **state)
+{
+	(void)state;
+	static const f32 boards[5][2][3] = {{{-1, 0, -0.3f}, {1, 0, 0.3f}},
+	                                    {{-1, 2, -0.3f}, {1, 2, 0.3f}},
+	                                    {{-1, 0, -0.3f}, {-1, 2, 0.3f}},
+	                                    {{1, 0, -0.3f}, {1, 2, 0.3f}},
+	                                    {{-1, 0, -0.3f}, {1, 2, -0.3f}}};
+	const ts_scene_options before = {.eye = (const f32[3]){-1, 0.6f, 2.8f}, .target = (const f32[3]){0.3f, 1, 0}};
+	ts_build *build = start();
+	params.reflectors_count = 0;
+	for (u32 i = 0; i < 5; i++) box(build, boards[i][0], boards[i][1], false, two_sided);
+	ts_scene *scene = open_with(build, &before);
+	assert_true(ts_view_is_open(&scene->info));
+	assert_int_equal(scene->n_stands, TS_N_STANDS);
+	ts_v3 lamp = ts_load3(scene->stands[TS_STAND_SPOT].position), back = ts_v3_make(0, 1, -0.3f);
+	f32 away = ts_length(ts_sub(lamp, ts_view_box(&scene->info).middle));
+	assert_float_equal(away, ts_lamp_distance(&scene->info), 1e-5f * away);
+	assert_true(lamp.z > 0.3f);
+	ts_v3 through = ts_mad(back, ts_sub(lamp, back), 0.6f / (lamp.z + 0.3f));
+	assert_true(through.x > -1.0f && through.x < 1.0f && through.y > 0.0f && through.y < 2.0f);
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_room_on_ground), cmocka_unit_test(test_thing), cmocka_unit_test(test_circle),
-		cmocka_unit_test(test_cameras),        cmocka_unit_test(test_given), cmocka_unit_test(test_lamp_in_a_cavity),
+		cmocka_unit_test(test_room_on_ground),
+		cmocka_unit_test(test_thing),
+		cmocka_unit_test(test_circle),
+		cmocka_unit_test(test_cameras),
+		cmocka_unit_test(test_given),
+		cmocka_unit_test(test_lamp_in_a_cavity),
+		cmocka_unit_test(test_lamp_before_a_shelf),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 /* The added ground: it lies under the scene, and neither box, hall, eye nor mirrors are others for it. */
 #include "../../src/kernels/base/pose.h"
+#include "../../src/scene/lamp.h"
 #include "../../src/scene/sources.h"
 #include "../../src/scene/view.h"
 #include "../status.h"
@@ -139,6 +140,42 @@ static void no_mirror_reaches_through_it(void **state)
 	ts_scene_free(model);
 }
 
+/* Where the lamp throws the shadow of a box's corner onto its floor. */
+static ts_v3 shadow_of(const ts_light *lamp, ts_v3 corner, f32 floor)
+{
+	ts_v3 from = ts_load3(lamp->position), way = ts_sub(corner, from);
+	return ts_mad(from, way, (floor - from.y) / way.y);
+}
+
+/* Of boxes of many proportions, high and flat. */
+static void the_shadow_of_the_lamp_falls_onto_it(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < 27; i++) {
+		ts_params params;
+		ts_scene *bare;
+		const f32 extents[3] = {0.1f, 1, 8}, low[3] = {3, -2, 5};
+		const f32 high[3] = {3 + extents[i % 3], -2 + extents[i / 3 % 3], 5 + extents[i / 9]};
+		ts_params_default(&params);
+		ts_build *build = ts_build_new("a box");
+		assert_non_null(build);
+		box(build, low, high);
+		require(ts_build_finish(build, &params, NULL, &bare));
+		ts_scene *scene = opened(bare, true, false, &none);
+		ts_light lamp;
+		ts_lamp_spot(&lamp, &scene->info, scene->n_stands != 0 ? scene->stands : NULL, &params);
+		f32 reach = scene->vertices[scene->triangles[12].vertex[1]].position[0] - ts_view_box(&scene->info).middle.x;
+		assert_true(reach > 0.0f);
+		for (u32 c = 0; c < 8; c++) {
+			ts_v3 at = ts_v3_make(c & 1 ? low[0] : high[0], c & 2 ? low[1] : high[1], c & 4 ? low[2] : high[2]);
+			ts_v3 away = ts_sub(shadow_of(&lamp, at, low[1]), ts_view_box(&scene->info).middle);
+			assert_true(ts_abs(away.x) < reach && ts_abs(away.z) < reach);
+		}
+		ts_scene_free(scene);
+		ts_scene_free(bare);
+	}
+}
+
 /* A scene of surfels alone has no mirrors, on a ground neither. */
 static void it_brings_surfels_no_mirrors(void **state)
 {
@@ -196,6 +233,7 @@ int main(void)
 		cmocka_unit_test(the_subject_is_that_without_a_ground),
 		cmocka_unit_test(it_lies_under_the_model),
 		cmocka_unit_test(no_mirror_reaches_through_it),
+		cmocka_unit_test(the_shadow_of_the_lamp_falls_onto_it),
 		cmocka_unit_test(it_brings_surfels_no_mirrors),
 		cmocka_unit_test(the_subject_of_files_is_that_without_a_ground),
 	};
