@@ -153,6 +153,7 @@ const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_
 		ts_rays_free(rays);
 		return NULL;
 	}
+	build->n_given = build->scene->n_triangles;
 	if (mirrors) ts_reflectors_add(build, params, camera, rays);
 	ts_reflectors_stand(build, o->mirrors, o->n_mirrors);
 	add_stands(build, rays, params, o->lamp);

@@ -323,6 +323,7 @@ static void test_given(void **state)
 	furnish(build);
 	ts_scene *scene = open_with(build, &options);
 	assert_int_equal(scene->info.n_reflectors, 2);
+	assert_int_equal(scene->n_triangles_file, 13 * 12);
 	for (u32 i = 0; i < 2; i++) {
 		const ts_object *o = &scene->objects[i + 1];
 		assert_true(o->period == 0 && o->reflector == i && o->n_vertices > 0);
