@@ -74,19 +74,44 @@ static const char *choose(ts_build *build, const ts_scene_options *o, bool find)
 	return find && build->scene->n_cameras > 0 ? build->scene->cameras[0].name : NULL;
 }
 
-/* Box, hall and eye of the build are those that rays find. */
+/* Rays against the triangles so far; NULL if the build fails. */
+static ts_rays *rays_of(ts_build *build)
+{
+	ts_rays *rays = build->failed ? NULL : ts_rays_new(build->scene);
+	if (rays == NULL) ts_build_adopt(build);
+	return rays;
+}
+
+/* Box, hall and eye of the build, whatever is added to it: those that rays find, or without rays those of its
+ * triangles. */
 static void find_subject(ts_build *build, const ts_rays *rays, const ts_params *params, const char *camera)
 {
 	ts_scene *scene = build->scene;
 	ts_info *info = &scene->info;
 	u32 index = ts_scene_camera(scene, camera);
-	ts_build_measure(build);
-	ts_subject_crop(info, scene);
-	ts_build_walls(build);
+	if (rays != NULL) {
+		ts_subject_crop(info, scene);
+		ts_build_walls(build);
+	}
 	ts_view_choose(info, index != TS_NONE ? &scene->cameras[index] : NULL);
-	ts_subject_find(info, rays, scene, params);
+	if (rays != NULL) ts_subject_find(info, rays, scene, params);
 	build->place = *info;
 	build->placed = true;
+}
+
+/* Under the whole scene, whatever part of it is the subject. If there are rays, they meet the ground from here on. */
+static void add_ground(ts_build *build, ts_rays **rays, const ts_info *whole)
+{
+	ts_ground_add(build, whole);
+	if (*rays == NULL) return;
+	ts_rays_free(*rays);
+	*rays = rays_of(build);
+}
+
+/* Surfels show no mirrors: where there is nothing else, or is to be nothing else, none are added. */
+static bool shows_mirrors(const ts_scene *scene, const ts_params *params)
+{
+	return TS_PARAM(params, surfels_from_mesh) == 0 && (scene->n_surfels == 0 || scene->n_triangles > 0);
 }
 
 static void add_stands(ts_build *build, const ts_rays *rays, const ts_params *params, const f32 *lamp)
@@ -118,14 +143,18 @@ const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_
 	check_options(build, o);
 	const char *camera = choose(build, o, find);
 	for (u32 i = 0; i < build->scene->n_cameras && o->own_fov; i++) build->scene->cameras[i].yfov = 0.0f;
-	ts_rays *rays = find && !circle && !build->failed ? ts_rays_new(build->scene) : NULL;
-	if (find && !circle && rays == NULL) ts_build_adopt(build);
+	ts_build_measure(build);
+	const ts_info whole = build->scene->info;
+	const bool mirrors = shows_mirrors(build->scene, params);
+	ts_rays *rays = find && !circle ? rays_of(build) : NULL;
+	if (!build->failed) find_subject(build, rays, params, camera);
+	if (find && TS_PARAM(params, scene_ground)) add_ground(build, &rays, &whole);
 	if (build->failed) {
 		ts_rays_free(rays);
 		return NULL;
 	}
-	if (rays != NULL) find_subject(build, rays, params, camera);
-	ts_reflectors_add(build, params, camera, rays);
+	build->n_given = build->scene->n_triangles;
+	if (mirrors) ts_reflectors_add(build, params, camera, rays);
 	ts_reflectors_stand(build, o->mirrors, o->n_mirrors);
 	add_stands(build, rays, params, o->lamp);
 	ts_rays_free(rays);

@@ -170,8 +170,6 @@ static ts_status make_scene(ts_scene **scene, ts_build *build, const ts_scene_ar
 	if (!build->failed) add_triangles(build, arrays);
 	if (!build->failed) add_surfels(build, arrays);
 	if (!build->failed) add_cameras(build, arrays);
-	ts_build_select(build, 0);
-	ts_ground_add(build, params);
 	const char *camera = ts_arrange(build, params, options, true);
 	return ts_build_finish(build, params, camera, scene);
 }

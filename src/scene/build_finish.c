@@ -149,9 +149,11 @@ static void group_vertices(ts_build *build)
 }
 
 /* Of the triangles that stand still: those of the file. Degenerate by CONTRACT rule 35. */
-static void count_triangles(ts_scene *scene)
+static void count_triangles(ts_build *build)
 {
-	for (u32 i = 0; i < scene->n_triangles; i++) {
+	ts_scene *scene = build->scene;
+	u32 n_given = build->placed ? build->n_given : scene->n_triangles;
+	for (u32 i = 0; i < n_given; i++) {
 		const ts_vertex *v[3];
 		for (u32 k = 0; k < 3; k++) v[k] = &scene->vertices[scene->triangles[i].vertex[k]];
 		if (scene->objects[v[0]->object].period != 0) continue;
@@ -225,7 +227,7 @@ static void complete(ts_build *build, const ts_params *params, const char *camer
 	if (!build->failed) choose_camera(build, camera);
 	if (build->failed) return;
 	ts_build_measure(build);
-	count_triangles(build->scene);
+	count_triangles(build);
 	ts_sample_add(build, params);
 	check_surfels(build);
 	if (!build->failed) set_off(build->scene);

@@ -8,6 +8,7 @@ struct ts_build {
 	u32 object;  /* the current one, to which new vertices belong */
 	bool placed; /* `place` has set box, hall and eye */
 	ts_info place;
+	u32 n_given; /* if placed: triangles before mirrors are added */
 	struct {
 		u32 object; /* the object of the motion */
 		ts_motion *frames;

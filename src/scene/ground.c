@@ -5,13 +5,12 @@
 
 #define WIDTH 2.5f /* half a side, in half diagonals of the scene's box */
 
-void ts_ground_add(ts_build *build, const ts_params *params)
+void ts_ground_add(ts_build *build, const ts_info *info)
 {
-	if (!TS_PARAM(params, scene_ground) || ts_build_failed(build)) return;
-	const ts_info *info = &ts_build_peek(build)->info;
 	ts_space box = ts_view_box(info);
 	f32 reach = ts_length(box.half) * WIDTH, floor = info->box_min[1];
 	ts_material material = ts_material_default();
+	ts_build_select(build, 0);
 	u32 corner[4], grey = ts_build_material(build, &material);
 	for (u32 k = 0; k < 4; k++) {
 		ts_vertex v = {.position = {box.middle.x + (k == 0 || k == 3 ? -reach : reach), floor,

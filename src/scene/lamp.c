@@ -14,11 +14,17 @@ static ts_v3 in_hall(ts_space hall, f32 x, f32 y, f32 z)
 	                  hall.middle.z + z * hall.half.z);
 }
 
-/* Beyond the middle of the floor, where the walls and what stands at them catch light and shadow. */
+/* Beyond the middle of the floor, where the walls and what stands at them catch light and shadow; without walls the
+ * middle of the thing. */
 static ts_v3 lamp_target(const ts_info *info)
 {
 	ts_space hall = ts_view_hall(info);
-	return ts_view_is_open(info) ? in_hall(hall, 0.0f, -0.75f, 0.0f) : in_hall(hall, -0.5f, -0.75f, -0.375f);
+	return ts_view_is_open(info) ? hall.middle : in_hall(hall, -0.5f, -0.75f, -0.375f);
+}
+
+f32 ts_lamp_distance(const ts_info *info)
+{
+	return diagonal(ts_view_hall(info)) / ts_sin_turn(TS_LAMP_FOV / 720.0f * TS_LAMP_FULL);
 }
 
 static f32 half_tangent(f32 degrees)
@@ -38,7 +44,7 @@ static ts_v3 way_to_spot(const ts_info *info, ts_v3 target)
 {
 	ts_space hall = ts_view_hall(info);
 	if (!ts_view_is_open(info)) return ts_sub(in_hall(hall, 0.75f, 0.625f, 0.625f), target);
-	return ts_scale(ts_normalize(ts_v3_make(0.5f, 1.0f, 0.375f)), 2.0f * diagonal(hall));
+	return ts_scale(ts_normalize(ts_v3_make(0.5f, 1.0f, 0.375f)), ts_lamp_distance(info));
 }
 
 static ts_v3 place_of_ball(const ts_info *info)
@@ -67,8 +73,8 @@ void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_stand *stands, 
 	ts_store3(light->position, ts_add(target, way));
 	ts_store3(light->direction, ts_neg(ts_normalize(way)));
 	ts_store3(light->intensity, ts_v3_make(candela, candela, candela));
-	f32 turns = TS_PARAM(params, lamp_fov) / 720.0f; /* half of it; the cone's border at 15/16, its full light to 3/4 */
-	set_cone(light, ts_cos_turn(turns * 0.75f), ts_cos_turn(turns * 0.9375f));
+	f32 turns = TS_PARAM(params, lamp_fov) / 720.0f; /* half of it */
+	set_cone(light, ts_cos_turn(turns * TS_LAMP_FULL), ts_cos_turn(turns * TS_LAMP_BORDER));
 }
 
 void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_stand *stands, const ts_params *params)

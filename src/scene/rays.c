@@ -39,6 +39,13 @@ static bool stands(const ts_scene *scene, u32 triangle)
 
 static f32 along(ts_v3 p, u32 axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
+ts_v3 ts_rays_normal(const ts_rays *rays, u32 triangle)
+{
+	ts_v3 a = corner(rays->scene, triangle, 0);
+	return ts_normalize(
+		ts_cross(ts_sub(corner(rays->scene, triangle, 1), a), ts_sub(corner(rays->scene, triangle, 2), a)));
+}
+
 /* Twice the middle of a triangle's box. */
 static ts_v3 middle_of(const ts_scene *scene, u32 triangle)
 {

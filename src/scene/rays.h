@@ -24,6 +24,9 @@ void ts_rays_free(ts_rays *rays);
  * Out:     *distance to the triangle, or most. */
 u32 ts_rays_cast(f32 *distance, const ts_rays *rays, ts_v3 from, ts_v3 way, f32 most);
 
+/* The unit normal of a triangle's front, of one that ts_rays_cast returned. */
+ts_v3 ts_rays_normal(const ts_rays *rays, u32 triangle);
+
 /* Whether p lies in the matter of a closed body: most rays from p first meet a single-sided triangle from behind. */
 bool ts_rays_is_inside(const ts_rays *rays, ts_v3 p);
 

@@ -1,5 +1,6 @@
 /* The added reflectors (EPR 4.2; METHODS 4): golden-angle phases on ellipses around the middle of the hall's floor,
- * turning as the eye does, and one radius for all, so that their mean projected diameter at frame 0 is reflector_px. */
+ * turning as the eye does, and one radius for all, so that their mean projected diameter at frame 0 is
+ * reflectors.px. */
 #include "../kernels/base/pose.h"
 #include "../model/core.h"
 #include "shapes.h"
@@ -13,6 +14,7 @@
 #define WIDEST_BESIDE 0.12f /* radius beside a thing, of half the box's diagonal */
 #define TALLEST 0.25f       /* diameter, of the image's height, where rays find the places */
 #define ROOMY 1.05f         /* clearance about a mirror, in radii */
+#define CLOSE 0.984375f     /* of the mean that is asked for: what lacks, mirrors grow by in their clearance */
 enum { N_TRIES = 128, N_ROUNDS = 6 };
 
 /* What the places of the reflectors follow from. */
@@ -84,31 +86,22 @@ static f32 pixels_across(const ts_view *eye, ts_v3 centre)
 	return 2.0f * eye->focal / distance;
 }
 
-static f32 mean_pixels_across(const floor_plan *plan, f32 radius)
+/* Mean pixels across of balls of radius 1 at the reflectors' places of frame 0. */
+static f32 mean_pixels_across(const floor_plan *plan, const ts_object *objects)
 {
 	f32 sum = 0.0f;
 	for (u32 i = 0; i < plan->n; i++) {
-		ts_object object = path(plan, i, radius);
-		ts_pose pose = ts_k_pose(&object, 0);
+		ts_pose pose = ts_k_pose(&objects[i], 0);
 		sum = sum + pixels_across(&plan->eye, pose.centre);
 	}
 	return sum / (f32)plan->n;
 }
 
-/* The heights depend on the radius, a little: a few rounds settle it. */
-static f32 radius_for(ts_build *build, const floor_plan *plan, f32 pixels)
+static f32 widest(const floor_plan *plan)
 {
 	bool beside = plan->rays != NULL && plan->open;
-	f32 widest =
-		beside ? ts_length(plan->hall.half) * WIDEST_BESIDE : ts_min(plan->hall.half.x, plan->hall.half.z) * WIDEST;
-	f32 radius = 0.0f;
-	f32 asked = pixels;
-	if (plan->rays != NULL) pixels = ts_min(pixels, (f32)plan->eye.height * TALLEST);
-	for (u32 round = 0; round < 4; round++) radius = ts_min(pixels / mean_pixels_across(plan, radius), widest);
-	if (radius == widest || pixels < asked)
-		ts_build_note(build, "the added reflectors are %g px across instead of reflectors.px=%g, so that they fit",
-		              (double)(radius * mean_pixels_across(plan, radius)), (double)asked);
-	return radius;
+	if (beside) return ts_length(plan->hall.half) * WIDEST_BESIDE;
+	return ts_min(plan->hall.half.x, plan->hall.half.z) * WIDEST;
 }
 
 static ts_v3 place_of(const ts_object *object) { return ts_k_pose(object, 0).centre; }
@@ -228,22 +221,80 @@ static u32 place_round(const floor_plan *plan, ts_object *objects, f32 radius)
 	for (u32 i = 0; i < plan->n; i++) {
 		ts_object own = path(plan, i, radius);
 		objects[i] = own;
-		if (plan->rays == NULL || keeps_path(plan, &own, radius, objects, i)) continue;
+		if (keeps_path(plan, &own, radius, objects, i)) continue;
 		n_lost += !find_place(&objects[i], plan, i, radius, objects);
 	}
 	return n_lost;
 }
 
-/* All of one radius, which shrinks until nearly all have free places. */
-static void place_all(ts_build *build, const floor_plan *plan, ts_object *objects, f32 *radius)
+/* Paths of all reflectors, and their radius. */
+typedef struct {
+	ts_object *objects;
+	f32 radius;
+	u32 n_lost; /* without a free place */
+} placement;
+
+/* The radius at which the mean at these places would be what is asked for. */
+static f32 fitting_radius(const placement *p, const floor_plan *plan, f32 pixels)
 {
-	u32 n_lost = 0;
-	for (u32 round = 0; round < N_ROUNDS; round++) {
-		if (round > 0) *radius = *radius * 0.75f;
-		n_lost = place_round(plan, objects, *radius);
-		if (n_lost * 8 <= plan->n) break;
+	return ts_min(pixels / mean_pixels_across(plan, p->objects), widest(plan));
+}
+
+static void keep_paths(placement *p, const floor_plan *plan)
+{
+	for (u32 i = 0; i < plan->n; i++) p->objects[i] = path(plan, i, p->radius);
+}
+
+/* The heights depend on the radius, a little: a few rounds settle it. */
+static void place_on_paths(placement *p, const floor_plan *plan, f32 pixels)
+{
+	for (u32 round = 0; round < 4; round++) {
+		keep_paths(p, plan);
+		p->radius = fitting_radius(p, plan, pixels);
 	}
-	if (n_lost > 0) ts_build_note(build, "%u of the added reflectors have no free place in sight", n_lost);
+	keep_paths(p, plan);
+}
+
+static void swap(placement *a, placement *b)
+{
+	placement c = *a;
+	*a = *b;
+	*b = c;
+}
+
+/* Begins with the radius of `p`. Where reflectors are too small at their places, all grow and are placed anew. Where
+ * more than an eighth have no free place they do not grow, or shrink until nearly all have. Last, those that are too
+ * large shrink at their places, which stay free.
+ * In:  other has room for as many. */
+static void place_by_rays(placement *p, placement *other, const floor_plan *plan, f32 pixels)
+{
+	bool placed = false, crowded = false;
+	other->radius = p->radius;
+	for (u32 round = 0; round < N_ROUNDS; round++) {
+		f32 radius = other->radius;
+		other->n_lost = place_round(plan, other->objects, radius);
+		bool too_many = other->n_lost * 8 > plan->n;
+		if (too_many && placed) break;
+		swap(p, other);
+		placed = !too_many;
+		crowded = crowded || too_many;
+		other->radius = too_many ? radius * 0.75f : fitting_radius(p, plan, pixels);
+		if (placed && (crowded || radius >= other->radius * CLOSE)) break;
+	}
+	f32 fitting = fitting_radius(p, plan, pixels);
+	if (p->radius >= fitting * CLOSE) p->radius = fitting;
+}
+
+static void place_all(ts_build *build, placement *p, placement *other, const floor_plan *plan, f32 asked)
+{
+	f32 pixels = plan->rays != NULL ? ts_min(asked, (f32)plan->eye.height * TALLEST) : asked;
+	place_on_paths(p, plan, pixels);
+	if (plan->rays != NULL) place_by_rays(p, other, plan, pixels);
+	f32 mean = p->radius * mean_pixels_across(plan, p->objects);
+	if (mean < asked * CLOSE)
+		ts_build_note(build, "the added reflectors are %g px across instead of reflectors.px=%g, so that they fit",
+		              (double)mean, (double)asked);
+	if (p->n_lost > 0) ts_build_note(build, "%u of the added reflectors have no free place in sight", p->n_lost);
 }
 
 /* Reflectances of polished metals, most of them pale. */
@@ -260,13 +311,6 @@ static u32 make_material(ts_build *build, const f32 tint[3])
 	material.metallic = 1.0f;
 	material.roughness = 0.05f;
 	return ts_build_material(build, &material);
-}
-
-/* Surfels show no mirrors: where there is nothing else, or is to be nothing else, none are added. */
-static bool is_for_surfels(ts_build *build, const ts_params *params)
-{
-	const ts_scene *scene = ts_build_peek(build);
-	return TS_PARAM(params, surfels_from_mesh) > 0 || (scene->n_surfels > 0 && scene->n_triangles == 0);
 }
 
 /* Adds one of those that stand still. */
@@ -287,27 +331,32 @@ void ts_reflectors_stand(ts_build *build, const f32 (*mirrors)[4], u32 n)
 	ts_build_object(build, NULL, false);
 }
 
+/* Gives each of them its shape and tint. */
+static void add_moving(ts_build *build, const placement *p, u32 n, const ts_params *params)
+{
+	u32 materials[N_TINTS];
+	for (u32 i = 0; i < n; i++) {
+		u32 shape = TS_PARAM(params, reflectors_shape) == TS_SHAPE_MIXED ? i % TS_SHAPE_MIXED
+		                                                                 : TS_PARAM(params, reflectors_shape);
+		if (i < N_TINTS) materials[i] = make_material(build, tints[i]);
+		ts_build_object(build, &p->objects[i], true);
+		ts_shape_add(build, shape, p->radius, materials[i % N_TINTS]);
+	}
+	ts_build_object(build, NULL, false);
+}
+
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera, const ts_rays *rays)
 {
 	floor_plan plan;
-	u32 materials[N_TINTS];
-	if (TS_PARAM(params, reflectors_count) == 0 || ts_build_failed(build) || is_for_surfels(build, params)) return;
+	if (TS_PARAM(params, reflectors_count) == 0 || ts_build_failed(build)) return;
 	plan_make(&plan, ts_build_peek(build), params, camera, rays);
-	f32 radius = radius_for(build, &plan, TS_PARAM(params, reflectors_px));
-	ts_object *objects = ts_alloc(plan.n, sizeof *objects, "the added reflectors");
+	ts_object *objects = ts_alloc((size_t)plan.n * 2, sizeof *objects, "the added reflectors");
 	if (objects == NULL) {
 		ts_build_adopt(build);
 		return;
 	}
-	place_all(build, &plan, objects, &radius);
-	for (u32 i = 0; i < plan.n; i++) {
-		ts_object object = objects[i];
-		u32 shape = TS_PARAM(params, reflectors_shape) == TS_SHAPE_MIXED ? i % TS_SHAPE_MIXED
-		                                                                 : TS_PARAM(params, reflectors_shape);
-		if (i < N_TINTS) materials[i] = make_material(build, tints[i]);
-		ts_build_object(build, &object, true);
-		ts_shape_add(build, shape, radius, materials[i % N_TINTS]);
-	}
+	placement p = {.objects = objects}, other = {.objects = objects + plan.n};
+	place_all(build, &p, &other, &plan, TS_PARAM(params, reflectors_px));
+	add_moving(build, &p, plan.n, params);
 	free(objects);
-	ts_build_object(build, NULL, false);
 }

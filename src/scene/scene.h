@@ -54,7 +54,7 @@ struct ts_scene {
 	ts_named_node *nodes; /* parents first */
 	u32 n_nodes;
 	u32 camera;           /* the chosen one; TS_NONE: the eye circles */
-	u64 n_triangles_file; /* triangles drawn before reflectors were added */
+	u64 n_triangles_file; /* triangles before mirrors were added */
 	u64 n_degenerate;     /* zero-area triangles among them */
 	char **notes;
 	u32 n_notes; /* lines about parts of the file that are ignored or changed */

@@ -43,17 +43,18 @@ ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *p
 ts_status ts_scene_of_arrays(ts_scene **scene, const ts_scene_arrays *arrays, const ts_params *params,
                              const ts_scene_options *options);
 
-/* ground.c: a square under the scene, if the parameter asks for it. */
-void ts_ground_add(ts_build *build, const ts_params *params);
+/* ground.c: a square under the box of a scene. */
+void ts_ground_add(ts_build *build, const ts_info *info);
 
-/* reflectors.c: as many reflectors as the parameters say, on periodic paths (METHODS 4); none for surfels. With `rays`
+/* reflectors.c: as many reflectors as the parameters say, on periodic paths (METHODS 4). With `rays`
  * each is at a free place at frame 0; NULL: their places follow from the hall alone. */
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera, const ts_rays *rays);
 /* Adds reflecting balls at rest: x, y, z and radius of each. */
 void ts_reflectors_stand(ts_build *build, const f32 (*mirrors)[4], u32 n);
 
 /* arrange.c: adds eye, mirrors and lamps, as the options say, after the triangles of a scene. With `find`, as for
- * files, rays find the places that the options leave open.
+ * files, rays find the places that the options leave open, and a ground is added if the parameter asks for it. Box,
+ * hall and eye are those of the scene before ground and mirrors are added.
  * Returns: the name of the chosen camera, which belongs to the build; NULL: none. */
 const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_options *options, bool find);
 

@@ -143,14 +143,6 @@ static bool mark_of(mark *m, f32 *size, const finder *f, const ts_info *info, u3
 	return *size > 0.0f && is_in(m->at, info);
 }
 
-static ts_v3 normal_of(const finder *f, u32 triangle)
-{
-	const ts_triangle *t = &f->scene->triangles[triangle];
-	ts_v3 a = ts_load3(f->scene->vertices[t->vertex[0]].position);
-	ts_v3 ab = ts_sub(ts_load3(f->scene->vertices[t->vertex[1]].position), a);
-	return ts_normalize(ts_cross(ab, ts_sub(ts_load3(f->scene->vertices[t->vertex[2]].position), a)));
-}
-
 /* Half of the marks evenly by number, half by area. */
 static void make_marks(finder *f, const ts_info *info)
 {
@@ -209,7 +201,7 @@ static bool is_enclosed(const finder *f, ts_v3 p)
 		if (way.y < LOWEST_WAY) continue;
 		n++;
 		u32 hit = ts_rays_cast(&distance, f->rays, p, way, TS_RAYS_FAR);
-		n_hits += hit != TS_NONE && ts_dot(normal_of(f, hit), way) < 0.0f;
+		n_hits += hit != TS_NONE && ts_dot(ts_rays_normal(f->rays, hit), way) < 0.0f;
 	}
 	return (f32)n_hits >= (f32)n * ENCLOSED;
 }
@@ -272,7 +264,7 @@ static bool has_floor(const finder *f, ts_v3 p, const ts_info *info)
 		f32 distance;
 		ts_v3 from = ts_v3_make(p.x + ((f32)(k % 3) - 1.0f) * apart, p.y, p.z + ((f32)(k / 3) - 1.0f) * apart);
 		u32 hit = ts_rays_cast(&distance, f->rays, from, ts_v3_make(0.0f, -1.0f, 0.0f), TS_RAYS_FAR);
-		if (hit != TS_NONE && ts_abs(normal_of(f, hit).y) > LEVEL) height[n++] = distance;
+		if (hit != TS_NONE && ts_abs(ts_rays_normal(f->rays, hit).y) > LEVEL) height[n++] = distance;
 	}
 	for (u32 i = 0; i < n; i++) {
 		u32 alike = 0;

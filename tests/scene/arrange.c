@@ -1,12 +1,10 @@
 /* What the pictures of a file show: a room, a thing, or what looks like one; where eye, mirrors and lamps stand. */
 #include "../../src/kernels/base/scene.h"
 #include "../../src/kernels/base/pose.h"
+#include "../../src/scene/lamp.h"
 #include "../../src/scene/sources.h"
 #include "../../src/scene/view.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "../model/test.h"
 
 static ts_params params;
 static u32 two_sided;
@@ -97,6 +95,64 @@ static void check_mirrors(const ts_scene *scene, u32 n)
 	assert_true(n_seen * 2 >= n);
 }
 
+static f32 radius_of(const ts_scene *scene, u32 object)
+{
+	return ts_length(ts_load3(scene->vertices[scene->objects[object].first_vertex].position));
+}
+
+/* Pixels across, of all mirrors: by the axial depth of those in the picture, else by the distance. */
+static double mean_diameter(const ts_scene *scene)
+{
+	ts_view view = eye_of(scene);
+	double sum = 0.0;
+	for (u32 i = 1; i < scene->n_objects; i++) {
+		f32 depth;
+		ts_v3 p = ts_k_pose(&scene->objects[i], 0).centre;
+		bool held = ts_view_holds(&view, p, 0.0f, &depth);
+		f32 distance = held ? depth : ts_length(ts_sub(p, ts_load3(view.eye)));
+		sum += 2.0 * (double)view.focal * (double)radius_of(scene, i) / (double)distance;
+	}
+	return sum / scene->info.n_reflectors;
+}
+
+/* What a note says in its first number; 0 without such a note. */
+static double noted(const ts_scene *scene, const char *words)
+{
+	for (u32 i = 0; i < scene->n_notes; i++) {
+		const char *number = strpbrk(scene->notes[i], "0123456789");
+		if (strstr(scene->notes[i], words) != NULL && number != NULL) return strtod(number, NULL);
+	}
+	return 0.0;
+}
+
+/* The mean is what was asked for, or less, and then a note says what it is. Returns whether it is. */
+static bool check_mean(const ts_scene *scene)
+{
+	double mean = mean_diameter(scene), asked = (double)params.reflectors_px;
+	double less = noted(scene, "px across instead of reflectors.px");
+	if (less == 0.0 ? fabs(mean / asked - 1.0) > 1.0 / 64 : less > asked || fabs(mean / less - 1.0) > 1e-4)
+		fail_msg("%u mirrors: %g px across of %g, noted %g", scene->info.n_reflectors, mean, asked, less);
+	return fabs(mean / asked - 1.0) < 1e-4;
+}
+
+/* Mirrors that have places touch neither each other nor anything else. */
+static void check_free(const ts_scene *scene)
+{
+	ts_rays *rays = ts_rays_new(scene);
+	double n_touching = 0.0;
+	assert_non_null(rays);
+	for (u32 i = 1; i < scene->n_objects; i++) {
+		f32 radius = radius_of(scene, i);
+		ts_v3 p = ts_k_pose(&scene->objects[i], 0).centre;
+		bool touches = ts_rays_clearance(rays, p, radius) < radius;
+		for (u32 k = 1; k < i; k++)
+			touches |= ts_length(ts_sub(p, ts_k_pose(&scene->objects[k], 0).centre)) < 2.0f * radius;
+		n_touching += touches;
+	}
+	ts_rays_free(rays);
+	assert_true(n_touching <= noted(scene, "have no free place"));
+}
+
 static const f32 low[3] = {-5.0f, 0.0f, -4.0f}, high[3] = {5.0f, 3.0f, 4.0f};
 
 static void test_room_on_ground(void **state)
@@ -148,6 +204,59 @@ static void test_thing(void **state)
 		}
 		ts_scene_free(scene);
 	}
+}
+
+/* An empty room, one with posts in the way of mirrors, and a thing. */
+static void make(ts_build *build, u32 kind)
+{
+	const f32 a[3] = {-1.0f, 0.0f, -0.5f}, b[3] = {1.0f, 2.0f, 0.5f};
+	if (kind == 2) box(build, a, b, false, TS_NONE);
+	if (kind == 2) return;
+	box(build, low, high, true, TS_NONE);
+	furnish(build);
+	for (u32 i = 0; i < 6 && kind == 1; i++) {
+		f32 x = -4.0f + 1.5f * (f32)i, z = -3.0f + (f32)i;
+		const f32 foot[3] = {x, 0.0f, z}, head[3] = {x + 0.4f, 2.9f, z + 0.4f};
+		box(build, foot, head, false, TS_NONE);
+	}
+}
+
+/* Wherever rays place the mirrors, their mean size at these places is what was asked for, as long as they fit. */
+static void test_mean_size(void **state)
+{
+	(void)state;
+	u32 n_exact = 0, n = 0;
+	for (u32 kind = 0; kind < 3; kind++) {
+		for (u32 count = 1; count < 40; count = count * 2 + 1) {
+			for (f32 px = 10.0f; px < 80.0f; px += 10.0f, n++) {
+				ts_build *build = start();
+				params.reflectors_count = count;
+				params.reflectors_px = px;
+				make(build, kind);
+				ts_scene *scene = open_with(build, NULL);
+				n_exact += check_mean(scene);
+				check_free(scene);
+				ts_scene_free(scene);
+			}
+		}
+	}
+	if (n_exact * 4 < n * 3) fail_msg("%u of %u have the size that was asked for", n_exact, n);
+}
+
+/* Where mirrors that grow again would find too few places they stay as they were, and do not shrink. */
+static void test_no_room_to_grow(void **state)
+{
+	(void)state;
+	ts_build *build = start();
+	params.reflectors_count = 15;
+	params.reflectors_px = 70.0f;
+	make(build, 0);
+	ts_scene *scene = open_with(build, NULL);
+	check_mean(scene);
+	check_free(scene);
+	double mean = mean_diameter(scene), quarter = params.height * 0.25;
+	if (mean < 0.9 * quarter || mean > 0.95 * quarter) fail_msg("%g px of %g", mean, quarter);
+	ts_scene_free(scene);
 }
 
 /* "circle" has nothing that rays found. */
@@ -214,6 +323,7 @@ static void test_given(void **state)
 	furnish(build);
 	ts_scene *scene = open_with(build, &options);
 	assert_int_equal(scene->info.n_reflectors, 2);
+	assert_int_equal(scene->n_triangles_file, 13 * 12);
 	for (u32 i = 0; i < 2; i++) {
 		const ts_object *o = &scene->objects[i + 1];
 		assert_true(o->period == 0 && o->reflector == i && o->n_vertices > 0);
@@ -244,11 +354,44 @@ static void test_lamp_in_a_cavity(void **state)
 	ts_scene_free(scene);
 }
 
+/* A shelf of two-sided boards, into which the eye looks: the lamp lights the middle of its back through the open front,
+ * and not the boards' other sides from above. */
+static void test_lamp_before_a_shelf(void **state)
+{
+	(void)state;
+	static const f32 boards[5][2][3] = {{{-1, 0, -0.3f}, {1, 0, 0.3f}},
+	                                    {{-1, 2, -0.3f}, {1, 2, 0.3f}},
+	                                    {{-1, 0, -0.3f}, {-1, 2, 0.3f}},
+	                                    {{1, 0, -0.3f}, {1, 2, 0.3f}},
+	                                    {{-1, 0, -0.3f}, {1, 2, -0.3f}}};
+	const ts_scene_options before = {.eye = (const f32[3]){-1, 0.6f, 2.8f}, .target = (const f32[3]){0.3f, 1, 0}};
+	ts_build *build = start();
+	params.reflectors_count = 0;
+	for (u32 i = 0; i < 5; i++) box(build, boards[i][0], boards[i][1], false, two_sided);
+	ts_scene *scene = open_with(build, &before);
+	assert_true(ts_view_is_open(&scene->info));
+	assert_int_equal(scene->n_stands, TS_N_STANDS);
+	ts_v3 lamp = ts_load3(scene->stands[TS_STAND_SPOT].position), back = ts_v3_make(0, 1, -0.3f);
+	f32 away = ts_length(ts_sub(lamp, ts_view_box(&scene->info).middle));
+	assert_float_equal(away, ts_lamp_distance(&scene->info), 1e-5f * away);
+	assert_true(lamp.z > 0.3f);
+	ts_v3 through = ts_mad(back, ts_sub(lamp, back), 0.6f / (lamp.z + 0.3f));
+	assert_true(through.x > -1.0f && through.x < 1.0f && through.y > 0.0f && through.y < 2.0f);
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_room_on_ground), cmocka_unit_test(test_thing), cmocka_unit_test(test_circle),
-		cmocka_unit_test(test_cameras),        cmocka_unit_test(test_given), cmocka_unit_test(test_lamp_in_a_cavity),
+		cmocka_unit_test(test_room_on_ground),
+		cmocka_unit_test(test_thing),
+		cmocka_unit_test(test_mean_size),
+		cmocka_unit_test(test_no_room_to_grow),
+		cmocka_unit_test(test_circle),
+		cmocka_unit_test(test_cameras),
+		cmocka_unit_test(test_given),
+		cmocka_unit_test(test_lamp_in_a_cavity),
+		cmocka_unit_test(test_lamp_before_a_shelf),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

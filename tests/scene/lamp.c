@@ -172,6 +172,69 @@ static void test_spot(void **state)
 	}
 }
 
+static ts_info random_thing(void)
+{
+	ts_info info = {.circles = 3};
+	ts_v3 low = uniform3(-9, 9);
+	ts_store3(info.box_min, low);
+	for (u32 axis = 0; axis < 3; axis++) {
+		f32 extent = below(8) == 0 ? 0.0f : axis == below(3) ? uniform(1, 40) : uniform(0.5f, 2);
+		info.box_max[axis] = info.box_min[axis] + extent;
+	}
+	for (u32 axis = 0; axis < 2; axis++) {
+		info.hall_min[axis] = info.box_min[2 * axis];
+		info.hall_max[axis] = info.box_max[2 * axis];
+	}
+	return info;
+}
+
+static double3 corner_of(const ts_info *info, u32 c)
+{
+	const f32 *low = info->box_min, *high = info->box_max;
+	return (double3){c & 1 ? low[0] : high[0], c & 2 ? low[1] : high[1], c & 4 ? low[2] : high[2]};
+}
+
+/* A spot light's share of its full light that way, before it is squared. */
+static double ramp(const ts_light *light, double3 p)
+{
+	double3 way = d3_sub(p, load(light->position));
+	double cosine = d3_dot(way, load(light->direction)) / d3_length(way);
+	return cosine * light->spot_scale + light->spot_offset;
+}
+
+/* Of a thing without walls all is in the full light, and in the maps of all samples; where it throws shadows the maps
+ * reach, too, as these are on the same rays. No farther than that: some thing fills the cone. */
+static void test_whole_thing(void **state)
+{
+	(void)state;
+	double least = INFINITY;
+	assert_true(params.lamp_fov == TS_LAMP_FOV);
+	for (u32 i = 0; i < 4 * N; i++) {
+		ts_info info = random_thing();
+		ts_light lamp;
+		params.lamp_radius = uniform(0, 0.34f);
+		ts_lamp_spot(&lamp, &info, NULL, &params);
+		f32 radius = ts_lamp_radius(&lamp, &info, &params);
+		for (u32 c = 0; c < 8; c++) {
+			double3 p = corner_of(&info, c);
+			double full = ramp(&lamp, p);
+			least = fmin(least, full);
+			if (full < 1 - 1e-4) fail_msg("thing %u: corner %u gets %g of the light", i, c, full);
+			for (u32 k = 0; k < 16; k++) {
+				ts_offscreen view;
+				ts_lamp_view(&view, &lamp, radius, k, 16, &info, &lens);
+				double3 at = project(&view, p);
+				assert_true(at.z > view.near && at.x > 0 && at.y > 0 && at.x < view.width && at.y < view.height);
+			}
+		}
+		double3 middle = d3_of(ts_view_box(&info).middle);
+		double distance = d3_distance(middle, load(lamp.position));
+		assert_near(ramp(&lamp, middle), (1 + lamp.spot_offset / (double)lamp.spot_scale) * lamp.spot_scale, 1e-3);
+		assert_near(lamp.intensity[0] / (distance * distance), (double)params.light_irradiance, 1e-4);
+	}
+	assert_true(least < 1.1);
+}
+
 /* The ball's samples: on the sphere, and evenly; one alone in its middle; near is a part of the scene's size. */
 static void test_ball(void **state)
 {
@@ -198,7 +261,8 @@ static void test_ball(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		lamp_test(test_disc), lamp_test(test_axes), lamp_test(test_sun), lamp_test(test_spot), lamp_test(test_ball),
+		lamp_test(test_disc), lamp_test(test_axes),        lamp_test(test_sun),
+		lamp_test(test_spot), lamp_test(test_whole_thing), lamp_test(test_ball),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,9 @@
 #include "../../src/kernels/base/pose.h"
 #include "../../src/scene/sources.h"
 #include "../../src/scene/view.h"
+#include "../whole.h"
+#include "folder.h"
+#include <unistd.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -66,6 +69,7 @@ static double mean_diameter(const ts_scene *scene)
 	ts_view_eye(&eye, &scene->info, &first);
 	double sum = 0.0, f = (double)eye.focal;
 	for (u32 i = 1; i < scene->n_objects; i++) {
+		if (scene->objects[i].period == 0) continue; /* the file's own */
 		ts_v3 d = ts_sub(ts_k_pose(&scene->objects[i], 0).centre, ts_load3(eye.eye));
 		double z = -along(eye.back, d), x = f * along(eye.right, d) / z, y = f * along(eye.up, d) / z;
 		bool seen = z > 0.0 && fabs(x) <= eye.width * 0.5 && fabs(y) <= eye.height * 0.5;
@@ -104,6 +108,35 @@ static void test_mean_size(void **state)
 	check_size(30.0f, 12.0f, 18.0f, NULL);
 	params.reflectors_px = 40.0f;
 	check_size(30.0f, 12.0f, 18.0f, NULL);
+}
+
+/* 10 mirrors of half the default size in a picture of half the default size: all have room in these files. */
+static void test_mean_size_in_files(void **state)
+{
+	(void)state;
+	static const char *const files[] = {
+		"instances.gltf",     "room.gltf",       "cornell_box_original.glb", "vr_gallery.glb",
+		"bunny.glb",          "dragon_80k.glb",  "armadillo_86k.glb",        "damaged_helmet.glb",
+		"modern_hall.glb",    "suzanne.glb",     "cornell_box_sphere.glb",   "sibenik.glb",
+		"fireplace_room.glb", "sponza.glb",      "breakfast_room.glb",       "country_kitchen_partial.glb",
+		"chess_board.glb",    "pbr_spheres.glb", "dragon_scans.glb",
+	};
+	char path[4096];
+	u32 n = 0, most = whole_or(sizeof files / sizeof *files, 9);
+	params.width = 960;
+	params.height = 540;
+	params.reflectors_px = 57.5f;
+	for (u32 i = 0; i < most; i++) {
+		ts_scene *scene;
+		snprintf(path, sizeof path, "%s/%s", i < 2 ? "scenes" : scenes_folder(), files[i]);
+		if (access(path, R_OK) != 0) continue;
+		n++;
+		if (ts_scene_load(&scene, path, &params, &(ts_scene_options){0}) != TS_OK) fail_msg("%s", ts_error_message());
+		double mean = mean_diameter(scene);
+		if (fabs(mean / 57.5 - 1.0) > 1e-4) fail_msg("%s: %g px, expected 57.5", files[i], mean);
+		ts_scene_free(scene);
+	}
+	assert_true(n >= 2);
 }
 
 static void check_inside(const ts_scene *scene, const ts_object *object, u32 frame)
@@ -308,19 +341,13 @@ static void test_flat_scenes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_mean_size, set_up),
-		cmocka_unit_test_setup(test_stay_inside, set_up),
-		cmocka_unit_test_setup(test_paths, set_up),
-		cmocka_unit_test_setup(test_apart, set_up),
-		cmocka_unit_test_setup(test_clear_of_the_eye, set_up),
-		cmocka_unit_test_setup(test_heights, set_up),
-		cmocka_unit_test_setup(test_in_the_picture, set_up),
-		cmocka_unit_test_setup(test_materials, set_up),
-		cmocka_unit_test_setup(test_mixed_shapes, set_up),
-		cmocka_unit_test_setup(test_same_bytes, set_up),
-		cmocka_unit_test_setup(test_none, set_up),
-		cmocka_unit_test_setup(test_too_large, set_up),
-		cmocka_unit_test_setup(test_flat_scenes, set_up),
+		cmocka_unit_test_setup(test_mean_size, set_up),   cmocka_unit_test_setup(test_mean_size_in_files, set_up),
+		cmocka_unit_test_setup(test_stay_inside, set_up), cmocka_unit_test_setup(test_paths, set_up),
+		cmocka_unit_test_setup(test_apart, set_up),       cmocka_unit_test_setup(test_clear_of_the_eye, set_up),
+		cmocka_unit_test_setup(test_heights, set_up),     cmocka_unit_test_setup(test_in_the_picture, set_up),
+		cmocka_unit_test_setup(test_materials, set_up),   cmocka_unit_test_setup(test_mixed_shapes, set_up),
+		cmocka_unit_test_setup(test_same_bytes, set_up),  cmocka_unit_test_setup(test_none, set_up),
+		cmocka_unit_test_setup(test_too_large, set_up),   cmocka_unit_test_setup(test_flat_scenes, set_up),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

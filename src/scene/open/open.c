@@ -53,7 +53,6 @@ static ts_status make_scene(ts_scene **scene, ts_build *build, const ts_scene_fi
                             const ts_params *params, const ts_scene_options *options)
 {
 	file_load(build, file, is_ply, params, options);
-	ts_ground_add(build, params);
 	const char *camera = ts_arrange(build, params, options, true);
 	return ts_build_finish(build, params, camera, scene);
 }
