@@ -96,7 +96,7 @@ static void bound_text(char *text, size_t bytes, const ts_paper_relation *r)
 
 static void verdict(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *line)
 {
-	char text[256];
+	char text[512];
 	const char *scale = table->figures[r->cause].head;
 	if (is_busy(t, table, r, line, 1)) return;
 	if (holds(r, line)) {
@@ -127,6 +127,16 @@ static void relation_rows(ts_table *t, const ts_paper_table *table, const ts_pap
 	}
 }
 
+/* The verdict on several rows. */
+static void verdict_of_rows(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r,
+                            const ts_paper_line *lines, u32 n, bool right)
+{
+	char text[512];
+	if (is_busy(t, table, r, lines, n)) return;
+	snprintf(text, sizeof text, right ? "holds" : "differs: %s", r->because);
+	ts_table_text(t, text);
+}
+
 /* Pairs of rows in which both figures rise, of those in which both differ. */
 static void rising_row(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *lines,
                        u32 n)
@@ -148,7 +158,7 @@ static void rising_row(ts_table *t, const ts_paper_table *table, const ts_paper_
 	snprintf(text, sizeof text, "%u of %u", (unsigned)rise, (unsigned)pairs);
 	ts_table_text(t, text);
 	ts_table_none(t);
-	if (!is_busy(t, table, r, lines, n)) ts_table_text(t, 10 * rise >= 9 * pairs ? "holds" : r->because);
+	verdict_of_rows(t, table, r, lines, n, 10 * rise >= 9 * pairs);
 }
 
 /* Of the rows of a scene: the least of one by the one before, or the greatest by the least. */
@@ -182,8 +192,7 @@ static void change_row(ts_table *t, const ts_paper_table *table, const ts_paper_
 	} else {
 		ts_table_real(t, paper, 3);
 	}
-	bool right = r->kind == TS_GROWS ? here >= r->low : here <= r->high;
-	if (!is_busy(t, table, r, lines, n)) ts_table_text(t, right ? "holds" : r->because);
+	verdict_of_rows(t, table, r, lines, n, r->kind == TS_GROWS ? here >= r->low : here <= r->high);
 }
 
 static void change_rows(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r,

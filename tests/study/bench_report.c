@@ -52,8 +52,9 @@ static void check(double others, const char *const wanted[7])
 static void test_verdicts(void **state)
 {
 	(void)state;
-	const char *const quiet[7] = {"differs: slow", "holds",    "differs: few", "holds", "differs: fewer (ms 20 here)",
-	                              "holds",         "they fall"};
+	const char *const quiet[7] = {
+		"differs: slow",     "holds", "differs: few", "holds", "differs: fewer (ms 20 here)", "holds",
+		"differs: they fall"};
 	const char *const busy[7] = {"not judged: others used", "holds",      "differs: few", "holds",
 	                             "differs: fewer",          "not judged", "not judged"};
 	check(0, quiet);

@@ -1,5 +1,6 @@
 /* What the papers show: each claim is asked by a table of `bench` that can be run in brief, or says why it cannot be
- * asked, and none is there twice. */
+ * asked, and none is there twice. Causes have classes. */
+#include "../../src/study/bench_paper.h"
 #include "../../src/study/claims.h"
 #include "../../src/tools/tools.h"
 #include "../model/test.h"
@@ -53,9 +54,36 @@ static void test_tables(void **state)
 	}
 }
 
+/* Beginnings of the names of tables whose causes have classes. */
+static const char *const classed[] = {"ivir-"};
+static const char *const classes[] = {TS_OURS, TS_ELSEWHERE, TS_GPU, TS_NOT_ALWAYS};
+
+static bool begins_with_one(const char *text, const char *const *beginnings, size_t n)
+{
+	while (n > 0 && strncmp(text, beginnings[n - 1], strlen(beginnings[n - 1])) != 0) n--;
+	return n > 0;
+}
+
+/* Whose fault it is where a claim does not hold. */
+static void test_classes(void **state)
+{
+	(void)state;
+	u32 n = 0;
+	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) {
+		if ((*row)->paper == NULL || !begins_with_one((*row)->name, classed, sizeof classed / sizeof classed[0]))
+			continue;
+		n++;
+		for (const ts_paper_relation *r = (*row)->paper->relations; r->text != NULL; r++)
+			if (!begins_with_one(r->because, classes, sizeof classes / sizeof classes[0]))
+				fail_msg("%s, %s: no class of cause: %s", (*row)->name, r->text, r->because);
+	}
+	assert_true(n > 0);
+}
+
 int main(void)
 {
 	ts_tools_begin();
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_claims), cmocka_unit_test(test_tables)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_claims), cmocka_unit_test(test_tables),
+	                                   cmocka_unit_test(test_classes)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -64,12 +64,12 @@ static const ts_paper_part parts[] = {
 
 static const ts_paper_relation relations[] = {
 	FASTER(5.01, 0.92, 2.07), FASTER(9.48, 2.07, 4.09), FASTER(11.92, 4.09, 9.21), FASTER(16.80, 9.21, 1e6),
-	{ "direct / hulls, from size to size", SPEEDUP, TS_GROWS, 1, 0, TS_NO_FIGURE, 0, 0, "differs: it falls", SAVED },
+	{ "direct / hulls, from size to size", SPEEDUP, TS_GROWS, 1, 0, TS_NO_FIGURE, 0, 0, "it falls", SAVED },
 	{ "gathers of direct by those of hulls", SAVED, TS_AT_LEAST, 5.01, 0, PIXELS, 0.92, 1e6, "many boxes", BOXES },
 	{ "gathers of hulls, most by least", GATHERS, TS_STEADY, 0, 1.1, TS_NO_FIGURE, 0, 0,
-	  "differs: more or fewer boxes", BOXES },
+	  "more or fewer boxes", BOXES },
 	{ "direct, ns a pixel, most by least", COST, TS_STEADY, 0, 1.25, TS_NO_FIGURE, 0, 0,
-	  "differs: a busy machine, or more or less sky", DIRECT_MS },
+	  "a busy machine, or more or less sky", DIRECT_MS },
 	{ "PSNR of hulls to direct, dB", PSNR, TS_AT_LEAST, 30, 0, TS_NO_FIGURE, 0, 0,
 	  "the error is near triangles of light", NEAR_ERROR },
 	{ "SSIM of hulls to direct", SSIM, TS_AT_LEAST, 0.9, 0, TS_NO_FIGURE, 0, 0,

@@ -107,19 +107,20 @@ static const ts_paper_part soft_parts[] = {
 };
 
 static const ts_paper_relation soft_relations[] = {
-	{ "iVIR points / VIR's", S_OVER_VIR, TS_AT_MOST, 0, 1, TS_ANY, "more points than VIR", S_A_TRIANGLE },
-	{ "iVIR points / VIR's, culled", S_OVER_VIR_CULL, TS_AT_MOST, 0, 1, TS_ANY, "more points than VIR", S_A_TRIANGLE },
-	{ "points that culling leaves", S_SHARE, TS_AT_MOST, 0, 1, TS_ANY, "culling adds points", S_A_TRIANGLE },
+	{ "iVIR points / VIR's", S_OVER_VIR, TS_AT_MOST, 0, 1, TS_ANY, TS_IVIR_VIR, S_A_TRIANGLE },
+	{ "iVIR points / VIR's, culled", S_OVER_VIR_CULL, TS_AT_MOST, 0, 1, TS_ANY, TS_IVIR_VIR, S_A_TRIANGLE },
+	{ "points that culling leaves", S_SHARE, TS_AT_MOST, 0, 1, TS_ANY,
+	  TS_OURS "culling adds points; see points.cull=off", S_A_TRIANGLE },
 	{ "points that culling leaves rise with points a triangle", S_SHARE, TS_RISES_WITH, S_A_TRIANGLE, 0, TS_ANY,
-	  "differs: not in every pair of scenes", S_A_TRIANGLE },
+	  TS_NOT_ALWAYS "not in every pair of scenes; see points.cull=off", S_A_TRIANGLE },
 	{ "points a triangle in sight where culling leaves a third", S_A_TRIANGLE, TS_BETWEEN, 1, 1.1, S_SHARE, 0, 0.33,
-	  "not all triangles are tiny", S_SHARE },
+	  TS_NOT_ALWAYS "not all triangles are tiny; see points.cull=off", S_SHARE },
 	TS_HOLE_RELATIONS(S_HOLES_SHARE, S_SHARE, S_D_HOLES_SHARE, S_SHARE),
 	TS_TRUTH_RELATIONS(S_MORE, S_D_MORE, S_RMSE_MVR),
 	{ "frame of iVIR / MVR's, culled", S_FRAME_RATIO_CULL, TS_AT_MOST, 0, 1, S_TRIANGLES, 100e3, 1e12,
-	  "more points a triangle", S_A_TRIANGLE },
+	  TS_GPU "points are made on a processor; see points.buffered=on", S_A_TRIANGLE },
 	{ "frame of iVIR at the defaults / MVR's", S_D_FRAME_RATIO, TS_AT_MOST, 0, 1, S_TRIANGLES, 100e3, 1e12,
-	  "more points a texel", S_D_OVER },
+	  TS_GPU "points are made on a processor; see density.rate=paper", S_D_OVER },
 	{ 0 },
 };
 

@@ -100,9 +100,10 @@ static const ts_paper_part mirror_parts[] = {
 
 static const ts_paper_relation mirror_relations[] = {
 	{ "iVIR points saved of VIR's, %", C_SAVED, TS_AT_LEAST, 90, 0, TS_ANY,
-	  "the largest face sets the rate, and is more than a third of VIR's", C_LARGEST },
+	  TS_OURS "VIR's worst case is reconstructed by us, and one near mirror sets iVIR's rate; see reflectors.count=1",
+	  C_LARGEST },
 	{ "iVIR points saved of VIR's where no face is more than a third of VIR's, %", C_SAVED, TS_AT_LEAST, 90, 0,
-	  C_LARGEST, 0, 128.0 / 3, "VIR is a reconstruction, by table 3", C_VIR_POINTS },
+	  C_LARGEST, 0, 128.0 / 3, TS_IVIR_VIR, C_VIR_POINTS },
 	RAY_RELATIONS,
 	{ 0 },
 };
@@ -145,13 +146,13 @@ static const ts_paper_part omni_parts[] = {
 };
 
 static const ts_paper_relation omni_relations[] = {
-	{ "iVIR points saved of VIR's, %", C_SAVED, TS_BETWEEN, 15, 30, TS_ANY, "VIR is a reconstruction, by this table",
+	{ "iVIR points saved of VIR's, %", C_SAVED, TS_BETWEEN, 15, 30, TS_ANY, TS_IVIR_VIR,
 	  C_VIR_POINTS },
-	{ "RMSE to MVR, iVIR by VIR", C_TO_RATIO, TS_AT_MOST, 0, 1.1, TS_ANY, "fewer points than VIR", C_SAVED },
+	{ "RMSE to MVR, iVIR by VIR", C_TO_RATIO, TS_AT_MOST, 0, 1.1, TS_ANY, TS_IVIR_FEWER, C_SAVED },
 	{ "RMSE to MVR, iVIR at the defaults by VIR", C_D_TO_RATIO, TS_AT_MOST, 0, 1.1, TS_ANY, TS_IVIR_NEAREST, C_D_OVER },
 	RAY_RELATIONS,
-	{ "speed by MVR rises with the lights", C_OVER_MVR, TS_RISES_WITH, C_MVR_MS, 0, TS_ANY, "differs: it does not",
-	  C_POINTS },
+	{ "speed by MVR rises with the lights", C_OVER_MVR, TS_RISES_WITH, C_MVR_MS, 0, TS_ANY,
+	  TS_GPU "points are made on a processor; see points.buffered=on", C_POINTS },
 	{ 0 },
 };
 

@@ -58,22 +58,24 @@ static const ts_paper_part cull_parts[] = {
 	{ 0 },
 };
 
+#define FEW_LEFT TS_NOT_ALWAYS "few points are left a texel; see points.cull=off"
+
 static const ts_paper_relation cull_relations[] = {
-	{ "RMSE by stochastic culling, grey levels", CHANGE, TS_AT_MOST, 0, 1, TS_ANY, "few points are left a texel",
+	{ "RMSE by stochastic culling, grey levels", CHANGE, TS_AT_MOST, 0, 1, TS_ANY, FEW_LEFT,
 	  SHARE },
-	{ "RMSE by stochastic culling, at the defaults", CHANGE_D, TS_AT_MOST, 0, 1, TS_ANY, "few points are left a texel",
+	{ "RMSE by stochastic culling, at the defaults", CHANGE_D, TS_AT_MOST, 0, 1, TS_ANY, FEW_LEFT,
 	  SHARE_D },
-	{ "RMSE to truth that culling adds", WORSE, TS_AT_MOST, 0, 0.1, TS_ANY, "few points are left a texel", SHARE },
+	{ "RMSE to truth that culling adds", WORSE, TS_AT_MOST, 0, 0.1, TS_ANY, FEW_LEFT, SHARE },
 	{ "RMSE to truth that culling adds, at the defaults", WORSE_D, TS_AT_MOST, 0, 0.1, TS_ANY,
-	  "few points are left a texel", SHARE_D },
-	{ "SSIM of culled beside not culled", CHANGE_SSIM, TS_AT_LEAST, 0.99, 0, TS_ANY, "few points are left a texel",
+	  FEW_LEFT, SHARE_D },
+	{ "SSIM of culled beside not culled", CHANGE_SSIM, TS_AT_LEAST, 0.99, 0, TS_ANY, FEW_LEFT,
 	  SHARE },
 	{ "SSIM of culled beside not culled, at the defaults", CHANGE_SSIM_D, TS_AT_LEAST, 0.99, 0, TS_ANY,
-	  "few points are left a texel", SHARE_D },
+	  FEW_LEFT, SHARE_D },
 	{ "texels without a point where nothing is culled, at the defaults", HOLES_D, TS_AT_MOST, 0, 0, TS_ANY,
-	  "the rate is not watertight", POINTS_D },
+	  TS_OURS "the rate is not watertight; see density.rate=exact", POINTS_D },
 	{ "texels that culling leaves without a point, at the defaults, %", LOST_D, TS_AT_MOST, 0, 0.0001, TS_ANY,
-	  "ten pieces are left a sample, and exp(-10) is more", SHARE_D },
+	  TS_NOT_ALWAYS "ten pieces are left a sample, and exp(-10) is more; see points.cull=off", SHARE_D },
 	{ 0 },
 };
 
@@ -136,7 +138,7 @@ static const ts_paper_part soft_parts[] = {
 };
 
 static const ts_paper_relation soft_relations[] = {
-	{ "RMSE to MVR, iVIR by VIR", TO_RATIO, TS_AT_MOST, 0, 1.1, TS_ANY, "fewer points than VIR", TO_IVIR },
+	{ "RMSE to MVR, iVIR by VIR", TO_RATIO, TS_AT_MOST, 0, 1.1, TS_ANY, TS_IVIR_FEWER, TO_IVIR },
 	{ "RMSE to MVR, iVIR at the defaults by VIR", TO_RATIO_D, TS_AT_MOST, 0, 1.1, TS_ANY, TS_IVIR_NEAREST, TO_DEFAULT },
 	TS_TRUTH_RELATIONS(E_MORE, E_MORE_D, E_MVR),
 	{ "RMSE to truth, iVIR at=centre less MVR", E_MORE_C, TS_AT_MOST, 0, 0.05, TS_ANY, TS_IVIR_SMALL, E_MVR },
@@ -193,17 +195,20 @@ static const ts_paper_part mirror_parts[] = {
 	{ 0 },
 };
 
+/* The paper's faces are nearer to VIR's. */
+#define SMALLER TS_ELSEWHERE "iVIR's faces are a third of VIR's; see cube.px=" TS_IVIR_FACE
+
 static const ts_paper_relation mirror_relations[] = {
 	{ "RMSE to MVR, iVIR by VIR", M_RATIO, TS_AT_MOST, 0, 1.31, TS_ANY,
-	  "its faces are smaller; see that of VIR's faces", SIDE },
+	  SMALLER, SIDE },
 	{ "RMSE to MVR, iVIR at the defaults by VIR", M_RATIO_D, TS_AT_MOST, 0, 1.31, TS_ANY,
-	  "its faces are smaller; see that of VIR's faces", SIDE },
-	{ "RMSE to MVR, iVIR of VIR's faces by VIR", M_FACES_RATIO, TS_AT_MOST, 0, 1.31, TS_ANY, "fewer points than VIR",
+	  SMALLER, SIDE },
+	{ "RMSE to MVR, iVIR of VIR's faces by VIR", M_FACES_RATIO, TS_AT_MOST, 0, 1.31, TS_ANY, TS_IVIR_FEWER,
 	  M_FACES },
 	{ "RMSE to MVR, iVIR of VIR's faces at the defaults by VIR", M_FACES_RATIO_D, TS_AT_MOST, 0, 1.31, TS_ANY,
 	  TS_IVIR_NEAREST, M_FACES_D },
-	{ "SSIM to MVR of iVIR", L_IVIR, TS_AT_LEAST, 0.98, 0, TS_ANY, "its faces are smaller", SIDE },
-	{ "SSIM to MVR of iVIR at the defaults", L_DEFAULT, TS_AT_LEAST, 0.98, 0, TS_ANY, "its faces are smaller", SIDE },
+	{ "SSIM to MVR of iVIR", L_IVIR, TS_AT_LEAST, 0.98, 0, TS_ANY, SMALLER, SIDE },
+	{ "SSIM to MVR of iVIR at the defaults", L_DEFAULT, TS_AT_LEAST, 0.98, 0, TS_ANY, SMALLER, SIDE },
 	{ 0 },
 };
 

@@ -11,8 +11,14 @@
 #define TS_IVIR_FACE "128"
 #define TS_IVIR_QUARTER "cube.max_px=" TS_IVIR_FACE ",reflectors.px=28.75"
 #define TS_IVIR_QUARTER_NOTE "A quarter of 1920 x 1080, faces of 512 and mirrors of 115 pixels, for VIR's points."
-#define TS_IVIR_NEAREST "a texel has the nearest of its points, not what is at its centre"
-#define TS_IVIR_SMALL "points of pieces that are small enough to be culled count at their own place"
+#define TS_IVIR_NEAREST \
+	TS_NOT_ALWAYS \
+	"a texel has the nearest of its points, not what is at its centre; see scatter.at=centre"
+#define TS_IVIR_SMALL \
+	TS_NOT_ALWAYS \
+	"points of pieces that are small enough to be culled count at their own place; see points.cull=off"
+#define TS_IVIR_VIR TS_OURS "VIR's worst case is a reconstruction; see METHODS 9, Readings of VIR"
+#define TS_IVIR_FEWER TS_NOT_ALWAYS "iVIR has fewer points than VIR; see density.rate=exact"
 #define TS_VIR_NOTE "VIR is a reconstruction (METHODS 9)."
 #define TS_OMNI_NOTE "Depth maps have 256 x 256 texels, the paper's 1024 x 1024."
 
@@ -42,9 +48,9 @@
 /* Relations by rays for iVIR at either rate: of holes, and of errors against MVR's. */
 #define TS_HOLE_RELATIONS(share, cause, default_share, default_cause) \
 	{ "holes of iVIR, % of covered texels", share, TS_AT_MOST, 0, 0.0001, TS_ANY, \
-	  "samples at the rate of the closest point miss texels", cause }, \
+	  TS_NOT_ALWAYS "samples at the rate of the closest point miss texels; see density.rate=watertight", cause }, \
 	{ "holes of iVIR at the defaults, % of covered texels", default_share, TS_AT_MOST, 0, 0.0001, TS_ANY, \
-	  "small pieces are culled", default_cause }
+	  TS_NOT_ALWAYS "small pieces are culled; see points.cull=off", default_cause }
 #define TS_TRUTH_RELATIONS(more, default_more, mvr) \
 	{ "RMSE to truth, iVIR less MVR", more, TS_AT_MOST, 0, 0.5, TS_ANY, TS_IVIR_NEAREST, mvr }, \
 	{ "RMSE to truth, iVIR at the defaults less MVR", default_more, TS_AT_MOST, 0, 0.5, TS_ANY, TS_IVIR_NEAREST, mvr }

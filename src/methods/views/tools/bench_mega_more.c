@@ -79,15 +79,15 @@ static const ts_paper_part level_parts[] = {
 
 static const ts_paper_relation level_relations[] = {
 	{ "PSNR grows with levels", LEVEL_PSNR, TS_GROWS, 1, 0, ALL,
-	  "differs: the width of texels errs more than that of leaves", LEVEL_PSNR },
+	  "the width of texels errs more than that of leaves", LEVEL_PSNR },
 	{ "SSIM grows with levels", LEVEL_SSIM, TS_GROWS, 1, 0, ALL,
-	  "differs: the width of texels errs more than that of leaves", LEVEL_SSIM },
-	{ "time grows with levels", MS, TS_GROWS, 1, 0, ALL, "differs: it falls", MS },
+	  "the width of texels errs more than that of leaves", LEVEL_SSIM },
+	{ "time grows with levels", MS, TS_GROWS, 1, 0, ALL, "it falls", MS },
 	{ "time grows slower than leaves: exponent", MS_GROWTH, TS_AT_MOST, 0, 1, ALL, "a busy machine, or little shared",
 	  SHARING },
 	{ "pairs grow slower than leaves: exponent", PAIRS_GROWTH, TS_AT_MOST, 0, 1, ALL, "little shared", SHARING },
 	{ "pairs of several views wider than a texel, %, most by least", SEVERAL_SHARE, TS_STEADY, 0, 15, ALL,
-	  "differs: more than the paper's pairs", SEVERAL_SHARE },
+	  "more than the paper's pairs", SEVERAL_SHARE },
 	{ 0 },
 };
 
@@ -145,7 +145,7 @@ static const ts_paper_part gather_parts[] = {
 static const ts_paper_relation gather_relations[] = {
 	{ "nodes of views culled at level 6, %", STRUCK_SHARE, TS_AT_LEAST, 94, 0, LEVEL, 6, 6,
 	  "none are cut off by distance, and few are behind", STRUCK_SHARE },
-	{ "they are more from level to level", STRUCK_SHARE, TS_GROWS, 1, 0, ALL, "differs: fewer", STRUCK_SHARE },
+	{ "they are more from level to level", STRUCK_SHARE, TS_GROWS, 1, 0, ALL, "fewer", STRUCK_SHARE },
 	{ "noise by that without culling", NOISE_RATIO, TS_AT_MOST, 0, 1, ALL, "few views are culled", STRUCK_SHARE },
 	{ 0 },
 };

@@ -47,7 +47,7 @@ static const ts_paper_relation relations[] = {
 	{ "PSNR that filling gains, dB", GAIN, TS_AT_LEAST, 0.5, 0, ALL, "few leaves are wider than a texel", LEAVES },
 	{ "PSNR of 256 texels above that of 64, dB", FINER, TS_AT_LEAST, 0, 0, ALL, "leaves are as wide as texels of 64",
 	  LEAVES },
-	{ "PSNR from one level to the next", PSNR, TS_GROWS, 1, 0, ALL, "differs: it falls", LEAVES },
+	{ "PSNR from one level to the next", PSNR, TS_GROWS, 1, 0, ALL, "it falls", LEAVES },
 	{ 0 },
 };
 
