@@ -31,10 +31,14 @@ static const ts_paper_part parts[] = {
 };
 
 static const ts_paper_relation relations[] = {
-	{ "shading operations, from bounce to bounce", OPS, TS_GROWS, 1, 0, TS_ANY, "no mirror sees a mirror", LOOKUPS },
-	{ "passes over the geometry, most by least", PASSES, TS_STEADY, 0, 1, TS_ANY, "bounces take passes", PASSES },
-	{ "RMSE to rays of as many bounces, most by least", RMSE, TS_STEADY, 0, 1.25, TS_ANY, "bounces add errors", OPS },
-	{ "deferred shading, from bounce to bounce", MS, TS_GROWS, 1, 0, TS_ANY, "no mirror sees a mirror", OPS },
+	{ "shading operations, from bounce to bounce", OPS, TS_GROWS, 1, 0, TS_ANY,
+	  TS_ELSEWHERE "no mirror sees a mirror; see reflectors.count", LOOKUPS },
+	{ "passes over the geometry, most by least", PASSES, TS_STEADY, 0, 1, TS_ANY,
+	  TS_OURS "bounces take passes; see lookup.bounces", PASSES },
+	{ "RMSE to rays of as many bounces, most by least", RMSE, TS_STEADY, 0, 1.25, TS_ANY,
+	  TS_OURS "bounces add errors; see cube.px", OPS },
+	{ "deferred shading, from bounce to bounce", MS, TS_GROWS, 1, 0, TS_ANY,
+	  TS_ELSEWHERE "no mirror sees a mirror; see reflectors.count", OPS },
 	{ 0 },
 };
 
