@@ -7,6 +7,8 @@ typedef struct ts_points_args ts_points_args;
 
 /* density.scale as samples per pixel side (cull.c). */
 f32 ts_samples_a_pixel(const ts_params *params);
+/* The exposure of colour codes, whose largest stands for scatter.headroom times display white (scatter.c). */
+f32 ts_code_exposure(const ts_params *params);
 /* Bindings of a launch for stored points, and for points that are made again; path: that of its ts_points_args. */
 #define TS_STORED_POINTS(path) TS_IN(path.keys, points_key), TS_IN(path.points, points_record)
 #define TS_COUNTED_POINTS(path) TS_IN(path.offset, points_offset)
