@@ -27,7 +27,7 @@ soft, omni, indirect, particles = ([m for m in methods if m[0] == effect]
 hulls, lamps = [("indirect", "hulls")], [("area-light", m) for m in ("hulls", "direct")]
 deferred, surfels = [("surfels", "deferred")], [m for m in methods if m[0] == "surfels"]
 megaviews = [("indirect", m) for m in ("megaviews", "manylods", "bruteforce")]
-takers = {"density.rate": views, "points.buffered": views, "points.snap": views, "scatter.at": views, "lamp.source": soft[:1], "lamp.radius": soft + lamps, "lamp.fov": soft,
+takers = {"density.rate": views, "points.buffered": views, "points.snap": views, "scatter.at": views, "scatter.headroom": views[:1], "lamp.source": soft[:1], "lamp.radius": soft + lamps, "lamp.fov": soft,
           "lamp.views": soft, "lamp.views_a_pass": soft + omni, "depth_map.px": soft + omni, "lamp.cubes": omni, "depth_map.bias": soft + omni,
           "depth_map.bias_slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],
           **{p: [("omni-shadows", "epr")] for p in ("shadow_splat.rate", "shadow_splat.depth", "shadow_splat.resize")},

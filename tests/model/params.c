@@ -44,7 +44,7 @@ static void defaults_are_those_of_the_table(void **state)
 	assert_int_equal(params.width, 1920);
 	assert_int_equal(params.height, 1080);
 	assert_int_equal(params.eye_distance, TS_EYE_FAR);
-	assert_int_equal(params.points_cull_unit, TS_CULL_EYE);
+	assert_int_equal(params.points_cull_unit, TS_CULL_RASTER);
 	assert_true(params.light_ambient == 0.3f);
 	assert_true(params.density_scale == 0.5f);
 	size_t n;

@@ -15,8 +15,8 @@ TS_FN u32 ts_k_depth_code(f32 distance, f32 near)
 	return (u32)ts_min_i32(ts_floor_i32((8191.0f * doublings) / TS_FAR_BITS), 8190);
 }
 
-/* The code of a channel: the square root of the exposed radiance, at most white. The root spends the few bits where the
- * eye distinguishes shades. */
+/* The code of a channel: the square root of the exposed radiance, at most 1. The root spends the few bits where the eye
+ * distinguishes shades. */
 TS_FN u32 ts_k_channel_code(f32 radiance, f32 exposure, f32 most)
 {
 	return (u32)ts_fix(ts_sqrt(ts_flush(ts_clamp(radiance * exposure, 0.0f, 1.0f))) * most, 0, 7);

@@ -10,7 +10,7 @@
 	ARG(IN, ts_piece, pieces, split_piece) \
 	ARG(IN, f32, scale, split_density) \
 	ARG(OUT, u32, keep, cull_keep) \
-	ARG(VALUE, f32, unit, none) /* samples per pixel side: density.scale for the eye's pixels, 1 for samples */ \
+	ARG(VALUE, f32, unit, none) /* samples per pixel side: below 1 for the eye's pixels, 1 for samples */ \
 	ARG(VALUE, u32, seed, none) \
 	ARG(VALUE, u32, enabled, none)
 TS_ARGS(ts_cull_args);

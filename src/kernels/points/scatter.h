@@ -26,7 +26,7 @@
 	ARG(VALUE, u32, first_view, none) \
 	ARG(VALUE, u32, n_views, none) /* the batch */ \
 	ARG(VALUE, u32, n_words, none) \
-	ARG(VALUE, f32, exposure, none) /* of stored colours */ \
+	ARG(VALUE, f32, exposure, none) /* of stored colours: the largest code is a radiance of 1 / exposure */ \
 	ARG(VALUE, u32, centre, none)   /* not 0: points count at the centre of their texel */ \
 	ARG(VALUE, u32, culled, none)   /* not 0: small pieces were dropped at random */ \
 	ARG(VALUE, u32, others, none)   /* other items that share the rows: band.h */

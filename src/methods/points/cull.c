@@ -12,17 +12,22 @@ f32 ts_samples_a_pixel(const ts_params *params)
 	                                          : TS_PARAM(params, density_scale);
 }
 
-/* Samples a pixel a side; the pixels of iVIR and VIR are samples. */
-static f32 cull_unit(const ts_run *run)
+f32 ts_cull_unit(const ts_params *params)
 {
-	bool eye = run->plan.points.rate == TS_RATE_IS_EYE && TS_PARAM(&run->params, points_cull_unit) == TS_CULL_EYE;
-	return eye ? ts_samples_a_pixel(&run->params) : 1.0f;
+	bool eye = TS_PARAM(params, points_cull_unit) == TS_CULL_EYE;
+	return eye ? ts_min(ts_samples_a_pixel(params), 1.0f) : 1.0f;
+}
+
+/* The pixels of iVIR and VIR are samples. */
+static f32 unit_of(const ts_run *run)
+{
+	return run->plan.points.rate == TS_RATE_IS_EYE ? ts_cull_unit(&run->params) : 1.0f;
 }
 
 static ts_cull_args values(const ts_run *run)
 {
 	return (ts_cull_args){
-		.unit = cull_unit(run), .seed = TS_PARAM(&run->params, seed), .enabled = TS_PARAM(&run->params, points_cull)};
+		.unit = unit_of(run), .seed = TS_PARAM(&run->params, seed), .enabled = TS_PARAM(&run->params, points_cull)};
 }
 
 static ts_status cull(ts_run *run)

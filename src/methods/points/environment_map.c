@@ -1,6 +1,7 @@
 /* iVIR: colours of points into level 0, and the levels above. */
 #include "../../kernels/points/environment_map.h"
 #include "../raster/illuminate.h"
+#include "points.h"
 
 static const ts_launch copied = TS_LAUNCH(environment_map, TS_BUT(to.scene), TS_BUT(to.depth_triangle));
 
@@ -8,7 +9,7 @@ static ts_status environment_map(ts_run *run)
 {
 	ts_environment_map_args args = {
 		.to = {.first_cube = run->first_unit, .n_cubes = run->n_units},
-		.exposure = TS_PARAM(&run->params, image_exposure),
+		.exposure = ts_code_exposure(&run->params),
 	};
 	if (TS_RUN(run, &copied, &args, ts_run_size(run, TS_DIM_texels)) != TS_OK) return TS_ERROR;
 	return ts_mip_make(run, args.to);

@@ -11,8 +11,6 @@
  * - visibility clears a bit only if all corners lie outside one plane: corners in enlarged frusta, the paper's test,
  *   lose large triangles (visibility.test=vertex);
  * - triangles of more than 2^16 samples are bisected, so that one density serves each piece (points.split=off);
- * - the tenth of a pixel below which triangles may be culled is the eye's, not the point raster's, whose survivors are
- *   too few at density.scale 1/2 (points.cull_unit=raster);
  * - a sub-pixel triangle keeps the splat length 1/s inside its own box: the square root of its area leaves gaps
  *   (splat.size=paper);
  * - an edge of more than 2^14 samples is bisected and limited too, so that lattices stay within 2^15

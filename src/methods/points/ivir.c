@@ -16,7 +16,9 @@
  * - the points serve all views at once; without storing them (points.buffered=off) they are made once for every 32
  *   depth maps (lamp.views_a_pass=32), with a density that is still that of all;
  * - the depth code of environment maps is logarithmic, 2^20 from the nearest to the farthest, and their colours are
- *   stored as square roots: the paper names the bits only. */
+ *   stored as square roots: the paper names the bits only;
+ * - the greatest code of a colour stands for twice what a display shows white, because the mirror's tint still
+ *   multiplies what was stored; the paper does not say what it stands for (scatter.headroom=1: display white). */
 #include "../../kernels/raster/mip.h"
 #include "../../kernels/points/view_density.h"
 #include "pipelines.h"

@@ -10,12 +10,16 @@ static const ts_scatters into_colours = {
 	TS_LAUNCH(scatter_pieces, TS_WITH(colours)),
 };
 
+f32 ts_code_exposure(const ts_params *params)
+{
+	return TS_PARAM(params, image_exposure) / TS_PARAM(params, scatter_headroom);
+}
+
 ts_scatter_args ts_scatter_values(const ts_run *run)
 {
 	ts_scatter_args args = {
 		.from = ts_points_values(run),
 		.n_words = (u32)ts_run_size(run, TS_DIM_view_words),
-		.exposure = TS_PARAM(&run->params, image_exposure),
 	};
 	ts_run_views(run, &args.first_view, &args.n_views);
 	return args;
@@ -53,6 +57,7 @@ static ts_status scatter(ts_run *run)
 static ts_status scatter_colour(ts_run *run)
 {
 	ts_scatter_args args = values(run);
+	args.exposure = ts_code_exposure(&run->params);
 	return ts_scatter_run(run, &into_colours, &args, sizeof args, args.n_views);
 }
 

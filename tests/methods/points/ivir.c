@@ -227,6 +227,72 @@ static void test_culling(void **state)
 	ts_scene_free(scene);
 }
 
+/* The radiance of mirrors as a display would show it, and the number of its values. */
+static f32 *shown(const ts_scene *scene, const ts_params *params, const char *method, u64 *n)
+{
+	ts_run run;
+	run_of(&run, scene, params, "reflections", method);
+	const f32 *radiance = ts_frame_data(&run.frame, TS_B_shade_radiance);
+	*n = ts_frame_n(&run.frame, TS_B_shade_radiance);
+	f32 *values = malloc(*n * sizeof *values);
+	assert_non_null(values);
+	for (u64 i = 0; i < *n; i++) values[i] = radiance[i] * params->image_exposure;
+	ts_run_end(&run);
+	return values;
+}
+
+/* What is much brighter than the display's white stays white in a mirror, whatever the mirror's tint: codes of colours
+ * have room above white for the tint. */
+static void test_white_stays_white(void **state)
+{
+	(void)state;
+	static const char *const coded[] = {"ivir", "vir"};
+	ts_params params = tiny_params();
+	params.image_exposure = 256;
+	params.reflectors_count = 8; /* the tints that a scene's mirrors have */
+	ts_scene *scene = small_scene(&params);
+	u64 n;
+	f32 *mvr = shown(scene, &params, "mvr", &n);
+	for (u32 m = 0; m < 2; m++) {
+		u64 n_white = 0, n_coded;
+		f32 *values = shown(scene, &params, coded[m], &n_coded);
+		assert_true(n_coded == n);
+		for (u64 i = 0; i < n; i++) {
+			if (mvr[i] < 8) continue;
+			assert_true(values[i] >= 1);
+			n_white++;
+		}
+		print_message("%s: %llu of %llu values are white\n", coded[m], (unsigned long long)n_white,
+		              (unsigned long long)n);
+		assert_true(n_white > n / 2);
+		free(values);
+	}
+	free(mvr);
+	ts_scene_free(scene);
+}
+
+/* In light that a display can show mirrors are as bright as MVR's, however much room the codes have. */
+static void test_headroom_keeps_brightness(void **state)
+{
+	(void)state;
+	const f32 headrooms[] = {1, 2, 16};
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	u64 n;
+	f32 *mvr = shown(scene, &params, "mvr", &n);
+	for (u32 h = 0; h < 3; h++) {
+		params.scatter_headroom = headrooms[h];
+		f32 *values = shown(scene, &params, "vir", &n);
+		double sum = 0, expected = 0;
+		for (u64 i = 0; i < n; i++) sum += values[i], expected += mvr[i];
+		print_message("scatter.headroom=%g: %.4f of the radiance by MVR\n", (double)headrooms[h], sum / expected);
+		assert_true(fabs(sum / expected - 1) < 0.05);
+		free(values);
+	}
+	free(mvr);
+	ts_scene_free(scene);
+}
+
 /* Gives the scene n lights of every kind. */
 static void give_lights(ts_scene *scene, ts_light *lights, u32 n)
 {
@@ -312,9 +378,16 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),      cmocka_unit_test(test_passes),  cmocka_unit_test(test_counters),
-		cmocka_unit_test(test_against_mvr),  cmocka_unit_test(test_points),  cmocka_unit_test(test_culling),
-		cmocka_unit_test(test_shared_views), cmocka_unit_test(test_refused),
+		cmocka_unit_test(test_threads),
+		cmocka_unit_test(test_passes),
+		cmocka_unit_test(test_counters),
+		cmocka_unit_test(test_against_mvr),
+		cmocka_unit_test(test_points),
+		cmocka_unit_test(test_culling),
+		cmocka_unit_test(test_shared_views),
+		cmocka_unit_test(test_refused),
+		cmocka_unit_test(test_white_stays_white),
+		cmocka_unit_test(test_headroom_keeps_brightness),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

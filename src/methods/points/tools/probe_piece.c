@@ -16,12 +16,11 @@ ts_status ts_probe_piece(ts_probe *p, u64 index, json_t *o, bool *kept)
 	    ts_probe_fetch(p, TS_B_cull_keep, index, 1, &keep) != TS_OK ||
 	    ts_probe_fetch(p, TS_B_align_frame, index, 1, &frame) != TS_OK)
 		return TS_ERROR;
-	f32 unit = TS_PARAM(params, points_cull_unit) == TS_CULL_EYE ? ts_samples_a_pixel(params) : 1.0f;
 	ts_cull_args args = {.pieces = &piece,
 	                     .scale = &scale,
 	                     .keep = &again,
 	                     .seed = TS_PARAM(params, seed),
-	                     .unit = unit,
+	                     .unit = ts_cull_unit(params),
 	                     .enabled = TS_PARAM(params, points_cull)};
 	ts_k_cull_item(&args, 0);
 	f32 pixels = ts_k_cull_pixels(&args, 0);
