@@ -22,6 +22,16 @@
 #define TS_VIR_NOTE "VIR is a reconstruction (METHODS 9)."
 #define TS_OMNI_NOTE "Depth maps have 256 x 256 texels, the paper's 1024 x 1024."
 
+/* What penumbras are in the paper's pictures: wide to an eye, and many texels of maps of 1024 wide. The lamp of a model
+ * that stands alone is three times as far away, and the eye sees all of the model and its shadow. Penumbras of a lamp
+ * that is hard to tell from a point, in coarse maps, are printed and not judged. */
+#define TS_WIDE "lamp.radius=0.1"
+#define TS_WIDE_ALONE "lamp.radius=0.3,eye.distance=outside"
+#define TS_MODELS "bunny.glb,armadillo_86k.glb,dragon_80k.glb,dragon_scans.glb"
+#define TS_NARROW "depth_map.px=256,lamp.radius=0.02"
+#define TS_PENUMBRA_TITLE \
+	"Penumbras, texels wide; narrow: maps of 256, lamp of 0.02; "
+
 /* The stages that make points, those that fill off-screen views, and both, which the totals of the iVIR paper
  * include. */
 #define TS_POINT_STAGES "visibility,offscreen.visibility,split,split.views,split.shadow,cull,align,points.count,points"
@@ -42,6 +52,7 @@
 #define TS_RATIO(id, key, head, a, b, digits) [id] = { key, head, TS_FIGURE_RATIO, a, b, digits, "" }
 #define TS_LESS(id, key, head, a, b, digits) [id] = { key, head, TS_FIGURE_DIFFERENCE, a, b, digits, "" }
 #define TS_PERCENT(id, key, head, a, b) [id] = { key, head, TS_FIGURE_PERCENT, a, b, 4, "" }
+#define TS_PENUMBRA(id, key, head, of) [id] = { key, head, TS_FIGURE_LOOKED, of, 0, 1, "" }
 #define TS_SAVED(id, key, head, a, b) [id] = { key, head, TS_FIGURE_SAVED, a, b, 1, "" }
 #define TS_MORE(id, key, head, a, b) [id] = { key, head, TS_FIGURE_MORE, a, b, 3, "" }
 
@@ -62,6 +73,8 @@ extern const ts_speed_of ts_points_speed;
 extern const ts_claim ts_points_claims[];
 extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_ivir_culling, ts_ivir_4, ts_ivir_5, ts_ivir_6;
 extern const ts_paper_table ts_epr_1, ts_epr_2, ts_epr_3, ts_epr_5, ts_epr_costs, ts_epr_buffers;
+/* `look` of tables of soft shadows: the width of penumbras in texels of depth maps; NAN for the scene's own lights. */
+double ts_bench_penumbra(const ts_run *run);
 ts_status ts_bench_sweep(const ts_job *job);
 
 #endif
