@@ -64,7 +64,7 @@ static const ts_bench_row benches[] = {
 	{"ivir-culling", "iVIR: stochastic culling; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
      .paper = &ts_ivir_culling, .brief = "--size 160x90 --set lamp.views=16"},
 	{"ivir-4", "iVIR: pictures of soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
-     .paper = &ts_ivir_4, .brief = "--size 160x90 --set lamp.views=16"},
+     .paper = &ts_ivir_4, .brief = "--size 240x135 --set lamp.views=16"},
 	{"ivir-5", "iVIR: soft shadows of few maps beside PCSS; also of models in TS_SCENES", TS_BENCH_BY_ITSELF,
      .paper = &ts_ivir_5, .brief = "--objects 16 --size 160x90 --runs 1"},
 	{"ivir-6", "iVIR: pictures of reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_6, .brief = "--objects 8"},

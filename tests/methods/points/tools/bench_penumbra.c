@@ -35,8 +35,8 @@ static ts_status look(ts_run *run, void *user)
 	const ts_stand *stands = run->scene->n_stands == TS_N_STANDS ? run->scene->stands : own;
 	ts_lamp_stands(own, info);
 	p->found = ts_bench_penumbra(run);
-	p->spot = end_of(view, &stands[TS_STAND_SPOT], lamp->radius, -1) -
-	          end_of(view, &stands[TS_STAND_SPOT], lamp->radius, 1);
+	p->spot =
+		end_of(view, &stands[TS_STAND_SPOT], lamp->radius, -1) - end_of(view, &stands[TS_STAND_SPOT], lamp->radius, 1);
 	p->ball = (double)(lamp->radius / ts_view_hall(info).half.y) * TS_PARAM(&run->params, depth_map_px);
 	return TS_OK;
 }
