@@ -60,7 +60,7 @@ static const ts_bench_row benches[] = {
      .brief = "--size 160x90 --runs 1 --set lamp.views=16"},
 	{"ivir-2", "iVIR: reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_2, .brief = "--objects 1,8 --runs 1"},
 	{"ivir-3", "iVIR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_3,
-     .brief = "--objects 1,5 --size 320x180 --runs 1"},
+     .brief = "--objects 1,5 --size 160x90 --runs 1"},
 	{"ivir-culling", "iVIR: stochastic culling; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
      .paper = &ts_ivir_culling, .brief = "--size 160x90 --set lamp.views=16"},
 	{"ivir-4", "iVIR: pictures of soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
