@@ -62,7 +62,7 @@ static const ts_bench_row benches[] = {
 	{"ivir-3", "iVIR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_3,
      .brief = "--objects 1,5 --size 160x90 --runs 1"},
 	{"ivir-culling", "iVIR: stochastic culling; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
-     .paper = &ts_ivir_culling, .brief = "--size 160x90 --set lamp.views=16"},
+     .paper = &ts_ivir_culling, .brief = "--size 240x135 --set depth_map.px=256 --set lamp.views=16"},
 	{"ivir-4", "iVIR: pictures of soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
      .paper = &ts_ivir_4, .brief = "--size 240x135 --set lamp.views=16"},
 	{"ivir-5", "iVIR: soft shadows of few maps beside PCSS; also of models in TS_SCENES", TS_BENCH_BY_ITSELF,
