@@ -12,6 +12,7 @@ enum { SPEC_BYTES = 4096 };
 typedef struct {
 	const ts_job *job;
 	const ts_paper_table *table;
+	const ts_params *alone; /* for models that stand alone */
 	const ts_truth_kind *judge;
 	ts_paper_line *lines;
 	size_t n_lines, capacity;
@@ -121,9 +122,19 @@ static void say_line(const ts_paper_table *table, const ts_paper_line *line)
 	ts_say("%s", text);
 }
 
+static bool stands_alone(const ts_paper_table *table, const char *spec)
+{
+	const char *slash = strrchr(spec, '/'), *list = table->alone;
+	char item[128];
+	while (list != NULL && ts_words_item(&list, item, sizeof item)) {
+		if (strcmp(item, slash != NULL ? slash + 1 : spec) == 0) return true;
+	}
+	return false;
+}
+
 static ts_status add_line(work *w, const char *spec, const char *objects)
 {
-	ts_params params = w->job->params;
+	ts_params params = stands_alone(w->table, spec) ? *w->alone : w->job->params;
 	void *lines = w->lines;
 	ts_status status = ts_grow(&lines, &w->capacity, w->n_lines + 1, sizeof *w->lines, "the rows");
 	if (status != TS_OK) return status;
@@ -190,14 +201,25 @@ static void report_variants(ts_report *report, const ts_paper_table *table)
 	}
 	if (table->set[0] != 0) ts_report_line(report, "set: %s", table->set);
 	if (table->defaults[0] != 0) ts_report_line(report, "set unless --set says otherwise: %s", table->defaults);
+	if (table->alone != NULL) {
+		ts_report_line(report, "models that stand alone: %s", table->alone);
+		ts_report_line(report, "set for them unless --set says otherwise: %s", table->alone_set);
+	}
 	if (table->note != NULL) ts_report_line(report, "%s", table->note);
 	ts_report_table(report, &t);
 }
 
+/* A table, and the parameters for models that stand alone. */
+typedef struct {
+	const ts_paper_table *table;
+	ts_params alone;
+} measured;
+
 static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 {
-	const ts_paper_table *table = user;
-	work w = {.job = job, .table = table};
+	const measured *m = user;
+	const ts_paper_table *table = m->table;
+	work w = {.job = job, .table = table, .alone = &m->alone};
 	ts_status status = table->judge != NULL ? ts_bench_truth(&w.judge, job, table->effect, table->judge) : TS_OK;
 	ts_bench_head(report, job, table->objects_head == NULL || table->objects_param != NULL);
 	report_variants(report, table);
@@ -210,12 +232,22 @@ static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 	return status;
 }
 
+/* The typed parameters with those of the table; `first` goes before its defaults. */
+static ts_status set_params(ts_params *params, const ts_job *job, const ts_paper_table *table, const char *first)
+{
+	bool sized = table->size == NULL || job->sized;
+	*params = job->params;
+	ts_status status = ts_bench_set_defaults(params, first);
+	if (status == TS_OK) status = ts_bench_set_defaults(params, table->defaults);
+	if (status == TS_OK) status = ts_bench_set(params, table->set);
+	return status == TS_OK && !sized ? ts_bench_set(params, table->size) : status;
+}
+
 ts_status ts_paper_bench(const ts_job *job, const ts_paper_table *table)
 {
 	ts_job own = *job;
-	ts_status status = ts_bench_set_defaults(&own.params, table->defaults);
-	if (status == TS_OK) status = ts_bench_set(&own.params, table->set);
-	bool sized = table->size == NULL || job->sized;
-	if (status == TS_OK && !sized) status = ts_bench_set(&own.params, table->size);
-	return status == TS_OK ? ts_bench_with_report(&own, work_on, table) : status;
+	measured m = {.table = table};
+	ts_status status = set_params(&own.params, job, table, "");
+	if (status == TS_OK) status = set_params(&m.alone, job, table, table->alone != NULL ? table->alone_set : "");
+	return status == TS_OK ? ts_bench_with_report(&own, work_on, &m) : status;
 }

@@ -69,6 +69,8 @@ typedef struct ts_paper_table {
 	const char *effect;
 	const char *scenes;                /* unless --scene says otherwise */
 	const char *models;                /* files of the folder TS_SCENES, of which missing ones are left out; or NULL */
+	const char *alone;                 /* those of them that stand alone, without a room; or NULL */
+	const char *alone_set;             /* for their rows, as `defaults`, instead of what `defaults` says of the same */
 	const char *objects_head;          /* "mirrors", "lights", "pixels"; NULL: a row a scene */
 	const char *objects_param;         /* NULL: objects are sizes, WxH */
 	const char *objects;               /* unless --objects says otherwise */

@@ -146,7 +146,8 @@ PY
 verdict $? 'bench epr-costs: counts and errors are those of renders with the switches'
 
 # What the iVIR paper claims of points holds in every scene. Passes: 17 views in passes of 8 are three.
-views=(--set lamp.views=17 --set lamp.views_a_pass=8 --set depth_map.px=64 --set lamp.cubes=2 --set cube.max_px=64 --size 64x36 --runs 1)
+views=(--set lamp.views=17 --set lamp.views_a_pass=8 --set depth_map.px=64 --set lamp.cubes=2 --set cube.max_px=64 --set lamp.radius=0.03
+	--size 64x36 --runs 1)
 run bench ivir-1 "${views[@]}" --scene atrium:triangles=10000,gallery:triangles=10000 -o "$scratch/ivir-1"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
 	grep -q "^iVIR points / VIR's .* at most 1 .* holds" "$scratch/stdout"
@@ -228,6 +229,9 @@ def row(table, part):
 holes, change = row("culling", "ivir_culling_holes"), row("culling", "ivir_culling")
 assert holes["holes_default"] == 0 < holes["holes"] <= holes["holes_culled"] < holes["covered"]
 assert change["rmse_culled_default"] <= change["rmse_culled"]
+for table in "culling", "4", "5":
+	wide = row(table, f"ivir_{table}_penumbra")
+	assert abs(wide["penumbra"] / wide["penumbra_narrow"] - 0.1 / 0.02 * 32 / 256) < 1e-5, "by radius and side"
 beside, more = row("4", "ivir_4"), row("4", "ivir_4_more")
 assert beside["rmse_centre"] < beside["rmse_default"] and more["rmse_more_centre"] < more["rmse_more_default"]
 assert row("6", "ivir_6")["rmse_faces"] < row("6", "ivir_6")["rmse_ivir"], "nearer to MVR with its faces"
@@ -235,7 +239,7 @@ few = row("5", "ivir_5")
 assert few["rmse_128_centre"] < few["rmse_128_default"] and few["rmse_128_mvr"] > 0
 PY
 verdict $? 'bench ivir-culling, ivir-4, ivir-5 and ivir-6 write their pictures and judge them'
-run render soft-shadows $hall --method mvr,ivir --set reflectors.count=0 --set scene.ground=on "${figures[@]}" -o "$scratch/figure"
+run render soft-shadows $hall --method mvr,ivir --set reflectors.count=0 --set scene.ground=on --set lamp.radius=0.1 "${figures[@]}" -o "$scratch/figure"
 cmp -s "$scratch/figure/ivir.png" "$scratch/ivir-figure-4/1-$hall-ivir.png" &&
 	cmp -s "$scratch/figure/difference-mvr-ivir.png" "$scratch/ivir-figure-4/1-$hall-difference-ivir.png"
 verdict $? 'pictures of bench are those of render'

@@ -132,6 +132,28 @@ static void test_runs(void **state)
 	assert_true(times > once && times < 3 * once);
 }
 
+static double exposure(const ts_run *run) { return TS_PARAM(&run->params, image_exposure); }
+
+/* What is set for a model that stands alone goes before the table's defaults, for that model alone. */
+static void test_alone(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *alone;
+		double wanted;
+	} cases[] = {{NULL, 2}, {"bunny.glb,atrium", 2}, {"bunny.glb," SMALL_SCENE, 3}};
+	for (u32 i = 0; i < 3; i++) {
+		ts_paper_table of = table(false);
+		of.look = exposure;
+		of.defaults = "image.exposure=2";
+		of.alone = cases[i].alone;
+		of.alone_set = "image.exposure=3";
+		json_t *root = measured(&of, "1", 1, NULL);
+		assert_true(benched_real(json_array_get(json_object_get(root, "one"), 0), "looked") == cases[i].wanted);
+		json_decref(root);
+	}
+}
+
 static void test_refused(void **state)
 {
 	(void)state;
@@ -148,6 +170,6 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows), cmocka_unit_test(test_runs),
-	                                   cmocka_unit_test(test_refused)};
+	                                   cmocka_unit_test(test_alone), cmocka_unit_test(test_refused)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

@@ -18,7 +18,7 @@
 #define RMSE_TO_128(id, key, head, of) TS_RMSE_TO(id, key, head, of, M_REFERENCE)
 #define SSIM_TO_128(id, key, head, of) TS_SSIM_TO(id, key, head, of, M_REFERENCE)
 
-enum { M_REFERENCE, OF(M_) };
+enum { M_REFERENCE, OF(M_), M_NARROW, OF(M_NARROW_) };
 
 static const ts_bench_variant variants[] = {
 	[M_REFERENCE] = { "mvr", "lamp.views=128", true, TS_ONCE },
@@ -27,12 +27,19 @@ static const ts_bench_variant variants[] = {
 	[M_DEFAULT] = { "ivir", "", true, TS_TIMED },
 	[M_CENTRE] = { "ivir", "scatter.at=centre", true, TS_TIMED },
 	[M_MVR] = { "mvr", "", true, TS_TIMED },
+	[M_NARROW] = { "mvr", "lamp.views=128," TS_NARROW, true, TS_ONCE },
+	[M_NARROW_PCSS] = { "pcss", TS_NARROW, true, TS_ONCE },
+	[M_NARROW_IVIR] = { "ivir", TS_IVIR_DEFAULTS "," TS_NARROW, true, TS_ONCE },
+	[M_NARROW_DEFAULT] = { "ivir", TS_NARROW, true, TS_ONCE },
+	[M_NARROW_CENTRE] = { "ivir", "scatter.at=centre," TS_NARROW, true, TS_ONCE },
+	[M_NARROW_MVR] = { "mvr", TS_NARROW, true, TS_ONCE },
 	{ 0 },
 };
 
 /* To MVR's reference (TO) and to the truth. */
 enum { OF(TO_), OF(LIKE_), OF(RMSE_), RMSE_REFERENCE, OF(SSIM_), IVIR_OF(RATIO_), IVIR_OF(TO_RATIO_), IVIR_OF(GAIN_),
-	MVR_RATIO, OF(MS_), TIME, TIME_DEFAULT, SCATTER_MS, MVR_MAP_MS, TRIANGLES };
+	MVR_RATIO, OF(MS_), TIME, TIME_DEFAULT, SCATTER_MS, MVR_MAP_MS, TRIANGLES,
+	PENUMBRA, NARROW, OF(TO_NARROW_) };
 
 static const ts_bench_figure figures[] = {
 	EACH(RMSE_TO_128, TO_, "rmse_128_", ""), EACH(SSIM_TO_128, LIKE_, "ssim_128_", ""),
@@ -47,7 +54,13 @@ static const ts_bench_figure figures[] = {
 	TS_RATIO(TIME_DEFAULT, "time_ratio_default", "defaults / PCSS", MS_DEFAULT, MS_PCSS, 3),
 	TS_PART_MS(SCATTER_MS, "scatter_ms", "scatter, defaults", M_DEFAULT, "scatter"),
 	TS_PART_MS(MVR_MAP_MS, "depth_map_ms", "depth_map, MVR", M_MVR, "depth_map"),
-	TS_TRIANGLES(TRIANGLES),
+	TS_TRIANGLES(TRIANGLES), TS_PENUMBRA(PENUMBRA, "penumbra", "penumbra", M_REFERENCE),
+	TS_PENUMBRA(NARROW, "penumbra_narrow", "narrow", M_NARROW),
+	TS_RMSE_TO(TO_NARROW_PCSS, "rmse_narrow_pcss", "PCSS", M_NARROW_PCSS, M_NARROW),
+	TS_RMSE_TO(TO_NARROW_IVIR, "rmse_narrow_ivir", "iVIR", M_NARROW_IVIR, M_NARROW),
+	TS_RMSE_TO(TO_NARROW_DEFAULT, "rmse_narrow_default", "defaults", M_NARROW_DEFAULT, M_NARROW),
+	TS_RMSE_TO(TO_NARROW_CENTRE, "rmse_narrow_centre", "at=centre", M_NARROW_CENTRE, M_NARROW),
+	TS_RMSE_TO(TO_NARROW_MVR, "rmse_narrow_mvr", "MVR", M_NARROW_MVR, M_NARROW),
 	{ 0 },
 };
 
@@ -60,6 +73,7 @@ static const ts_paper_part parts[] = {
 	{ "ivir_5_ms", "Whole frames, ms", { TRIANGLES, OF(MS_), TS_NO_FIGURE } },
 	{ "ivir_5_time", "Frames by PCSS, and the stages that fill depth maps, ms", { TIME, TIME_DEFAULT, SCATTER_MS,
 	  MVR_MAP_MS, TS_NO_FIGURE } },
+	{ "ivir_5_penumbra", TS_PENUMBRA_TITLE "RMSE to 128 maps", { PENUMBRA, NARROW, OF(TO_NARROW_), TS_NO_FIGURE } },
 	{ 0 },
 };
 
@@ -90,9 +104,11 @@ static const ts_paper_row rows[] = { { 0 } };
 const ts_paper_table ts_ivir_5 = {
 	.name = "ivir-5", .title = "iVIR, figure 5: soft shadows", .effect = "soft-shadows",
 	.scenes = "atrium,gallery,dining",
-	.models = "fireplace_room.glb,country_kitchen_partial.glb,bunny.glb,dragon_80k.glb", .objects_head = "maps",
+	.models = "fireplace_room.glb,country_kitchen_partial.glb,bunny.glb,dragon_80k.glb",
+	.alone = "bunny.glb,dragon_80k.glb", .alone_set = TS_WIDE_ALONE, .objects_head = "maps",
 	.objects_param = "lamp.views", .objects = "8,16,32", .most = 1024, .set = "reflectors.count=0",
-	.defaults = "scene.ground=on,truth.area_samples=256", .timed = true, .judge = "area", .variants = variants,
-	.figures = figures, .parts = parts, .relations = relations, .pictures = pictures, .rows = rows,
+	.defaults = "scene.ground=on,truth.area_samples=256," TS_WIDE, .look = ts_bench_penumbra, .timed = true,
+	.judge = "area", .variants = variants, .figures = figures, .parts = parts, .relations = relations,
+	.pictures = pictures, .rows = rows,
 };
 /* clang-format on */

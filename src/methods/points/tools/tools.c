@@ -57,16 +57,16 @@ static const ts_texel_rule texels[] = {
 
 static const ts_bench_row benches[] = {
 	{"ivir-1", "iVIR: soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects", .paper = &ts_ivir_1,
-     .brief = "--size 240x135 --runs 1 --set depth_map.px=128 --set lamp.views=32"},
+     .brief = "--size 160x90 --runs 1 --set lamp.views=16"},
 	{"ivir-2", "iVIR: reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_2, .brief = "--objects 1,8 --runs 1"},
 	{"ivir-3", "iVIR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_3,
-     .brief = "--objects 1,5 --size 320x180 --runs 1"},
+     .brief = "--objects 1,5 --size 160x90 --runs 1"},
 	{"ivir-culling", "iVIR: stochastic culling; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
      .paper = &ts_ivir_culling, .brief = "--size 240x135 --set depth_map.px=256 --set lamp.views=16"},
 	{"ivir-4", "iVIR: pictures of soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
-     .paper = &ts_ivir_4, .brief = "--size 240x135 --set depth_map.px=256 --set lamp.views=16"},
+     .paper = &ts_ivir_4, .brief = "--size 240x135 --set lamp.views=16"},
 	{"ivir-5", "iVIR: soft shadows of few maps beside PCSS; also of models in TS_SCENES", TS_BENCH_BY_ITSELF,
-     .paper = &ts_ivir_5, .brief = "--objects 8,32 --size 240x135 --set depth_map.px=256 --runs 1"},
+     .paper = &ts_ivir_5, .brief = "--objects 16 --size 160x90 --runs 1"},
 	{"ivir-6", "iVIR: pictures of reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_6, .brief = "--objects 8"},
 	{"epr-1", "EPR: shading operations", TS_BENCH_BY_ITSELF, .paper = &ts_epr_1,
      .brief = "--scene atrium:triangles=20k,gallery:triangles=20k,dining:triangles=20k --objects 1,10 --size 240x135 "
@@ -115,7 +115,7 @@ static const ts_viewer_rule viewers[] = {
 };
 
 /* The mask of reflective pixels. */
-static const ts_buffer_id keeps[] = {TS_B_mirror_pixel_record, TS_N_BUFFERS};
+static const ts_buffer_id keeps[] = {TS_B_mirror_pixel_record, TS_B_lamp_light, TS_N_BUFFERS};
 
 const ts_family_tools ts_points_tools = {
 	.places = ts_points_places,
