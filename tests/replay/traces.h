@@ -84,7 +84,6 @@ static inline void traces_shrink(ts_scene *scene)
 static inline ts_params traces_params(u32 m)
 {
 	ts_params params = small_params(32, 24);
-	params.density_scale = 0.25f;
 	params.lookup_bounces = 3;
 	params.reflectors_count = 2;
 	params.reflectors_px = 24;

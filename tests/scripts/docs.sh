@@ -82,7 +82,7 @@ planted
 
 # The template of a stage.
 plant "pose: its heading is not followed by its generated block" METHODS.md '/generated: stage pose /d'
-plant "cull: its parts are Edge cases, Departures;" METHODS.md '/^### `cull`$/,/^### /s/^\*\*Formula\.\*\* //'
+plant "cull: its parts are Edge cases;" METHODS.md '/^### `cull`$/,/^### /s/^\*\*Formula\.\*\* //'
 plant "cull: there is text before its first part" METHODS.md ''
 plant "align: its parts are Remarks" METHODS.md '/^### `align`$/,/^### /s/^\*\*Formula\.\*\*/**Remarks.**/'
 plant "visibility: its parts are Formula, Departures, Edge cases" METHODS.md \

@@ -61,6 +61,14 @@ static inline corners corners_of(f32 c, f32 du, f32 dv, f32 eye, f32 sign)
 static inline f32 least(const corners *c) { return ts_min(ts_min(c->at[0], c->at[1]), ts_min(c->at[2], c->at[3])); }
 static inline f32 most(const corners *c) { return ts_max(ts_max(c->at[0], c->at[1]), ts_max(c->at[2], c->at[3])); }
 
+static inline void project(const lanes *f, corners *x, corners *y, const corners *z)
+{
+	for (u32 k = 0; k < 4; k++) {
+		x->at[k] = f->middle + (f->focal * x->at[k]) / z->at[k];
+		y->at[k] = f->middle - (f->focal * y->at[k]) / z->at[k];
+	}
+}
+
 /* Bit 31: texel (i, j) from the box that may be written is on the outer side of an edge. */
 static inline u32 outside(i32 whole[][ROOM], u32 at, u32 i, u32 j)
 {
@@ -103,10 +111,7 @@ TS_WIDE(u32, place_splats,
 		corners px = corners_of(right[i], b->side[0][i], b->side[3][i], f.eye[0], f.sign[0]);
 		corners py = corners_of(up[i], b->side[1][i], b->side[4][i], f.eye[1], f.sign[1]);
 		corners pz = corners_of(ahead[i], b->side[2][i], b->side[5][i], f.eye[2], f.sign[2]);
-		for (u32 k = 0; k < 4; k++) {
-			px.at[k] = f.middle + (f.focal * px.at[k]) / pz.at[k];
-			py.at[k] = f.middle - (f.focal * py.at[k]) / pz.at[k];
-		}
+		project(&f, &px, &py, &pz);
 		f32 inset = ts_k_box_inset(f.widest, f.focal, b->slack[i], least(&pz));
 		i32 x0 = ts_max_i32(ts_k_floor_within(least(&px) + inset, f.size), b->whole[0][i]);
 		i32 y0 = ts_max_i32(ts_k_floor_within(least(&py) + inset, f.size), b->whole[1][i]);

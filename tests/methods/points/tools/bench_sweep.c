@@ -37,7 +37,7 @@ static void test_sweep(void **state)
 		n_of_epr += epr;
 	}
 	assert_int_equal(n_of_epr, 11);
-	assert_int_equal(benched_relations(json_object_get(root, "relations")), 6);
+	assert_int_equal(benched_relations(json_object_get(root, "relations")), 3);
 	assert_int_equal(access(scratch_path("out/times-epr_6.svg"), F_OK), 0);
 	json_decref(times);
 	json_decref(root);
