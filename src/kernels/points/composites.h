@@ -30,6 +30,7 @@ TS_VECTOR(eye_density)
 	args.n_cubes = 1u;
 	args.paper = in[35];
 	args.cap = in[36];
+	args.greatest = 0u;
 	args.offaxis = in[37];
 	args.ball = in[38];
 	ts_eye_density d =

@@ -22,7 +22,8 @@
 	ARG(VALUE, u32, n_cubes, none) \
 	ARG(VALUE, u32, n_words, none) \
 	ARG(VALUE, u32, paper, none) \
-	ARG(VALUE, u32, cap, none) \
+	ARG(VALUE, u32, cap, none)      /* not 0: the densest cube limits the density */ \
+	ARG(VALUE, u32, greatest, none) /* side of the cubes that limit the density; 0: each cube's own */ \
 	ARG(VALUE, u32, offaxis, none) \
 	ARG(VALUE, u32, ball, none) \
 	ARG(VALUE, u32, split, none) \
@@ -91,7 +92,8 @@ TS_FN ts_eye_density ts_k_density(const ts_density_args *args, TS_GLOBAL const u
 			way = way * ts_clamp(ahead ? p.z / distance : 1.0f, 0.015625f, 1.0f);
 		}
 		way = ts_max(way, least);
-		f32 need = ((f32)cube->n * 0.5f) / ts_max(to_triangle, least);
+		u32 side = args->greatest != 0u ? args->greatest : cube->n;
+		f32 need = ((f32)side * 0.5f) / ts_max(to_triangle, least);
 		shortest = any ? ts_min(shortest, way) : way;
 		densest = any ? ts_max(densest, need) : need;
 		any = true;

@@ -42,6 +42,7 @@
 #include "../../kernels/points/samples.h"
 #include "../stages.h"
 #include "pipelines.h"
+#include "points.h"
 
 static const ts_step piece_run[] = {
 	{.stage = "cube_size"},    /* 3.5: cubes as large as their reflectors in the eye */
@@ -135,10 +136,10 @@ static void epr_expect(ts_expected *expected, const ts_scene *scene, const ts_pa
 	u64 triangles = scene->n_triangles;
 	u64 pixels = (u64)TS_PARAM(params, width) * TS_PARAM(params, height);
 	u64 face = ts_expected_face(params);
-	u64 texels = 6 * face * face * scene->info.n_reflectors;
-	double wanted =
-		6.0 * (double)TS_PARAM(params, density_scale) * (double)TS_PARAM(params, density_scale) * (double)pixels;
-	u64 points = TS_PARAM(params, density_cap) && wanted > 4.0 * (double)texels ? 4 * texels : (u64)wanted;
+	u64 texels = 6 * face * face * scene->info.n_reflectors, limiting = ts_greatest_side(params);
+	double rho = (double)TS_PARAM(params, density_scale), wanted = 6.0 * rho * rho * (double)pixels;
+	u64 most = 4 * (limiting != 0 ? 6 * limiting * limiting * scene->info.n_reflectors : texels);
+	u64 points = TS_PARAM(params, density_cap) && wanted > (double)most ? most : (u64)wanted;
 	u64 *n = expected->sizes.n, entries = ts_expect_mirrors(expected, scene, params);
 	n[TS_DIM_pieces] = triangles + triangles / 16;
 	n[TS_DIM_points] = 2 * triangles + points;

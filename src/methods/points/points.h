@@ -9,6 +9,8 @@ typedef struct ts_points_args ts_points_args;
 f32 ts_samples_a_pixel(const ts_params *params);
 /* The widest inset of a splat's box, by splat.box (splat.c). */
 f32 ts_splat_inset(const ts_params *params);
+/* Side of the cubes that limit EPR's density with density.cap=greatest, otherwise 0 (split.c). */
+u32 ts_greatest_side(const ts_params *params);
 /* Samples per side of the pixel in which EPR's culling measures areas, by points.cull_unit. At most 1: where a cube
  * limits the density, a higher density.scale puts no more samples into a pixel (cull.c). */
 f32 ts_cull_unit(const ts_params *params);

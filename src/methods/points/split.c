@@ -30,13 +30,20 @@ static ts_status divide(ts_run *run, const launches *own, ts_density_args args)
 	return TS_OK;
 }
 
+u32 ts_greatest_side(const ts_params *params)
+{
+	if (TS_PARAM(params, density_cap) != TS_DENSITY_CAP_GREATEST) return 0;
+	return TS_PARAM(params, cube_px) != 0 ? TS_PARAM(params, cube_px) : ts_largest_face(params);
+}
+
 static ts_status split(ts_run *run)
 {
 	const ts_density_args args = {
 		.rho = ts_samples_a_pixel(&run->params),
 		.n_cubes = (u32)ts_run_size(run, TS_DIM_cubes),
 		.paper = TS_PARAM(&run->params, density_path) == TS_DENSITY_PAPER,
-		.cap = TS_PARAM(&run->params, density_cap),
+		.cap = TS_PARAM(&run->params, density_cap) != TS_DENSITY_CAP_OFF,
+		.greatest = ts_greatest_side(&run->params),
 		.ball = TS_PARAM(&run->params, density_mirror) == TS_MIRROR_BALL,
 		.offaxis = TS_PARAM(&run->params, density_off_axis),
 		.rate = TS_RATE_IS_EYE,

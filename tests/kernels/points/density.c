@@ -235,6 +235,30 @@ static void test_scale(void **state)
 	assert_true(n_capped > N_PATHS / 20 && n_capped < N_PATHS);
 }
 
+/* With a greatest side the limit is that of cubes which all have this side, whatever their own. */
+static void test_greatest_side(void **state)
+{
+	(void)state;
+	n_random = 0;
+	u32 n_raised = 0, n_limited = 0;
+	for (u32 i = 0; i < N_PATHS; i++) {
+		mesh m;
+		random_mesh(&m, uniform_power(-6, 2));
+		i64 none = 0;
+		ts_density_args args = mesh_density(&m, &none, 0.5f);
+		f32 own = density(&m, &args);
+		args.greatest = 1 + random_bits() % 1024;
+		ts_eye_density d = eye_density(&m, &args);
+		for (u32 r = 0; r < m.n_cubes; r++) m.cubes[r].n = args.greatest;
+		args.greatest = 0;
+		ts_eye_density same = eye_density(&m, &args);
+		assert_true(ts_f2u(d.s) == ts_f2u(same.s) && d.limited == same.limited);
+		n_raised += d.s > own;
+		n_limited += d.limited;
+	}
+	assert_true(n_raised > N_PATHS / 50 && n_limited > N_PATHS / 50);
+}
+
 /* The width across a pencil of rays, in the plane of incidence and across it, on a plane at right angles to the middle
  * ray after a ball has mirrored it: by four rays in doubles, each a millionth from the middle one. */
 static double mirrored_area(double radius, double to_ball, double cosine, double to_plane)
@@ -533,6 +557,7 @@ int main(void)
 		cmocka_unit_test(test_path_from_inside),
 		cmocka_unit_test(test_path_of_paper),
 		cmocka_unit_test(test_scale),
+		cmocka_unit_test(test_greatest_side),
 		cmocka_unit_test(test_scale_of_world),
 		cmocka_unit_test(test_offaxis),
 		cmocka_unit_test(test_ball),

@@ -282,6 +282,41 @@ static void test_density_makes_no_holes(void **state)
 	ts_scene_free(scene);
 }
 
+/* The second reading of the limit, density.cap=greatest, is the weaker one. If all cubes have the greatest side, both
+ * readings are the same. */
+static void test_readings_of_the_limit(void **state)
+{
+	(void)state;
+	ts_params params = params_of(&settings[0]);
+	params.reflectors_px = 10; /* cubes smaller than the greatest */
+	params.width = 128;
+	params.height = 72;
+	ts_scene *scene = scene_of(&settings[0], &params);
+	ts_sums sums[3];
+	i64 points[3], limited[3];
+	for (u32 cap = 0; cap < 3; cap++) {
+		ts_run run;
+		params.density_cap = cap;
+		small_run(&run, scene, &params, "epr", 2, NULL, NULL);
+		points[cap] = ts_run_counter(&run, "points");
+		limited[cap] = ts_run_counter(&run, "density.limited");
+		ts_run_end(&run);
+		params.cube_px = 32;
+		sums[cap] = sums_of(scene, &params, "epr", (ts_how){.threads = 2});
+		params.cube_px = 0;
+	}
+	print_message("off, on, greatest: %lld, %lld, %lld points\n", (long long)points[0], (long long)points[1],
+	              (long long)points[2]);
+	assert_true(points[TS_DENSITY_CAP_ON] < points[TS_DENSITY_CAP_GREATEST]);
+	assert_true(points[TS_DENSITY_CAP_GREATEST] < points[TS_DENSITY_CAP_OFF]);
+	assert_true(limited[TS_DENSITY_CAP_OFF] == 0 && limited[TS_DENSITY_CAP_GREATEST] > 0);
+	assert_true(limited[TS_DENSITY_CAP_GREATEST] < limited[TS_DENSITY_CAP_ON]);
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		assert_string_equal(sums[TS_DENSITY_CAP_ON].hex[id], sums[TS_DENSITY_CAP_GREATEST].hex[id]);
+	}
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest epr[] = {
@@ -292,6 +327,7 @@ int main(void)
 		cmocka_unit_test(test_forward_order),
 		cmocka_unit_test(test_forward_of_one_mirror),
 		cmocka_unit_test(test_density_makes_no_holes),
+		cmocka_unit_test(test_readings_of_the_limit),
 	};
 	return cmocka_run_group_tests(epr, NULL, NULL);
 }

@@ -87,11 +87,12 @@ static void merge(ts_density_part *p, const seen *s)
 static ts_density_cube cube_of(const ts_density_args *args, u32 r)
 {
 	const ts_face *of = &args->cubes[r];
+	u32 side = args->greatest != 0 ? args->greatest : of->n;
 	return (ts_density_cube){.eye = ts_load3(args->view->eye),
 	                         .centre = ts_load3(of->centre),
 	                         .radius = of->radius,
 	                         .least = ts_flush(of->radius * 0.0009765625f),
-	                         .half_size = (f32)of->n * 0.5f};
+	                         .half_size = (f32)side * 0.5f};
 }
 
 /* As the end of ts_k_density, and the start of ts_k_split. */

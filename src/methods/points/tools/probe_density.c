@@ -150,7 +150,8 @@ ts_status ts_probe_density(ts_probe *p, u32 triangle, const u64 *bits, json_t *o
 	                        .n_cubes = ts_probe_n_cubes(p),
 	                        .n_words = ts_probe_n_words(p),
 	                        .paper = TS_PARAM(params, density_path) == TS_DENSITY_PAPER,
-	                        .cap = TS_PARAM(params, density_cap),
+	                        .cap = TS_PARAM(params, density_cap) != TS_DENSITY_CAP_OFF,
+	                        .greatest = ts_greatest_side(params),
 	                        .ball = TS_PARAM(params, density_mirror) == TS_MIRROR_BALL,
 	                        .offaxis = TS_PARAM(params, density_off_axis),
 	                        .split = TS_PARAM(params, points_split)};

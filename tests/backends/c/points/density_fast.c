@@ -119,6 +119,7 @@ static void test_equal_of_the_eye(void **state)
 		random_mirrors(&m);
 		ts_density_args args = mesh_density(&m, &n_capped, uniform_power(-4, 4));
 		args.cap = random_bits() % 4 != 0;
+		args.greatest = random_bits() % 2 == 0 ? 0 : 1 + random_bits() % 1024;
 		args.split = random_bits() % 2;
 		for (u32 way = 0; way < 2; way++) {
 			args.whole = way == 0 ? plain : fast;
@@ -134,8 +135,8 @@ static void test_equal_of_the_eye(void **state)
 		u32 t = 0;
 		while (t < MESH_TRIANGLES && ts_f2u(plain[t]) == ts_f2u(fast[t]) && pieces[0][t] == pieces[1][t]) t++;
 		if (t < MESH_TRIANGLES || limited[0] != limited[1]) {
-			fail_msg("random %u: %u mirrors, cap %u, %u threads: triangle %u: %a, %a; limited %lld, %lld", start,
-			         m.n_cubes, args.cap, threads, t, (double)plain[t % MESH_TRIANGLES],
+			fail_msg("random %u: %u mirrors, cap %u, greatest %u, %u threads: triangle %u: %a, %a; limited %lld, %lld",
+			         start, m.n_cubes, args.cap, args.greatest, threads, t, (double)plain[t % MESH_TRIANGLES],
 			         (double)fast[t % MESH_TRIANGLES], (long long)limited[0], (long long)limited[1]);
 		}
 		for (t = 0; t < MESH_TRIANGLES; t++) n_seen += plain[t] > 0;

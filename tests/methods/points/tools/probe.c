@@ -3,7 +3,8 @@
 
 enum { N_TRIED = 50 };
 
-static traced epr, mvr, bufferless, forward, plane; /* plane: EPR with the depth of planes, which ties often */
+/* plane: EPR with the depth of planes, which ties often, and with the second reading of the limit */
+static traced epr, mvr, bufferless, forward, plane;
 
 static int make_all(void **state)
 {
@@ -18,6 +19,8 @@ static int make_all(void **state)
 	make(&bufferless, "reflections", "epr-bufferless", &params);
 	make(&forward, "reflections", "epr-forward", &params);
 	params.splat_plane_depth = 1;
+	params.density_cap = TS_DENSITY_CAP_GREATEST;
+	params.reflectors_px = 20; /* cubes smaller than the greatest */
 	make(&plane, "reflections", "epr", &params);
 	return 0;
 }
@@ -206,6 +209,22 @@ static void test_triangles(void **state)
 	}
 }
 
+/* Densities that the second reading of the limit lowers are those of the run. */
+static void test_greatest_side(void **state)
+{
+	(void)state;
+	u32 n_lowered = 0;
+	for (u32 i = 0; i < 1500 && n_lowered < N_TRIED; i++) {
+		json_t *answer;
+		require(ask_triangle(&plane, below((u32)count(&plane, TS_B_scene_triangle)), &answer));
+		const json_t *cap = json_object_get(json_object_get(answer, "density"), "cap");
+		n_lowered += json_is_string(cap) && strcmp(json_string_value(cap), "lowered the density") == 0;
+		assert_agrees(answer);
+		json_decref(answer);
+	}
+	assert_int_equal(n_lowered, N_TRIED);
+}
+
 static void test_points(void **state)
 {
 	(void)state;
@@ -323,7 +342,7 @@ int main(void)
 		cmocka_unit_test(test_texels_mvr),        cmocka_unit_test(test_ties),
 		cmocka_unit_test(test_triangles),         cmocka_unit_test(test_points),
 		cmocka_unit_test(test_bufferless),        cmocka_unit_test(test_forward),
-		cmocka_unit_test(test_nothing_there),
+		cmocka_unit_test(test_nothing_there),     cmocka_unit_test(test_greatest_side),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }
