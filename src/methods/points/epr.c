@@ -137,7 +137,7 @@ static void epr_expect(ts_expected *expected, const ts_scene *scene, const ts_pa
 	u64 pixels = (u64)TS_PARAM(params, width) * TS_PARAM(params, height);
 	u64 face = ts_expected_face(params);
 	u64 texels = 6 * face * face * scene->info.n_reflectors, limiting = ts_greatest_side(params);
-	double rho = (double)TS_PARAM(params, density_scale), wanted = 6.0 * rho * rho * (double)pixels;
+	double rho = (double)ts_samples_a_pixel(params), wanted = 6.0 * rho * rho * (double)pixels;
 	u64 most = 4 * (limiting != 0 ? 6 * limiting * limiting * scene->info.n_reflectors : texels);
 	u64 points = TS_PARAM(params, density_cap) && wanted > (double)most ? most : (u64)wanted;
 	u64 *n = expected->sizes.n, entries = ts_expect_mirrors(expected, scene, params);

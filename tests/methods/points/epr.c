@@ -317,6 +317,30 @@ static void test_readings_of_the_limit(void **state)
 	ts_scene_free(scene);
 }
 
+static u64 points_expected(const ts_scene *scene, const ts_params *params)
+{
+	return ts_pipeline_expect(ts_pipeline_find("reflections", "epr"), scene, params).sizes.n[TS_DIM_points];
+}
+
+/* As many points are expected of a density per area as of its root per side. */
+static void test_expects_density_per_area(void **state)
+{
+	(void)state;
+	ts_params params = params_of(&settings[0]);
+	ts_scene *scene = scene_of(&settings[0], &params);
+	params.density_cap = TS_DENSITY_CAP_OFF;
+	for (u32 i = 0; i < 3; i++) {
+		f32 side = (f32)(1u << i) * 0.5f;
+		params.density_scale = side;
+		params.density_per_area = 0;
+		u64 expected = points_expected(scene, &params);
+		params.density_scale = side * side;
+		params.density_per_area = 1;
+		assert_true(expected > 2 * (u64)scene->n_triangles && points_expected(scene, &params) == expected);
+	}
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest epr[] = {
@@ -328,6 +352,7 @@ int main(void)
 		cmocka_unit_test(test_forward_of_one_mirror),
 		cmocka_unit_test(test_density_makes_no_holes),
 		cmocka_unit_test(test_readings_of_the_limit),
+		cmocka_unit_test(test_expects_density_per_area),
 	};
 	return cmocka_run_group_tests(epr, NULL, NULL);
 }
