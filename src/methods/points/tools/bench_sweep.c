@@ -39,8 +39,8 @@ static const mark marks[] = {
 	{ 4, "1/2" }, { 4, "1" }, { 4, "2" },
 };
 /* clang-format on */
-/* Marks that claims name: EPR's default, and balls at one sample a pixel and two. */
-enum { AS_PRINTED = 1, BALLS_ONE = 15, BALLS_TWO = 16 };
+/* The mark that a claim names: EPR's default. */
+enum { AS_PRINTED = 1 };
 enum { N_MARKS = sizeof marks / sizeof marks[0] };
 _Static_assert(N_MARKS + 1 == sizeof variants / sizeof variants[0], "a mark a variant");
 
