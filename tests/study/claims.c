@@ -13,6 +13,18 @@ static const ts_bench_row *bench_of(const ts_claim *claim)
 	return *row;
 }
 
+/* Each beginning is that of some relation's text. */
+static void check_rows(const ts_claim *claim, const ts_paper_table *table)
+{
+	for (const char *begin = claim->rows; begin != NULL; begin = strchr(begin, '|')) {
+		begin += begin != claim->rows;
+		const ts_paper_relation *r = table->relations;
+		while (r->text != NULL && strncmp(r->text, begin, strcspn(begin, "|")) != 0) r++;
+		if (r->text == NULL)
+			fail_msg("%s, %s: no row of %s begins with %s", claim->paper, claim->place, table->name, begin);
+	}
+}
+
 static void check(const ts_claim *claim)
 {
 	if (claim->shows[0] == 0) fail_msg("%s, %s: shows nothing", claim->paper, claim->place);
@@ -22,6 +34,7 @@ static void check(const ts_claim *claim)
 	const ts_bench_row *row = bench_of(claim);
 	if (row == NULL) fail_msg("%s, %s: no table %s", claim->paper, claim->place, claim->bench);
 	if (row->brief == NULL) fail_msg("%s: no options to be run in brief", row->name);
+	if (row->paper != NULL) check_rows(claim, row->paper);
 }
 
 static void test_claims(void **state)

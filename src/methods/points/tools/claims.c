@@ -6,7 +6,7 @@ const ts_claim ts_points_claims[] = {
 	{ "EPR", "section 3.4", "without buffers of points imagery is identical, at less than half speed", "epr-buffers",
 	  "RMSE of bufferless|time", NULL },
 	{ "EPR", "section 3.5, forward", "forward-shaded points are lit once a point, not once a texel", "epr-buffers",
-	  "operations", NULL },
+	  "forward's operations", NULL },
 	{ "EPR", "table 1", "EPR shades 4 to 104 times less often than MVR", "epr-1", NULL, NULL },
 	{ "EPR", "table 2", "EPR is 1.4 to 6.7 times faster than MVR, its errors are as small", "epr-2", "iVIR|time|RMSE",
 	  NULL },
