@@ -1,6 +1,7 @@
 /* Renders pairs into dual-paraboloid maps, one map per node of views (MegaViews section 3.2; METHODS 13): the distance
- * between the middles of the two nodes, by 64-bit minimum, in the texel of the scene node's middle; a leaf wider than a
- * texel is rendered into all texels that it covers. */
+ * between the middles of the two nodes, by 64-bit minimum, in the texels whose middle meets the scene node's ball. By
+ * the paper (view_map.texel=point) it is in the texel of the node's middle; a leaf wider than a texel is rendered into
+ * all texels that it covers. */
 #ifndef TS_KERNELS_VIEW_MAP_H
 #define TS_KERNELS_VIEW_MAP_H
 #include "../base/args.h"
@@ -10,7 +11,8 @@
 /* A pyramid: level l is two maps of n >> l texels per side. */
 typedef struct ts_pyramid {
 	u32 n, levels;
-	f32 fill; /* radius of the ball that is filled, in radii of the leaf; 0: only the texel of its middle */
+	u32 point; /* view_map.texel=point */
+	f32 fill;  /* radius of the ball that is filled, in radii of the node; 0: only the texel of its middle */
 } ts_pyramid;
 
 /* Number of texels before a level; with level = levels that of all levels. */
@@ -99,9 +101,11 @@ TS_FN void ts_k_map_pair(const ts_view_map_args *args, u64 pair)
 	ts_v3 vs = ts_sub(ts_load3(node->centre), ts_load3(args->views[v].centre));
 	u64 key = ((u64)ts_f2u(ts_put(ts_length(vs))) << 32) | ts_k_pair_node(pair);
 	TS_GLOBAL u64 *map = args->texels + (u64)v * ts_k_pyramid_texels(&args->pyramid);
-	ts_min_u64(&map[ts_k_paraboloid_texel(vs, args->pyramid.n)], key);
 	f32 radius = node->radius * args->pyramid.fill;
-	if (!(radius > 0.0f) || !(ts_k_map_width(&args->pyramid, vs, radius) > 1.0f)) return;
+	if (args->pyramid.point != 0u) {
+		ts_min_u64(&map[ts_k_paraboloid_texel(vs, args->pyramid.n)], key);
+		if (!(radius > 0.0f) || !(ts_k_map_width(&args->pyramid, vs, radius) > 1.0f)) return;
+	}
 	for (u32 side = 0u; side < 2u; side++) {
 		ts_cap cap = ts_k_cap(vs, radius, side == 1u);
 		ts_k_cap_fill(map, &args->pyramid, &cap, side == 1u, key);

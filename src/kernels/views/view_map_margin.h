@@ -122,7 +122,7 @@ typedef struct {
 	u32 node;
 	f32 d, fate;
 	bool rendered;
-	f32 width; /* of the ball that is filled, in texels */
+	f32 width; /* of the ball that is filled, in texels; more than 1 where every ball is filled */
 } ts_placed;
 
 /* The margin of a texel by a pair that is in the texel or not, and turns within `margin`. The shown pair may leave.
@@ -219,11 +219,14 @@ TS_FN void ts_k_placed_margin(const ts_view_map_margin_args *args, u64 pair, f32
 	placed.d = ts_length(vs);
 	placed.fate = fate_margin;
 	placed.rendered = rendered;
-	ts_k_middle_margin(args, &placed, first, vs);
 	f32 radius = node->radius * args->pyramid.fill;
-	placed.width = ts_k_map_width(&args->pyramid, vs, radius);
-	bool narrow = !(placed.width > 1.0f) && ts_k_width_margin(&placed) > TS_MARGIN_REACH;
-	if (!(radius > 0.0f) || narrow) return;
+	placed.width = 2.0f * (f32)args->pyramid.n;
+	if (args->pyramid.point != 0u) {
+		ts_k_middle_margin(args, &placed, first, vs);
+		placed.width = ts_k_map_width(&args->pyramid, vs, radius);
+		bool narrow = !(placed.width > 1.0f) && ts_k_width_margin(&placed) > TS_MARGIN_REACH;
+		if (!(radius > 0.0f) || narrow) return;
+	}
 	ts_k_fill_margin(args, &placed, first, vs, radius, false);
 	ts_k_fill_margin(args, &placed, first, vs, radius, true);
 }

@@ -46,7 +46,7 @@ ts_aperture ts_view_aperture(u32 field)
 ts_status ts_traverse_arguments(ts_run *run, ts_traverse_args *args)
 {
 	bool culls = TS_PARAM(&run->params, traverse_cull) != 0;
-	if (ts_view_px_check(run) != TS_OK) return TS_ERROR;
+	if (ts_view_map_check(run) != TS_OK) return TS_ERROR;
 	*args = (ts_traverse_args){
 		.phi = ts_view_aperture(culls ? run->plan.views.field : TS_VIEW_FIELD_ALL),
 		.n = run->plan.views.px,

@@ -5,10 +5,14 @@
 #include "traverse.h"
 #include <inttypes.h>
 
-ts_status ts_view_px_check(const ts_run *run)
+ts_status ts_view_map_check(const ts_run *run)
 {
 	u32 n = run->plan.views.px;
-	return (n & (n - 1)) == 0 ? TS_OK : ts_fail("maps of %" PRIu32 " texels: a power of two would be right", n);
+	if ((n & (n - 1)) != 0) return ts_fail("maps of %" PRIu32 " texels: a power of two would be right", n);
+	bool holed = TS_PARAM(&run->params, view_map_multipixel) == TS_MULTIPIXEL_OFF;
+	if (!holed || TS_PARAM(&run->params, view_map_texel) == TS_TEXEL_POINT) return TS_OK;
+	return ts_fail("view_map.multipixel=off: with view_map.texel=middle a node fills what its ball covers; "
+	               "view_map.texel=point would be right");
 }
 
 /* In maps of 16 x 16 hardly a leaf is wider than a texel (MegaViews section 4). */
@@ -17,10 +21,10 @@ enum { WITHOUT_FILLING = 16 };
 ts_pyramid ts_view_pyramid(const ts_params *params, const ts_plan *plan)
 {
 	u32 how = TS_PARAM(params, view_map_multipixel);
-	f32 fill = plan->views.cubes ? TS_PARAM(params, cube_view_fill) : TS_PARAM(params, view_map_fill);
-	ts_pyramid r = {.n = plan->views.px, .levels = 1};
-	if (how == TS_MULTIPIXEL_AUTO) how = r.n > WITHOUT_FILLING ? TS_MULTIPIXEL_MIPS : TS_MULTIPIXEL_OFF;
-	if (how != TS_MULTIPIXEL_OFF) r.fill = fill;
+	ts_pyramid r = {.n = plan->views.px, .levels = 1, .point = TS_PARAM(params, view_map_texel) == TS_TEXEL_POINT};
+	u32 small = r.point ? TS_MULTIPIXEL_OFF : TS_MULTIPIXEL_TEXELS;
+	if (how == TS_MULTIPIXEL_AUTO) how = r.n > WITHOUT_FILLING ? TS_MULTIPIXEL_MIPS : small;
+	if (how != TS_MULTIPIXEL_OFF) r.fill = TS_PARAM(params, view_map_fill);
 	while (how == TS_MULTIPIXEL_MIPS && r.n >> r.levels > 0) r.levels++;
 	return r;
 }
@@ -96,7 +100,7 @@ static ts_status view_map_fuse(ts_run *run)
 	u64 n_levels = ts_frame_n(&run->frame, TS_B_view_octree_level) - 1;
 	const u32 *before = ts_frame_data(&run->frame, TS_B_view_octree_level);
 	ts_view_map_fuse_args args = ts_view_map_fuse_values(run);
-	if (ts_view_px_check(run) != TS_OK || TS_FILL(run, &fused, &args) != TS_OK) return TS_ERROR;
+	if (ts_view_map_check(run) != TS_OK || TS_FILL(run, &fused, &args) != TS_OK) return TS_ERROR;
 	count_bytes(run, TS_B_view_map_fused_depth);
 	count_bytes(run, TS_B_view_map_fused_node);
 	for (u64 level = 0; level < n_levels; level++) {

@@ -10,7 +10,7 @@ typedef struct ts_vpl_args ts_vpl_args;
 typedef struct ts_vpl_gather_args ts_vpl_gather_args;
 
 /* The side of a plan's maps must be a power of two; the levels of one of its maps (view_map.c). */
-ts_status ts_view_px_check(const ts_run *run);
+ts_status ts_view_map_check(const ts_run *run);
 ts_pyramid ts_view_pyramid(const ts_params *params, const ts_plan *plan);
 /* Arguments of fusion, without pointers. */
 ts_view_map_fuse_args ts_view_map_fuse_values(const ts_run *run);

@@ -1,6 +1,7 @@
 /* Pairs in dual-paraboloid maps against brute force in double precision (METHODS 13): all nodes of a small lattice from
  * views on it, so that distances are exact, some are equal, and no place is so near the edge of a texel that rounding
- * decides; leaves that fill all texels that they cover; and what a map shows, moved from parents to children. */
+ * decides; nodes that fill all texels that they cover, by either rule; and what a map shows, moved from parents to
+ * children. */
 #include <string.h>
 #include "../../../src/kernels/views/view_map_fuse.h"
 #include "../../../src/kernels/views/view_octree_alone.h"
@@ -30,8 +31,11 @@ static void begin(world *w, u32 n, u32 levels)
 	for (u32 i = 0; i < N_NODES; i++) ts_store3(w->nodes[i].centre, place((i * 2741 + 77) % N_NODES));
 	for (u32 v = 0; v < N_VIEWS; v++) ts_store3(w->views[v].centre, place(seen_from[v]));
 	for (u32 i = 0; i < N_PAIRS; i++) w->pairs[i] = ts_k_pair(i / N_VIEWS, i % N_VIEWS);
-	w->args = (ts_view_map_args){
-		.nodes = w->nodes, .views = w->views, .pairs = w->pairs, .texels = w->texels, .pyramid = {n, levels, 0}};
+	w->args = (ts_view_map_args){.nodes = w->nodes,
+	                             .views = w->views,
+	                             .pairs = w->pairs,
+	                             .texels = w->texels,
+	                             .pyramid = {n, levels, .point = 1}};
 	memset(w->texels, 0xff, sizeof w->texels);
 	memset(w->expected, 0xff, sizeof w->expected);
 }
@@ -164,7 +168,7 @@ static void test_pyramid(void **state)
 {
 	(void)state;
 	for (u32 n = 1, levels = 1; n <= MOST; n *= 2, levels++) {
-		const ts_pyramid pyramid = {n, levels, 0};
+		const ts_pyramid pyramid = {n, levels, .point = 1};
 		assert_int_equal(ts_k_pyramid_texels(&pyramid), above((spot){0, 0, 0}, n, levels));
 		for (u32 t = 0; t < 2 * n * n; t++) {
 			const spot at = {t / (n * n), t / n % n, t % n};
@@ -173,8 +177,8 @@ static void test_pyramid(void **state)
 	}
 }
 
-/* Whether the middle of a texel is a direction that meets the filled ball of a pair's node, which is wider than a
- * texel, or the texel is that of the node's own middle; where rounding decides, `unsure`. */
+/* Whether the middle of a texel is a direction that meets the filled ball of a pair's node. By points only balls wider
+ * than a texel are filled, and the texel of the node's own middle is covered, too. Where rounding decides, `unsure`. */
 static bool is_covered(const world *w, u64 pair, u32 texel, u32 n, bool *unsure)
 {
 	double u = (2.0 * (texel % n) + 1) / n - 1, v = (2.0 * (texel / n % n) + 1) / n - 1, s = u * u + v * v;
@@ -182,15 +186,16 @@ static bool is_covered(const world *w, u64 pair, u32 texel, u32 n, bool *unsure)
 	double r = (double)w->args.pyramid.fill * (double)w->nodes[pair >> 32].radius, far = d3_length(d);
 	double edge = sqrt(fmax(0, (far - r) * (far + r))), wide = far > r ? n * r / (fabs(d.x) + edge) : n;
 	double inside = far > r ? d3_dot(middle, d) / (1 + s) - edge : 1;
-	bool own = texel_of(d, n) == texel;
-	*unsure = (fabs(inside) < 2e-5 * far || fabs(wide - 1) < 1e-5) && !own;
-	return (wide > 1 && inside > 0) || own;
+	bool point = w->args.pyramid.point != 0, own = point && texel_of(d, n) == texel;
+	*unsure = (fabs(inside) < 2e-5 * far || (point && fabs(wide - 1) < 1e-5)) && !own;
+	return ((wide > 1 || !point) && inside > 0) || own;
 }
 
 /* Leaves from far ones, narrower than a texel, to such that a view is in. */
-static void begin_leaves(world *w, u32 levels)
+static void begin_leaves(world *w, u32 levels, bool point)
 {
 	begin(w, MOST, levels);
+	w->args.pyramid.point = point;
 	w->args.pyramid.fill = 0.75f;
 	for (u32 i = 0; i < N_NODES; i++) w->nodes[i].radius = uniform(0.001f, i % 8 == 0 ? 1.0f : 0.3f);
 }
@@ -198,12 +203,11 @@ static void begin_leaves(world *w, u32 levels)
 static const u32 all_levels = 5; /* of maps of MOST */
 
 /* Each pair alone: the texels that show it are those that it covers, none more, one by one or by a pyramid. */
-static void test_fill(void **state)
+static void check_fill(bool point)
 {
-	(void)state;
 	static world w, splat;
-	u32 n_wide = 0, n_unsure = 0, n_coarse = 0;
-	begin_leaves(&w, 1);
+	u32 n_none = 0, n_wide = 0, n_unsure = 0, n_coarse = 0;
+	begin_leaves(&w, 1, point);
 	splat = w;
 	splat.args = w.args;
 	splat.args.nodes = splat.nodes, splat.args.views = splat.views, splat.args.pairs = splat.pairs;
@@ -222,6 +226,7 @@ static void test_fill(void **state)
 			if (!unsure) assert_true(map[t] == (covered ? key_of(way(&w, pair), pair) : TS_EMPTY));
 			n += map[t] != TS_EMPTY;
 		}
+		n_none += n == 0;
 		n_wide += n > 1;
 		for (u32 t = TEXELS; t < ts_k_pyramid_texels(&splat.args.pyramid); t++) n_coarse += levels[t] != TS_EMPTY;
 		memset(map, 0xff, TEXELS * sizeof *map);
@@ -230,6 +235,14 @@ static void test_fill(void **state)
 	assert_memory_equal(w.texels, w.expected, sizeof w.texels);
 	assert_memory_equal(splat.texels, w.expected, sizeof w.texels);
 	assert_true(n_wide > 1000 && n_coarse > 1000 && n_unsure < 200);
+	assert_true(point ? n_none == 0 : n_none > 300);
+}
+
+static void test_fill(void **state)
+{
+	(void)state;
+	check_fill(false);
+	check_fill(true);
 }
 
 /* Of many leaves each texel shows the nearest that covers it, however they are filled. */
@@ -237,8 +250,8 @@ static void test_fill_nearest(void **state)
 {
 	(void)state;
 	static world w;
-	for (u32 levels = 1; levels <= all_levels; levels += all_levels - 1) {
-		begin_leaves(&w, levels);
+	for (u32 choice = 0; choice < 4; choice++) {
+		begin_leaves(&w, choice % 2 == 0 ? 1 : all_levels, choice / 2 != 0);
 		u32 n_shown = 0, n_few = 400;
 		for (u32 i = 0; i < n_few; i++) w.pairs[i] = ts_k_pair(below(N_NODES), i % N_VIEWS);
 		for (u32 i = 0; i < n_few; i++) ts_k_view_map_item(&w.args, i);
@@ -284,7 +297,7 @@ static void begin_line(line *w, bool nearest)
 	                                  .texels = w->texels,
 	                                  .depths = w->depths,
 	                                  .nodes = w->shown,
-	                                  .pyramid = {N, 1, 0},
+	                                  .pyramid = {N, 1, .point = 1},
 	                                  .nearest = nearest};
 }
 

@@ -32,10 +32,11 @@ static void make(world *w, ts_v3 at, bool wall)
 	ts_store3(w->view.centre, at);
 	ts_store3(w->light.position, at);
 	memset(w->texels, 0xff, sizeof w->texels);
-	const ts_view_map_args map = {.nodes = w->scene, .views = &w->view, .texels = w->texels, .pyramid = {N, 1, 0}};
+	const ts_view_map_args map = {
+		.nodes = w->scene, .views = &w->view, .texels = w->texels, .pyramid = {N, 1, .point = 1}};
 	for (u32 i = 0; i < w->n_nodes; i++) ts_k_map_pair(&map, ts_k_pair(i, 0));
 	ts_view_map_fuse_args fuse = {
-		.views = &w->view, .texels = w->texels, .depths = w->depths, .nodes = w->shown, .pyramid = {N, 1, 0}};
+		.views = &w->view, .texels = w->texels, .depths = w->depths, .nodes = w->shown, .pyramid = {N, 1, .point = 1}};
 	for (u32 i = 0; i < 2 * N * N; i++) ts_k_view_map_fuse_item(&fuse, i);
 	w->args = (ts_vpl_gather_args){.root = &w->root,
 	                               .leaves = &w->leaf,

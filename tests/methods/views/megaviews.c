@@ -396,6 +396,7 @@ static void test_brute(void **state)
 	ts_params params = tiny_params();
 	params.octree_levels = 6;
 	params.vpl_paths = 40;
+	params.view_map_texel = TS_TEXEL_POINT;
 	ts_run brute, alone;
 	run_of(&brute, scene, &params, "bruteforce");
 	ts_run_begin(&alone, scene, &params, 2);
@@ -538,6 +539,7 @@ static void test_queries(void **state)
 			ts_params params = tiny_params(), descend;
 			params.vpl_paths = 30;
 			params.view_map_fusion = k % 2 != 0 ? TS_FUSION_PAPER : TS_FUSION_MIN;
+			params.view_map_texel = k / 2 != 0 ? TS_TEXEL_MIDDLE : TS_TEXEL_POINT;
 			params.view_map_multipixel = k / 2 != 0 ? TS_MULTIPIXEL_MIPS : TS_MULTIPIXEL_OFF;
 			params.bilateral_px = 0;
 			descend = params;

@@ -121,6 +121,7 @@ static inline void prototype_check(const ts_scene *scene, const prototype_row *e
 	ts_params params = small_params(64, 64);
 	params.reflectors_count = 0;
 	params.view_map_px = n;
+	params.view_map_texel = TS_TEXEL_POINT;
 	params.view_map_multipixel = TS_MULTIPIXEL_OFF;
 	params.view_map_apart = 2;
 	params.view_map_field = expected->field;

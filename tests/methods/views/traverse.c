@@ -10,6 +10,7 @@ static ts_params params_of(u32 n)
 	ts_params params = small_params(64, 64);
 	params.reflectors_count = 0;
 	params.view_map_px = n;
+	params.view_map_texel = TS_TEXEL_POINT;
 	params.view_map_multipixel = TS_MULTIPIXEL_OFF;
 	return params;
 }
@@ -231,7 +232,8 @@ static void test_fuse(void **state)
 	grove_plant(&g, 5, 6, 20000, grove_surface, 300, grove_surface);
 	grove_outcome least = grove_run(&g, scene, &params, 2, NULL, false),
 				  own = grove_run(&g, scene, &paper, 2, NULL, false);
-	ts_view_map_fuse_args args = {.views = g.views.nodes, .texels = least.maps, .pyramid = {8, 1, 0}, .nearest = 1};
+	ts_view_map_fuse_args args = {
+		.views = g.views.nodes, .texels = least.maps, .pyramid = {8, 1, .point = 1}, .nearest = 1};
 	ts_view_map_fuse_args own_args = args;
 	own_args.nearest = 0;
 	u64 n_moved = 0, n_nearer = 0;

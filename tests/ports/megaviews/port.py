@@ -87,19 +87,21 @@ def view_map(trace, rendered):
 	"""Bits of the distance and the node of each pair into the map of its node of views, by minimum."""
 	scene, views = trace['octree.node'], trace['view_octree.node']
 	n, mode = int(trace.params['view_map.px']), trace.params['view_map.multipixel']
+	point = trace.params['view_map.texel'] == 'point'
 	if mode == 'auto':
-		mode = 'mips' if n > 16 else 'off'
+		mode = 'mips' if n > 16 else 'off' if point else 'texels'
 	levels = n.bit_length() if mode == 'mips' else 1
 	texels = np.full((len(views), first_texel(n, levels)), EMPTY)
 	s, v = (rendered >> np.uint64(32)).astype(np.int64), (rendered & np.uint64(NONE)).astype(np.int64)
 	vs = scene['centre'][s] - views['centre'][v]
 	d = length(vs)
 	key = (d.view(np.uint32).astype(np.uint64) << np.uint64(32)) | s.astype(np.uint64)
-	np.minimum.at(texels, (v, maps.texel(vs, np.int64(n))[1]), key)
+	if point:
+		np.minimum.at(texels, (v, maps.texel(vs, np.int64(n))[1]), key)
 	if mode != 'off':
 		radius = f32(trace.params['view_map.fill']) * scene['radius'][s]
 		wide = (d <= radius) | (pairs.size(vs, d, d, radius, f32(n)) > 1)
-		for i in np.flatnonzero(wide & (scene['children'][s] == 0)):
+		for i in np.flatnonzero(wide | (not point)):
 			fill(texels[v[i]], n, levels, key[i], vs[i], radius[i])
 	return texels
 

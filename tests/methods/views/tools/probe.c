@@ -35,6 +35,7 @@ static int make_all(void **state)
 		params.vpl_bounces = view_methods[i].bounces;
 		params.vpl_gather_lights = view_methods[i].lights;
 		params.view_map_fusion = view_methods[i].fusion;
+		params.view_map_texel = view_methods[i].multipixel == TS_MULTIPIXEL_MIPS ? TS_TEXEL_MIDDLE : TS_TEXEL_POINT;
 		params.view_map_multipixel = view_methods[i].multipixel;
 		params.vpl_gather_shadows = view_methods[i].shadows;
 		params.vpl_gather_cutoff = view_methods[i].cutoff;

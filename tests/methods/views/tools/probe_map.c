@@ -35,6 +35,7 @@ static int make_all(void **state)
 		params.vpl_paths = methods[i].vpls;
 		params.view_map_px = methods[i].px;
 		params.view_map_fusion = methods[i].fusion;
+		params.view_map_texel = methods[i].multipixel == TS_MULTIPIXEL_MIPS ? TS_TEXEL_MIDDLE : TS_TEXEL_POINT;
 		params.view_map_multipixel = methods[i].multipixel;
 		params.view_map_field = methods[i].field;
 		params.view_map_apart = methods[i].apart;
@@ -81,7 +82,7 @@ static apart between(const ts_node *s, const ts_node *v)
 	return a;
 }
 
-/* Is the middle of the texel a direction that meets the ball, which is wider than a texel? */
+/* Is the middle of the texel a direction that meets the ball, which by points must be wider than a texel? */
 static answer is_covered(const traced *t, const apart *a, u32 texel)
 {
 	u32 n = t->run.params.view_map_px;
@@ -90,7 +91,8 @@ static answer is_covered(const traced *t, const apart *a, u32 texel)
 	double u = (2.0 * (texel % n) + 1) / n - 1, v = (2.0 * (texel / n % n) + 1) / n - 1, s = u * u + v * v;
 	double x = texel < n * n ? 1 - s : s - 1, edge = sqrt((a->d - r) * (a->d + r));
 	answer meets = more((x * a->x + 2 * u * a->y + 2 * v * a->z) / (1 + s), edge, 10 * a->d);
-	return both(meets, more(n * r / (fabs(a->x) + edge), 1, 1));
+	bool point = t->run.params.view_map_texel == TS_TEXEL_POINT;
+	return point ? both(meets, more(n * r / (fabs(a->x) + edge), 1, 1)) : meets;
 }
 
 /* METHODS 13: does the pair come to a texel of the map? */
@@ -100,7 +102,8 @@ static answer comes_to(const traced *t, const apart *a, u32 texel)
 	double sum = fmax(a->d + fabs(a->x), 1e-30);
 	answer half = (a->x < 0) == (texel >= n * n) ? YES : NO;
 	answer middle = both(half, both(is_in(a->y, sum, n, texel % n), is_in(a->z, sum, n, texel / n % n)));
-	return either(middle, is_covered(t, a, texel));
+	bool point = t->run.params.view_map_texel == TS_TEXEL_POINT;
+	return either(point ? middle : NO, is_covered(t, a, texel));
 }
 
 /* Of one light: not all of the leaf is behind it. The kernels allow the cosine of a cone, here 1, to be rounded. */

@@ -1,5 +1,6 @@
-/* Maps of virtual point lights against rays: coarse ones stop and let through more light wrongly than fine ones, and
- * by distance let more through than by the plane; emptied or filled maps are found to be. */
+/* Maps of virtual point lights against rays: by points coarse ones stop and let through more light wrongly than fine
+ * ones, by the middles of texels they stop less of it than by points, and by distance they let more through than by the
+ * plane; emptied or filled maps are found to be. */
 #include "../../small.h"
 #include "../../../../src/methods/views/tools/tools.h"
 
@@ -11,6 +12,7 @@ static ts_params params_of(u32 px)
 	params.octree_levels = 7;
 	params.vpl_paths = 80;
 	params.view_map_px = px;
+	params.view_map_texel = TS_TEXEL_POINT;
 	params.view_map_multipixel = TS_MULTIPIXEL_TEXELS;
 	return params;
 }
@@ -41,15 +43,17 @@ static ts_texel_counts counts_of(const ts_scene *scene, const ts_params *params,
 static void test_sizes(void **state)
 {
 	(void)state;
-	ts_params coarse = params_of(16), fine = params_of(128), distance = coarse;
+	ts_params coarse = params_of(16), fine = params_of(128), middle = coarse, distance = coarse;
+	middle.view_map_texel = TS_TEXEL_MIDDLE;
 	distance.vpl_gather_test = TS_SHADOW_TEST_DISTANCE;
 	ts_scene *scene = small_scene(&coarse);
 	ts_texel_counts a = counts_of(scene, &coarse, 2), b = counts_of(scene, &fine, 2);
-	ts_texel_counts c = counts_of(scene, &distance, 1);
+	ts_texel_counts c = counts_of(scene, &distance, 1), d = counts_of(scene, &middle, 2);
 	ts_texel_counts again = counts_of(scene, &coarse, 1);
 	assert_memory_equal(&a, &again, sizeof a);
 	assert_true(a.asked > 1000 && a.asked == b.asked && a.lit < c.lit / 2);
 	assert_true(b.dark < a.dark * 4 / 5 && b.lit < a.lit * 4 / 5);
+	assert_true(d.dark < a.dark * 3 / 5 && d.lit + d.dark < (a.lit + a.dark) * 9 / 10);
 	ts_scene_free(scene);
 }
 
