@@ -92,8 +92,10 @@ TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 
 	ts_v3 a = ts_load3(patch->a);
 	ts_v3 b = ts_load3(patch->b);
 	ts_v3 c = ts_load3(patch->c);
-	f32 height = ts_flush(ts_dot(ts_load3(patch->normal), ts_sub(p, a)));
-	f32 facing = ramp ? ts_k_facing(height, ts_length(ts_sub(b, a))) : height > 0.0f ? 1.0f : 0.0f;
+	ts_v3 normal = ts_load3(patch->normal);
+	f32 height = ts_flush(ts_dot(normal, ts_sub(p, a)));
+	f32 in_front = ts_k_is_in_front(p, a, normal) ? 1.0f : 0.0f;
+	f32 facing = ramp ? ts_k_facing(height, ts_length(ts_sub(b, a))) : in_front;
 	if (facing == 0.0f) return;
 	ts_v3 w = ts_scale(ts_load3(patch->exitance), ts_k_solid_angle(p, a, b, c) * facing);
 	ts_v3 ways = ts_k_ways(p, a, b, c);

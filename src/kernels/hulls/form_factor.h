@@ -2,9 +2,10 @@
  * Oosterom and Strackee (1983). The form factor (Baum, Rushmeier and Winget 1989) is the share of the light of a
  * surface at p that reaches the triangle; only the part above the surface's horizon counts, and only if p is on the
  * side from which the triangle's corners run counter-clockwise. Edges are computed from the corners, not as differences
- * of directions: the relative error of the solid angle of a small triangle is below 1e-6 over the cosine by which the
- * triangle is turned away, the error of a form factor below 1e-7. If p is at a corner, on an edge or in the plane, or
- * the triangle has no area, both are still numbers in their range: vectors without a direction count as 0. */
+ * of directions, and the horizon cuts what is seen from p, not the scene: the relative error of the solid angle of a
+ * small triangle is below 1e-6 over the cosine by which the triangle is turned away, the error of a form factor below
+ * 2e-7, wherever the scene is. If p is at a corner, on an edge or in the plane, or the triangle has no area, both are
+ * still numbers in their range: vectors without a direction count as 0. */
 #ifndef TS_KERNELS_FORM_FACTOR_H
 #define TS_KERNELS_FORM_FACTOR_H
 #include "../base/vec.h"
@@ -34,44 +35,54 @@ TS_FN ts_v3 ts_k_ways(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 	return ts_add(ways, ts_normalize(ts_sub(c, p)));
 }
 
-/* Gamma_i.n of the edge between two points. Gamma_i has the angle of the edge as seen from p for its length, and is
- * normal to the plane of p and the edge. */
-TS_FN f32 ts_k_form_edge(ts_v3 p, ts_v3 n, ts_v3 from, ts_v3 to)
+/* Whether p is in front of the plane through a, by more than the rounding of coordinates may have put p there. normal:
+ * of any length. A place on the plane is not in front, since it would see the whole half space as light. */
+TS_FN bool ts_k_is_in_front(ts_v3 p, ts_v3 a, ts_v3 normal)
 {
-	ts_v3 r = ts_normalize(ts_sub(from, p));
-	ts_v3 across = ts_cross(r, ts_sub(to, from));
+	ts_v3 sum = ts_v3_make(ts_abs(p.x) + ts_abs(a.x), ts_abs(p.y) + ts_abs(a.y), ts_abs(p.z) + ts_abs(a.z));
+	f32 rounding = ts_max(ts_max(sum.x, sum.y), sum.z) * 0.0000019073486328125f;
+	return ts_flush(ts_dot(normal, ts_sub(p, a))) > ts_flush(ts_length(normal) * rounding);
+}
+
+/* Gamma_i.n of the edge between two points, seen from the origin. Gamma_i has the angle of the edge for its length, and
+ * is normal to the plane of the origin and the edge. */
+TS_FN f32 ts_k_form_edge(ts_v3 n, ts_v3 from, ts_v3 to, ts_v3 edge)
+{
+	ts_v3 r = ts_normalize(from);
+	ts_v3 across = ts_cross(r, edge);
 	f32 length = ts_length(across);
-	f32 angle = ts_atan2(length, ts_flush(ts_dot(r, ts_sub(to, p))));
+	f32 angle = ts_atan2(length, ts_flush(ts_dot(r, to)));
 	f32 along = ts_flush(ts_dot(across, n));
 	return length > 0.0f ? (along / length) * angle : 0.0f;
 }
 
-/* The point of an edge on the horizon, from the corner above it to the one below (rule 16). */
-TS_FN ts_v3 ts_k_form_cut(ts_v3 above, f32 d_above, ts_v3 below, f32 d_below)
-{
-	f32 t = d_above / (d_above - d_below);
-	return ts_mad(above, ts_sub(below, above), t);
-}
+/* The share of an edge that is above the horizon, from its corner above to the one below (rule 16). */
+TS_FN f32 ts_k_form_share(f32 d_above, f32 d_below) { return d_above / (d_above - d_below); }
 
 /* The form factor, from 0 to 1; n is a unit vector. F = |sum of Gamma_i.n| / 2 pi over the edges above the horizon and,
  * if the horizon cuts the triangle, the edge on the horizon. 0 unless p is in front of the triangle. */
 TS_FN f32 ts_k_form_factor(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 {
-	ts_v3 light = ts_cross(ts_sub(b, a), ts_sub(c, a));
-	if (!(ts_flush(ts_dot(light, ts_sub(p, a))) > 0.0f)) return 0.0f;
-	ts_v3 enters = a;
-	ts_v3 leaves = a;
+	if (!ts_k_is_in_front(p, a, ts_cross(ts_sub(b, a), ts_sub(c, a)))) return 0.0f;
+	ts_v3 enters = ts_sub(a, p);
+	ts_v3 leaves = enters;
 	f32 sum = 0.0f;
 	for (u32 i = 0u; i < 3u; i++) {
-		ts_v3 from = i == 0u ? a : i == 1u ? b : c;
-		ts_v3 to = i == 0u ? b : i == 1u ? c : a;
-		f32 d_from = ts_flush(ts_dot(n, ts_sub(from, p)));
-		f32 d_to = ts_flush(ts_dot(n, ts_sub(to, p)));
-		if (d_from >= 0.0f && d_to < 0.0f) to = leaves = ts_k_form_cut(from, d_from, to, d_to);
-		if (d_from < 0.0f && d_to >= 0.0f) from = enters = ts_k_form_cut(to, d_to, from, d_from);
-		if (d_from >= 0.0f || d_to >= 0.0f) sum = sum + ts_k_form_edge(p, n, from, to);
+		ts_v3 first = i == 0u ? a : i == 1u ? b : c;
+		ts_v3 second = i == 0u ? b : i == 1u ? c : a;
+		ts_v3 edge = ts_sub(second, first);
+		ts_v3 from = ts_sub(first, p);
+		ts_v3 to = ts_sub(second, p);
+		f32 d_from = ts_flush(ts_dot(n, from));
+		f32 d_to = ts_flush(ts_dot(n, to));
+		if (d_from < 0.0f && d_to < 0.0f) continue;
+		if (d_to < 0.0f) edge = ts_scale(edge, ts_k_form_share(d_from, d_to));
+		if (d_to < 0.0f) to = leaves = ts_add(from, edge);
+		if (d_from < 0.0f) edge = ts_scale(edge, ts_k_form_share(d_to, d_from));
+		if (d_from < 0.0f) from = enters = ts_sub(to, edge);
+		sum = sum + ts_k_form_edge(n, from, to, edge);
 	}
-	sum = sum + ts_k_form_edge(p, n, leaves, enters);
+	sum = sum + ts_k_form_edge(n, leaves, enters, ts_sub(enters, leaves));
 	return ts_min(ts_abs(sum) * 0.15915493667125701904296875f, 1.0f);
 }
 

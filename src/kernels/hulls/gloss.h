@@ -124,8 +124,10 @@ typedef struct {
 	f32 angle;
 } ts_gloss_seen;
 
-TS_FN void ts_k_gloss_see(ts_gloss_seen *sum, ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
+/* Adds a triangle, seen from the origin. */
+TS_FN void ts_k_gloss_see(ts_gloss_seen *sum, ts_v3 a, ts_v3 b, ts_v3 c)
 {
+	ts_v3 p = ts_v3_make(0.0f, 0.0f, 0.0f);
 	f32 angle = ts_k_solid_angle(p, a, b, c);
 	ts_v3 ways = ts_k_ways(p, a, b, c);
 	sum->angle = sum->angle + angle;
@@ -137,23 +139,23 @@ TS_FN void ts_k_gloss_see(ts_gloss_seen *sum, ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c
 TS_FN ts_gloss_seen ts_k_gloss_above(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_gloss_seen sum;
-	ts_v3 first = a;
-	ts_v3 last = a;
+	ts_v3 first = ts_sub(a, p);
+	ts_v3 last = first;
 	u32 corners = 0u;
 	sum.ways = ts_v3_make(0.0f, 0.0f, 0.0f);
 	sum.angle = 0.0f;
 	for (u32 i = 0u; i < 6u; i++) {
-		ts_v3 from = i < 2u ? a : i < 4u ? b : c;
-		ts_v3 to = i < 2u ? b : i < 4u ? c : a;
-		f32 d_from = ts_flush(ts_dot(n, ts_sub(from, p)));
-		f32 d_to = ts_flush(ts_dot(n, ts_sub(to, p)));
+		ts_v3 from = ts_sub(i < 2u ? a : i < 4u ? b : c, p);
+		ts_v3 to = ts_sub(i < 2u ? b : i < 4u ? c : a, p);
+		f32 d_from = ts_flush(ts_dot(n, from));
+		f32 d_to = ts_flush(ts_dot(n, to));
 		bool cuts = i % 2u != 0u;
 		if (cuts ? (d_from > 0.0f) == (d_to > 0.0f) : !(d_from > 0.0f)) continue;
 		ts_v3 at = !cuts           ? from
-		           : d_from > 0.0f ? ts_k_form_cut(from, d_from, to, d_to)
-		                           : ts_k_form_cut(to, d_to, from, d_from);
+		           : d_from > 0.0f ? ts_mad(from, ts_sub(to, from), ts_k_form_share(d_from, d_to))
+		                           : ts_mad(to, ts_sub(from, to), ts_k_form_share(d_to, d_from));
 		if (corners == 0u) first = at;
-		if (corners > 1u) ts_k_gloss_see(&sum, p, first, last, at);
+		if (corners > 1u) ts_k_gloss_see(&sum, first, last, at);
 		last = at;
 		corners = corners + 1u;
 	}
@@ -164,8 +166,7 @@ TS_FN ts_gloss_seen ts_k_gloss_above(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c
 TS_FN ts_v3 ts_k_gloss_direct(const ts_glossy *at, TS_GLOBAL const ts_patch *patch, ts_v3 p, u32 vmf)
 {
 	ts_v3 a = ts_load3(patch->a);
-	f32 height = ts_flush(ts_dot(ts_load3(patch->normal), ts_sub(p, a)));
-	if (!(height > 0.0f)) return ts_v3_make(0.0f, 0.0f, 0.0f);
+	if (!ts_k_is_in_front(p, a, ts_load3(patch->normal))) return ts_v3_make(0.0f, 0.0f, 0.0f);
 	ts_gloss_seen seen = ts_k_gloss_above(p, at->n, a, ts_load3(patch->b), ts_load3(patch->c));
 	ts_sg light = ts_k_fit(seen.angle, seen.ways, vmf);
 	ts_sg both = ts_k_sg_product(&light, &at->lobe);

@@ -72,15 +72,19 @@ TS_FN ts_shares ts_k_box_shares(const ts_hull_args *args, u32 b, u32 x, u32 y)
 	return r;
 }
 
-/* The blend of a channel's lobes; its axis is not yet a unit vector. */
+/* The blend of a channel's lobes; its axis is not yet a unit vector. A corner without light has no sharpness. */
 TS_FN ts_sg ts_k_lobes_blend(TS_GLOBAL const ts_lobes *corner, const ts_shares *shares, u32 channel)
 {
 	ts_sg g = ts_sg_make(0.0f, 0.0f, ts_v3_make(0.0f, 0.0f, 0.0f));
+	f32 lit = 0.0f;
 	for (u32 k = 0u; k < 4u; k++) {
+		f32 share = corner[k].mu[channel] > 0.0f ? shares->of[k] : 0.0f;
+		lit = lit + share;
 		g.mu = g.mu + shares->of[k] * corner[k].mu[channel];
-		g.lambda = g.lambda + shares->of[k] * corner[k].lambda[channel];
+		g.lambda = g.lambda + share * corner[k].lambda[channel];
 		g.phi = ts_mad(g.phi, ts_load3(corner[k].phi + channel * 3u), shares->of[k]);
 	}
+	g.lambda = lit > 0.0f ? g.lambda / lit : 1.0f;
 	return g;
 }
 

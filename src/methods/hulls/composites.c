@@ -39,6 +39,7 @@ static void relate_lobes(u32 *in, u32 random)
 		u32 *phi = in + k / 3 * LOBES_WORDS + LOBES_PHI + k % 3 * 3;
 		ts_relate_unit(phi);
 		if (ts_once_in(&random, 16)) ts_relate_v3(phi, ts_v3_make(0, 0, 0));
+		if (ts_once_in(&random, 8)) ts_relate_f32(in + k / 3 * LOBES_WORDS + k % 3, 0);
 	}
 	for (u32 k = 0; k < 4; k++) sum += ts_row_f32(in, SHARES + k);
 	for (u32 k = 0; k < 4; k++) ts_relate_f32(in + SHARES + k, sum > 0 ? ts_row_f32(in, SHARES + k) / sum : 0.25f);

@@ -215,6 +215,32 @@ static void test_shares(void **state)
 	}
 }
 
+/* Light falls off towards corners without light by their share, and no faster or slower: a corner without light has no
+ * sharpness of its own. */
+static void test_dark_corners(void **state)
+{
+	(void)state;
+	u32 n_lit = 0;
+	for (u32 i = 0; i < N; i++) {
+		ts_lobes corner[4];
+		ts_shares shares = {{uniform(0, 1), uniform(0, 1), uniform(0, 1), uniform(0, 1)}};
+		f32 lambda = expf(uniform(-3, 8)), share = 0;
+		ts_v3 phi = direction();
+		for (u32 k = 0; k < 4; k++) {
+			bool lit = below(2) == 0;
+			share += lit ? shares.of[k] : 0;
+			corner[k].mu[1] = lit ? 5 : 0;
+			corner[k].lambda[1] = lit ? lambda : 1;
+			ts_store3(corner[k].phi + 3, lit ? phi : ts_v3_make(0, 0, 0));
+		}
+		ts_sg g = ts_k_lobe_of_lobes(corner, &shares, 1);
+		assert_near(g.mu, 5 * share, 1e-5);
+		assert_near(g.lambda, share > 0 ? lambda : 1, 1e-6f * lambda);
+		n_lit += share > 0;
+	}
+	assert_true(n_lit > N / 2 && n_lit < N);
+}
+
 /* One small light far away: four corners at one place, and a pixel there. Every way to integrate but SG's gives M F. */
 static void test_one_light(void **state)
 {
@@ -264,8 +290,9 @@ static void test_numbers(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_patch),  seeded_test(test_texel_area), seeded_test(test_choice),
-		seeded_test(test_shares), seeded_test(test_one_light),  seeded_test(test_numbers),
+		seeded_test(test_patch),   seeded_test(test_texel_area),   seeded_test(test_choice),
+		seeded_test(test_shares),  seeded_test(test_dark_corners), seeded_test(test_one_light),
+		seeded_test(test_numbers),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

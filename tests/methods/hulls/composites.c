@@ -38,15 +38,18 @@ static judgement lobe_fit(const u32 *in, const u32 *out)
 
 static judgement hull_lobe(const u32 *in, const u32 *out)
 {
-	double mu = 0, lambda = 0;
+	double mu = 0, lambda = 0, lit = 0;
 	double3 phi = {0, 0, 0};
 	u32 channel = in[68];
 	for (u32 k = 0; k < 4; k++) {
 		double share = ts_row_f32(in, 64 + k);
+		double lit_share = ts_row_f32(in, 16 * k + channel) > 0 ? share : 0;
 		mu += share * ts_row_f32(in, 16 * k + channel);
-		lambda += share * ts_row_f32(in, 16 * k + 3 + channel);
+		lambda += lit_share * ts_row_f32(in, 16 * k + 3 + channel);
+		lit += lit_share;
 		phi = d3_mad(phi, d3_row(in, 16 * k + 6 + 3 * channel), share);
 	}
+	lambda = lit > 0 ? lambda / lit : 1;
 	bool near = is_near(ts_row_f32(out, 0), mu, 1e-6 * mu) && is_near(ts_row_f32(out, 1), lambda, 1e-6 * lambda);
 	if (near && d3_length(phi) < 1e-2) return NOT_JUDGED;
 	return right_if(near && d3_distance(d3_row(out, 2), d3_unit(phi)) <= 1e-4);

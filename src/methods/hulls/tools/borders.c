@@ -67,7 +67,7 @@ ts_facing_pairs ts_facing_count(const ts_moment *corners, u64 n_corners, const t
 		for (u64 i = 0; i < n_corners; i++) {
 			f32 height = ts_flush(ts_dot(normal, ts_sub(ts_load3(corners[i].position), a)));
 			f32 facing = ts_k_facing(height, side);
-			pairs.facing += height > 0.0f;
+			pairs.facing += ts_k_is_in_front(ts_load3(corners[i].position), a, normal);
 			pairs.counted += facing > 0.0f;
 			pairs.full += facing == 1.0f;
 		}

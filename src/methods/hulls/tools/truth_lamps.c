@@ -104,7 +104,7 @@ static ts_double3 of_triangle(const tracer *t, const ts_patch *patch, const rece
 	const ts_double3 none = {0, 0, 0}, corner[3] = {ts_double3_from_to(at->p, ts_load3(patch->a)),
 	                                                ts_double3_from_to(at->p, ts_load3(patch->b)),
 	                                                ts_double3_from_to(at->p, ts_load3(patch->c))};
-	if (!(ts_double3_dot(ts_double3_of(ts_load3(patch->normal)), corner[0]) < 0)) return none;
+	if (!ts_k_is_in_front(at->p, ts_load3(patch->a), ts_load3(patch->normal))) return none;
 	ts_double3 all = taken_of_triangle(at, corner);
 	return sum_of(all) > 0 && t->truth != NULL ? ts_double3_mad(none, all, seen(t, patch, at)) : all;
 }

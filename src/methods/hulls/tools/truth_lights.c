@@ -27,7 +27,7 @@ typedef struct {
 static ts_v3 reflected(const tracer *t, const ts_patch *patch, u64 pixel, ts_v3 p, ts_v3 n)
 {
 	ts_v3 none = {0, 0, 0}, a = ts_load3(patch->a), b = ts_load3(patch->b), c = ts_load3(patch->c);
-	if (!(ts_dot(ts_load3(patch->normal), ts_sub(p, a)) > 0.0f)) return none;
+	if (!ts_k_is_in_front(p, a, ts_load3(patch->normal))) return none;
 	ts_truth_glossy at = ts_truth_glossy_of(&t->gloss[pixel], p, n, t->eye);
 	const ts_double3 corner[3] = {ts_double3_from_to(p, a), ts_double3_from_to(p, b), ts_double3_from_to(p, c)};
 	ts_v3 share = ts_double3_round(ts_truth_gloss_triangle(&at, corner));
