@@ -17,13 +17,33 @@ typedef struct {
 	bool backs; /* of two-sided triangles */
 } sampler;
 
+/* The interpolated normal, without that of a texture; the triangle's own if that is on the other side. */
+static ts_v3 smooth_normal(const sampler *from, u32 triangle, ts_v3 weights, ts_v3 face)
+{
+	const ts_vertex *vertices = from->scene.vertices;
+	const u32 *v = from->scene.triangles[triangle].vertex;
+	ts_v3 n = ts_normalize(ts_blend(weights, ts_load3(vertices[v[0]].normal), ts_load3(vertices[v[1]].normal),
+	                                ts_load3(vertices[v[2]].normal)));
+	return ts_dot(n, face) > 0.0f ? n : face;
+}
+
+/* A vector of the plane of a triangle, turned with the plane's normal to that of a surface, on the same side, by the
+ * least angle. */
+static ts_v3 turn(ts_v3 a, ts_v3 plane, ts_v3 n)
+{
+	return ts_mad(a, ts_add(plane, n), -ts_dot(a, n) / (1.0f + ts_dot(plane, n)));
+}
+
 /* Writes a surfel, or with `out` NULL none. */
 static void put(const sampler *from, const ts_piece *piece, const ts_align *frame, ts_v3 centre, i32 x, i32 y,
                 bool turned, ts_surfel *out)
 {
 	if (out == NULL) return;
 	ts_surface r = ts_k_lattice_surface(&from->scene, frame, piece->triangle, x, y, centre, 1.0f / from->s);
-	ts_v3 u = ts_scale(ts_load3(frame->u), from->radius), v = ts_scale(ts_load3(frame->v), from->radius);
+	ts_v3 w = ts_k_lattice_weights(&from->scene, frame, piece->triangle, x, y);
+	ts_v3 n = smooth_normal(from, piece->triangle, w, r.face);
+	ts_v3 u = ts_scale(turn(ts_load3(frame->u), r.face, n), from->radius);
+	ts_v3 v = ts_scale(turn(ts_load3(frame->v), r.face, n), from->radius);
 	ts_store3(out->centre, centre);
 	ts_store3(out->u, turned ? v : u);
 	ts_store3(out->v, turned ? u : v);

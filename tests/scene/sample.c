@@ -127,6 +127,35 @@ static void surfels_lie_on_their_triangle(void **state)
 	}
 }
 
+/* Discs turn to the normal between those of the corners, and keep the lengths and the right angle of their axes. */
+static void surfels_have_the_interpolated_normal(void **state)
+{
+	(void)state;
+	ts_build *build = ts_build_new("test");
+	static const f32 corner[3][3] = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}},
+					 normal[3][3] = {{-0.6f, 0, 0.8f}, {0.6f, 0, 0.8f}};
+	u32 v[3];
+	for (u32 k = 0; k < 3; k++) {
+		ts_vertex vertex = {.colour = {1.0f, 1.0f, 1.0f, 1.0f}, .normal = {0, 0.96f, 0.28f}};
+		memcpy(vertex.position, corner[k], sizeof vertex.position);
+		if (k < 2) memcpy(vertex.normal, normal[k], sizeof vertex.normal);
+		v[k] = ts_build_vertex(build, &vertex);
+	}
+	ts_build_triangle(build, v[0], v[1], v[2], TS_NONE);
+	ts_scene *scene = finish(build);
+	f32 radius = ts_length(ts_load3(scene->surfels[0].u));
+	for (u32 i = 0; i < scene->n_surfels; i++) {
+		const ts_surfel *s = &scene->surfels[i];
+		ts_v3 u = ts_load3(s->u), w = ts_load3(s->v), n = ts_normalize(ts_cross(u, w));
+		f32 b = s->centre[0] / 3, c = s->centre[1] / 3, a = 1 - b - c;
+		ts_v3 right = ts_v3_make(0.6f * (b - a), 0.96f * c, 0.8f * (a + b) + 0.28f * c);
+		assert_true(ts_length(ts_sub(n, ts_normalize(right))) < 2e-3f);
+		assert_true(ts_abs(ts_dot(u, w)) < 1e-5f * radius * radius);
+		assert_true(ts_abs(ts_length(u) / radius - 1) < 1e-5f && ts_abs(ts_length(w) / radius - 1) < 1e-5f);
+	}
+	ts_scene_free(scene);
+}
+
 /* The weights of a triangle's corners sum to 1 but for rounding. */
 static void assert_colour(const ts_surfel *s, f32 red, f32 green)
 {
@@ -247,6 +276,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(every_point_has_a_surfel_near),
 		cmocka_unit_test(surfels_lie_on_their_triangle),
+		cmocka_unit_test(surfels_have_the_interpolated_normal),
 		cmocka_unit_test(the_material_colours_them_and_turns_them),
 		cmocka_unit_test(the_texture_is_read_where_they_are),
 		cmocka_unit_test(threads_and_splitting_change_nothing),

@@ -14,6 +14,7 @@ TS_FN ts_filter ts_row_filter(TS_GLOBAL const u32 *row)
 	ts_filter r;
 	r.filter = row[0];
 	r.botsch = row[1];
+	r.opens = 0u;
 	r.per_sigma2 = ts_row_f32(row, 2u);
 	r.reach = ts_row_f32(row, 3u);
 	r.fall = ts_row_f32(row, 4u);

@@ -22,7 +22,7 @@ TS_FN void ts_k_fragment_list_item(const ts_fragment_list_args *args, u64 i)
 		for (i32 x = disc.low[0]; x <= disc.high[0]; x++) {
 			u64 pixel = (u64)y * (u64)view.width + (u64)x;
 			ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &args->filter, view.near, x, y);
-			if (!f.covers || !ts_k_is_visible(args->keys[pixel], f.z)) continue;
+			if (!f.covers || !ts_k_is_visible(&args->filter, args->keys[pixel], f.z)) continue;
 			u32 place = ts_next_u32(&args->offset[pixel + 1u]);
 			if (args->surfels != NULL) args->surfels[place] = (u32)i;
 		}

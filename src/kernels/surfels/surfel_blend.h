@@ -42,9 +42,12 @@ TS_FN ts_attributes ts_k_attributes(TS_GLOBAL const ts_surfel *surfel, const ts_
 	return r;
 }
 
-/* Whether a fragment is no deeper than the visibility pass allows; where that pass found no surfel every depth is
- * allowed. */
-TS_FN bool ts_k_is_visible(u64 key, f32 z) { return key == TS_EMPTY || z <= ts_u2f((u32)(key >> 32)); }
+/* Whether a fragment is no deeper than the visibility pass allows. Where that pass found no surfel there is none; with
+ * ewa.outline=filter every depth is allowed there, so that the screen filter makes all outlines wider. */
+TS_FN bool ts_k_is_visible(const ts_filter *filter, u64 key, f32 z)
+{
+	return key == TS_EMPTY ? filter->opens != 0u : z <= ts_u2f((u32)(key >> 32));
+}
 
 /* The key of a fragment's weight; the least key is that of the heaviest fragment. */
 TS_FN u64 ts_k_heavy(f32 weight, u32 surfel) { return ((u64)~ts_f2u(ts_put(weight)) << 32) | surfel; }
@@ -74,7 +77,7 @@ TS_FN void ts_k_surfel_blend_item(const ts_surfel_blend_args *args, u64 i)
 		for (i32 x = disc.low[0]; x <= disc.high[0]; x++) {
 			u64 pixel = (u64)y * (u64)view.width + (u64)x;
 			ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &args->filter, view.near, x, y);
-			if (!f.covers || !ts_k_is_visible(args->keys[pixel], f.z)) continue;
+			if (!f.covers || !ts_k_is_visible(&args->filter, args->keys[pixel], f.z)) continue;
 			ts_k_blend_add(args, pixel, (u32)i, &attributes, ts_k_fragment_weight(&f));
 			n++;
 		}

@@ -239,9 +239,9 @@ TS_FN ts_blend_tests ts_k_blend_tests(const ts_surfel_margin_args *args, const t
 	r.covers = filtered && within;
 	r.covers_margin = r.covers ? ts_min(of_flat, there->peak_margin)
 	                           : ts_max(within ? 0.0f : of_flat, filtered ? 0.0f : there->peak_margin);
-	r.before[0] = ts_k_is_visible(key, surfel->disc.depth);
+	r.before[0] = ts_k_is_visible(&args->filter, key, surfel->disc.depth);
 	r.before_margin[0] = ts_k_before_margin(args, view, surfel->disc.depth, surfel->deep, x, y);
-	r.before[1] = ts_k_is_visible(key, there->hit.z);
+	r.before[1] = ts_k_is_visible(&args->filter, key, there->hit.z);
 	r.before_margin[1] = ts_k_before_margin(args, view, there->hit.z, there->z_step, x, y);
 	return r;
 }

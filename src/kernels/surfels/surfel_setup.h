@@ -36,6 +36,7 @@
 typedef struct {
 	u32 filter;     /* TS_FILTER_IS_* */
 	u32 botsch;     /* not 0: bounds are a square of half side r f / z */
+	u32 opens;      /* ewa.outline=filter */
 	f32 per_sigma2; /* 1 / sigma^2, sigma the radius of the screen filter in pixels; 0: there is none */
 	f32 reach;      /* the greater of sigma and half the least side of a box, pixels */
 	f32 fall;       /* 1 / (2 ewa.sigma_k^2) */

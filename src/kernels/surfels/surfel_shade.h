@@ -103,7 +103,8 @@ TS_FN void ts_k_surfel_shade_item(const ts_surfel_shade_args *args, u64 i)
 			u64 pixel = (u64)y * (u64)view.width + (u64)x;
 			u64 key = of->keys[pixel];
 			ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &of->filter, view.near, x, y);
-			if (!f.covers || !ts_k_is_visible(key, f.z) || !ts_k_shows(args->shading, key, (u32)i)) continue;
+			if (!f.covers || !ts_k_is_visible(&of->filter, key, f.z)) continue;
+			if (!ts_k_shows(args->shading, key, (u32)i)) continue;
 			if (phong) {
 				at = ts_k_fragment_place(&of->surfels[i], &disc, args->slopes + i * TS_FIELD_SLOPES, view.near, x, y);
 				colour = ts_k_shaded_colour(args, &view, i, &at);

@@ -50,7 +50,8 @@ TS_FN void ts_k_surfel_shade_margin_item(const ts_surfel_shade_margin_args *args
 			u64 pixel = (u64)y * (u64)view.width + (u64)x;
 			u64 key = args->by.keys[pixel];
 			ts_surfel_fragment f = ts_k_surfel_fragment(&surfel.disc, &args->by.filter, view.near, x, y);
-			if (!f.covers || !ts_k_is_visible(key, f.z) || !ts_k_shows(args->of.shading, key, (u32)i)) continue;
+			if (!f.covers || !ts_k_is_visible(&args->by.filter, key, f.z)) continue;
+			if (!ts_k_shows(args->of.shading, key, (u32)i)) continue;
 			if (phong) margin = ts_k_fragment_shading_margin(args, &view, &surfel, i, x, y);
 			ts_k_least_step(&args->by.margin[pixel * 2u], margin);
 		}

@@ -16,6 +16,7 @@ ts_filter ts_surfel_filter(const ts_run *run)
 	return (ts_filter){
 		.filter = run->plan.surfels.exact ? TS_FILTER_IS_EWA : TS_PARAM(params, ewa_filter),
 		.botsch = TS_PARAM(params, surfel_setup_bounds) == TS_BOUNDS_BOTSCH,
+		.opens = TS_PARAM(params, ewa_outline) == TS_OUTLINE_FILTER,
 		.per_sigma2 = screen ? 1.0f / (sigma * sigma) : 0.0f,
 		.reach = ts_max(screen ? sigma : 0.0f, TS_PARAM(params, surfel_setup_min_px) * 0.5f),
 		.fall = 0.5f / wide,

@@ -43,6 +43,7 @@ static void random_world(world *w, u32 filter)
 	w->view.focal = uniform(30, 50);
 	w->view.near = 0.01f;
 	w->filter = (ts_filter){.filter = filter,
+	                        .opens = below(2),
 	                        .per_sigma2 = (f32)(1 / (SIGMA * SIGMA)),
 	                        .reach = (f32)SIGMA,
 	                        .fall = 2,
@@ -98,7 +99,8 @@ static verdict at_most(double a, double b, double rounding)
 }
 
 /* METHODS 16: a fragment is where the pixel's ray meets the surfel in its ellipse, or passes its centre within SIGMA
- * pixels, by the filter one of these or either; and where it is not behind the key. Where the ray meets no ellipse its
+ * pixels, by the filter one of these or either; and where it is not behind the key, nor, unless the filter opens
+ * pixels, the key is empty. Where the ray meets no ellipse its
  * depth is the centre's. */
 static verdict judge(const world *w, u32 surfel, u32 pixel)
 {
@@ -114,7 +116,7 @@ static verdict judge(const world *w, u32 surfel, u32 pixel)
 	verdict object = z > 0 ? at_most(a * a + b * b, 1, rounding) : OUT;
 	verdict screen = at_most(dx * dx + dy * dy, SIGMA * SIGMA, 1e-5);
 	const verdict covers[] = {either(object, screen), object, screen}; /* TS_FILTER_IS_MIN, _OBJECT, _SCREEN */
-	verdict seen = IN;
+	verdict seen = w->filter.opens != 0 ? IN : OUT;
 	if (w->keys[pixel] != TS_EMPTY) {
 		double depth = ts_u2f((u32)(w->keys[pixel] >> 32));
 		seen = object == TIE ? TIE : at_most(object == IN ? z : -c.z, depth, rounding);
@@ -203,7 +205,7 @@ static void test_blended(void **state)
 	}
 }
 
-/* As deep as the key is not behind it; the next number is. Nothing hides where the key is empty. */
+/* As deep as the key is not behind it; the next number is. Where the key is empty all is seen, or nothing. */
 static void test_depth(void **state)
 {
 	(void)state;
@@ -217,6 +219,9 @@ static void test_depth(void **state)
 	args.tally = fates;
 	ts_k_surfel_setup_item(&args, 0);
 	for (u32 p = 0; p < PIXELS; p++) w.keys[p] = TS_EMPTY;
+	w.filter.opens = 0;
+	assert_int_equal(list(&l, &w, 0, 1, true), 0);
+	w.filter.opens = 1;
 	u32 all = list(&l, &w, 0, 1, true);
 	for (u32 p = 0; p < PIXELS; p++) w.keys[p] = (u64)ts_f2u(2) << 32;
 	assert_int_equal(list(&l, &w, 0, 1, true), all);

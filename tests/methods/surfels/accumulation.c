@@ -65,7 +65,7 @@ static model model_of(const ts_run *run, const ts_filter *filter, u32 p)
 	for (u32 i = 0; i < run->scene->n_surfels; i++) {
 		if (discs[i].high[0] < discs[i].low[0]) continue;
 		ts_surfel_fragment f = ts_k_surfel_fragment(&discs[i], filter, view->near, x, y);
-		if (!f.covers || !ts_k_is_visible(keys[p], f.z)) continue;
+		if (!f.covers || !ts_k_is_visible(filter, keys[p], f.z)) continue;
 		assert_true(offset[p] + m.n < offset[p + 1]);
 		assert_int_equal(list[offset[p] + m.n], i);
 		f32 weight = ts_k_fragment_weight(&f);

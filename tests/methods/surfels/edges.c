@@ -48,6 +48,7 @@ static u32 crumbs_of(u32 sides, const char *method)
 	params.reflectors_count = 0;
 	params.surfels_from_mesh = 6000;
 	params.surfels_sides = sides;
+	params.ewa_outline = TS_OUTLINE_FILTER;
 	params.truth_grid_rays = 4;
 	ts_scene *scene = ball(&params);
 	if (ts_truth_surface(&truth, scene, &params, 2, NULL) != TS_OK) fail_msg("%s", ts_error_message());
@@ -59,6 +60,41 @@ static u32 crumbs_of(u32 sides, const char *method)
 	ts_scene_free(scene);
 	free(truth);
 	return n;
+}
+
+/* Pixels that show a surfel. */
+static u32 cover(const ts_scene *scene, const ts_params *params, bool *covered)
+{
+	ts_run run;
+	u32 n = 0;
+	surfels_run(&run, scene, params, "deferred", 2);
+	const u64 *heaviest = ts_frame_data(&run.frame, TS_B_surfel_blend_heaviest);
+	for (u32 i = 0; i < SIDE * SIDE; i++) n += covered[i] = heaviest[i] != TS_EMPTY;
+	ts_run_end(&run);
+	return n;
+}
+
+/* The screen filter makes no outline wider; with ewa.outline=filter it does, everywhere. */
+static void test_outlines(void **state)
+{
+	(void)state;
+	static bool object[SIDE * SIDE], both[SIDE * SIDE], wider[SIDE * SIDE];
+	ts_params params = small_params(SIDE, SIDE);
+	params.reflectors_count = 0;
+	params.surfels_from_mesh = 6000;
+	ts_scene *scene = ball(&params);
+	params.ewa_filter = TS_FILTER_OBJECT;
+	u32 n_object = cover(scene, &params, object);
+	params.ewa_filter = TS_FILTER_MIN;
+	u32 n_both = cover(scene, &params, both);
+	params.ewa_outline = TS_OUTLINE_FILTER;
+	u32 n_wider = cover(scene, &params, wider);
+	assert_int_equal(n_object, n_both);
+	assert_memory_equal(object, both, sizeof both);
+	for (u32 i = 0; i < SIDE * SIDE; i++) assert_true(wider[i] || !both[i]);
+	print_message("# %u pixels, %u with the screen filter's own\n", n_both, n_wider);
+	assert_true((double)(n_wider - n_both) > 0.4 * 2 * 3.14159 * sqrt(n_both / 3.14159));
+	ts_scene_free(scene);
 }
 
 static void test_backs(void **state)
@@ -73,6 +109,6 @@ static void test_backs(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_backs)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_outlines), cmocka_unit_test(test_backs)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -155,7 +155,7 @@ static void add(const port *p, pixel_sums *pixels, u32 i, const ts_filter *filte
 			sums->nearest = h.z;
 			sums->surfel = i;
 		}
-		if (!h.covers || (keys[pixel] != TS_EMPTY && h.z > limit)) continue;
+		if (!h.covers || (keys[pixel] == TS_EMPTY ? filter->opens == 0 : h.z > limit)) continue;
 		sums->fragments++;
 		if (h.weight <= sums->heaviest) continue;
 		sums->heaviest = h.weight;

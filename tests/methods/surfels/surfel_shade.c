@@ -208,6 +208,7 @@ static void test_margins(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
+	params.ewa_outline = TS_OUTLINE_FILTER;
 	ts_scene *scene = blinds(&params);
 	ts_scene moved = *scene;
 	moved.surfels = malloc(scene->n_surfels * sizeof *scene->surfels);

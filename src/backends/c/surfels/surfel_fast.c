@@ -176,12 +176,12 @@ static void radius_block(block *b, const ts_disc *disc, ts_filter filter)
 }
 
 /* Places of those that are seen, without a branch, for half of them are not; returns how many there are. */
-static u32 list_seen(u32 seen[BLOCK], const block *b, const u64 *keys, i32 width)
+static u32 list_seen(u32 seen[BLOCK], const block *b, const ts_filter *filter, const u64 *keys, i32 width)
 {
 	u32 n = 0;
 	for (u32 i = 0; i < b->n; i++) {
 		seen[n] = i;
-		n += (u32)b->covers[i] & (ts_k_is_visible(keys[pixel_of(b, i, width)], b->z[i]) ? 1u : 0u);
+		n += (u32)b->covers[i] & (ts_k_is_visible(filter, keys[pixel_of(b, i, width)], b->z[i]) ? 1u : 0u);
 	}
 	return n;
 }
@@ -201,7 +201,7 @@ static u32 blend_surfel(block *b, const ts_surfel_blend_args *args, const ts_cam
 		place_block(b, &disc, first, n - first);
 		cast_block(b, disc, view->near);
 		radius_block(b, &disc, args->filter);
-		u32 n_seen = list_seen(seen, b, args->keys, view->width);
+		u32 n_seen = list_seen(seen, b, &args->filter, args->keys, view->width);
 		weigh_block(b, args->filter.fall);
 		for (u32 k = 0; k < n_seen; k++) {
 			u64 pixel = pixel_of(b, seen[k], view->width);

@@ -33,6 +33,7 @@ typedef struct {
 
 static void take_surfel(const lattice *l, u32 i)
 {
+	const ts_filter nearest = {.opens = 0};
 	i32 step = (i32)l->step;
 	const ts_disc *disc = &l->discs[i];
 	for (i32 y = (disc->low[1] + step - 1) / step * step; y <= disc->high[1]; y += step) {
@@ -40,7 +41,7 @@ static void take_surfel(const lattice *l, u32 i)
 			u64 key = l->keys[(u64)y * l->view.width + (u64)x];
 			ts_v2 d = ts_k_disc_offset(disc, x, y);
 			ts_disc_hit hit = ts_k_disc_hit(disc, l->view.near, d.x, d.y);
-			if (key == TS_EMPTY || !hit.inside || !ts_k_is_visible(key, hit.z)) continue;
+			if (!hit.inside || !ts_k_is_visible(&nearest, key, hit.z)) continue;
 			u32 *at = &l->end[(u32)(y / step) * l->columns + (u32)(x / step) + 1];
 			if (l->list != NULL) l->list[*at] = i;
 			(*at)++;

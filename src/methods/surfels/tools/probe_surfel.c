@@ -157,7 +157,7 @@ enum { BLENDED, HIDDEN, NOT_NEAREST, N_FATES };
 
 static u32 fate_of(const place *at, u64 key, const fragment *f)
 {
-	if (!ts_k_is_visible(key, f->is.z)) return HIDDEN;
+	if (!ts_k_is_visible(&at->filter, key, f->is.z)) return HIDDEN;
 	return ts_k_shows(at->shade.shading, key, f->surfel) ? BLENDED : NOT_NEAREST;
 }
 

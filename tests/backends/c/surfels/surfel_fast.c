@@ -72,6 +72,7 @@ static void random_frame(frame *f)
 	f->threads = 1 + below(4);
 	f->filter = (ts_filter){.filter = below(3),
 	                        .botsch = below(4) == 0,
+	                        .opens = below(2),
 	                        .per_sigma2 = sigma > 0 ? 1 / (sigma * sigma) : 0,
 	                        .reach = sigma,
 	                        .fall = 0.5f / exp2f(uniform(-4, 2)),
