@@ -18,6 +18,12 @@
 #define TS_STEPS 23u /* from two roots to leaves 11 levels below them */
 #define TS_TALLY_PAIRS 1024u
 
+/* Tallies behind those of ts_k_traverse_tally_item, where a traversal is done at once: all pairs, and the most of one
+ * step. */
+#define TS_TALLY_ALL 6u
+#define TS_TALLY_LONGEST 7u
+#define TS_TALLIES_AT_ONCE 8u
+
 #define TS_ROWS_ts_traverse_args(ARG) \
 	ARG(IN, ts_node, nodes, octree_node) \
 	ARG(IN, ts_node, views, view_octree_node) \

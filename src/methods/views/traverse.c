@@ -23,6 +23,7 @@ typedef struct {
 	struct {
 		u64 at, end;
 	} waiting[TS_STEPS + 1]; /* of each step's queue; behind the last nothing ever does */
+	u64 steps[TS_STEPS];     /* pairs of each step, of all pieces of its queue */
 } traversal;
 
 const ts_launch ts_traverse_launches[] = {
@@ -116,9 +117,9 @@ static ts_status take_piece(traversal *t, u32 step)
 	t->waiting[step].at += piece->n;
 	t->waiting[step + 1].at = 0;
 	t->waiting[step + 1].end = piece->n_children = children;
-	if (t->sink(t->run, piece, t->user) != TS_OK) return TS_ERROR;
-	piece->n_waiting += children - piece->n;
-	return TS_OK;
+	t->steps[step] += piece->n;
+	if (t->steps[step] > piece->longest) piece->longest = t->steps[step];
+	return t->sink(t->run, piece, t->user);
 }
 
 /* What waits, later steps first: a queue is empty when the next piece of the one before it is taken. */
@@ -142,7 +143,7 @@ static ts_status start(traversal *t)
 		t->piece.args.first = first;
 		if (launch(t, TS_TRAVERSE_START, n_pairs) != TS_OK) return TS_ERROR;
 		t->waiting[0].at = 0;
-		t->waiting[0].end = t->piece.n_waiting = n_pairs;
+		t->waiting[0].end = n_pairs;
 		if (carry(t) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
@@ -155,7 +156,6 @@ static ts_status with_memory(traversal *t)
 	t->piece.args.offset = ts_alloc(t->room + 1, sizeof(u32), "children of pairs");
 	t->piece.sums = ts_alloc(chunks + 1, sizeof(u64), "sums of children");
 	if (t->queue == NULL || t->piece.args.offset == NULL || t->piece.sums == NULL) return TS_ERROR;
-	t->piece.bytes = n_pairs * sizeof *t->queue + (t->room + 1) * sizeof(u32) + (chunks + 1) * sizeof(u64);
 	ts_frame_lend(&t->run->frame, TS_WORK_queue, t->queue, n_pairs * sizeof *t->queue);
 	ts_frame_lend(&t->run->frame, TS_WORK_counts, t->piece.args.offset, (t->room + 1) * sizeof(u32));
 	return start(t);
@@ -173,26 +173,27 @@ ts_status ts_traverse(ts_run *run, const ts_traverse_args *how, ts_traverse_sink
 	return status;
 }
 
-static void raise_counter(ts_run *run, const char *name, u64 value)
+void ts_traverse_count(ts_run *run, const i64 tallies[TS_TALLIES_AT_ONCE])
 {
-	i64 before = ts_run_counter(run, name);
-	ts_run_count(run, name, (i64)value > before ? (i64)value - before : 0);
+	static const char *const names[] = {
+		"pairs culled", "pairs too near", "pairs rendered", "pairs wider than a texel", "of these of several views",
+		"views served", "pairs"};
+	for (u32 i = 0; i < sizeof names / sizeof *names; i++) ts_run_count(run, names[i], tallies[i]);
+	i64 before = ts_run_counter(run, "longest queue"), longest = tallies[TS_TALLY_LONGEST];
+	ts_run_count(run, "longest queue", longest > before ? longest - before : 0);
 }
 
 ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_rendered)
 {
-	static const char *const names[] = {
-		"pairs culled", "pairs too near", "pairs rendered", "pairs wider than a texel", "of these of several views",
-		"views served"};
+	i64 tallies[TS_TALLIES_AT_ONCE];
 	u64 lots = (piece->n + TS_TALLY_PAIRS - 1) / TS_TALLY_PAIRS;
 	piece->args.n_pairs = piece->n;
 	if (TS_RUN(run, &ts_traverse_launches[TS_TRAVERSE_TALLY], &piece->args, lots) != TS_OK) return TS_ERROR;
-	ts_run_count(run, "pairs", (i64)piece->n);
-	for (u32 i = 0; i < sizeof names / sizeof *names; i++) ts_run_count(run, names[i], ts_frame_tally(&run->frame, i));
-	ts_run_count(run, "pieces of queues", 1);
-	raise_counter(run, "longest queue", piece->n_waiting);
-	raise_counter(run, "queue bytes", piece->bytes);
-	*n_rendered = (u64)ts_frame_tally(&run->frame, 2);
+	for (u32 i = 0; i < TS_TALLY_ALL; i++) tallies[i] = ts_frame_tally(&run->frame, i);
+	tallies[TS_TALLY_ALL] = (i64)piece->n;
+	tallies[TS_TALLY_LONGEST] = (i64)piece->longest;
+	ts_traverse_count(run, tallies);
+	*n_rendered = (u64)tallies[2];
 	return TS_OK;
 }
 

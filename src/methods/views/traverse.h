@@ -10,9 +10,8 @@ typedef struct {
 	ts_traverse_args args;
 	u64 n;
 	u64 n_children; /* in args.next, not decided yet */
-	u64 n_waiting;  /* pairs that are in queues */
+	u64 longest;    /* pairs of the longest step until now */
 	u64 *sums;      /* work memory of prefix sums */
-	u64 bytes;      /* of all work memory */
 } ts_traverse_piece;
 
 typedef ts_status ts_traverse_sink(ts_run *run, ts_traverse_piece *piece, void *user);
@@ -31,6 +30,8 @@ u64 ts_traverse_room(const ts_params *params);
 ts_status ts_traverse(ts_run *run, const ts_traverse_args *how, ts_traverse_sink *sink, void *user);
 /* For sinks: adds a piece to the run's counters. *n_rendered: number of its rendered pairs. */
 ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_rendered);
+/* Adds tallies to the run's counters, those of ts_k_traverse_tally_item; all pairs; and those of the longest step. */
+void ts_traverse_count(ts_run *run, const i64 tallies[TS_TALLIES_AT_ONCE]);
 /* Half the angle that a view sees; with TS_VIEW_FIELD_ALL nothing is culled. */
 ts_aperture ts_view_aperture(u32 field);
 /* Arguments of the kernels that decide pairs, without queues. */
