@@ -33,8 +33,9 @@ struct ts_backend {
 	/* Releases the backend. Frames that it worked on must be cleared before. */
 	void (*close)(ts_backend *backend);
 	/* Does at once what a traversal that begins with n pairs and launches the kernel over all its pairs does. source:
-	 * arguments of the traversal; args: those of the kernel, without the pairs. The order of results may be that of no
-	 * launch. False: it cannot for these arguments, and nothing was done. NULL: it never can. */
+	 * arguments of the traversal, to whose tallies, if any, it adds TS_TALLIES_AT_ONCE numbers; args: those of the
+	 * kernel, without the pairs. The order of results may be that of no launch. False: it cannot for these arguments,
+	 * and nothing was done. NULL: it never can. */
 	bool (*at_once)(ts_backend *backend, ts_kernel kernel, const void *source, const void *args, u64 n);
 	/* From now on computes quotients and roots in another way, which is slower and exact. False: it does so already.
 	 * NULL: there is no other way. */

@@ -26,6 +26,10 @@ cp src/kernels/points/splat_box.h before
 edits 's/length \* 0\.5f/length * 0.25f/' src/kernels/points/splat_box.h
 leaves_out 'splat, splat_fragments, shadow_splat_pieces' 'a function that three kernels call'
 cp before src/kernels/points/splat_box.h
+cp src/kernels/views/pair.h before
+edits 's/ < apart \* s->r/ <= apart * s->r/' src/kernels/views/pair.h
+leaves_out 'vpl_gather_pairs_count, vpl_gather_pairs_list, view_map' 'what a traversal decides, where that is done at once'
+cp before src/kernels/views/pair.h
 edits 's/^\(#define TS_A_LITTLE\) .*/\1 0.125f/' src/kernels/surfels/surfel_setup.h
 leaves_out 'surfel_setup' 'a macro'
 edits 's/ARG(VALUE, u32, n_pieces, none)/ARG(VALUE, u64, n_pieces, none)/' src/kernels/points/splat.h

@@ -54,6 +54,17 @@ static ts_status map_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 	return n_rendered > 0 ? ts_launch_items(run, launch_of(run, false), args, piece->n) : TS_OK;
 }
 
+/* The traversal and its maps without queues, where the backend can. */
+static bool map_at_once(ts_run *run, ts_traverse_args how, const ts_view_map_args *args)
+{
+	i64 tallies[TS_TALLIES_AT_ONCE] = {0};
+	how.tallies = tallies;
+	u64 n_starts = ts_traverse_starts(run, &how);
+	if (!ts_launch_at_once(run, launch_of(run, false), &how, args, n_starts)) return false;
+	ts_traverse_count(run, tallies);
+	return true;
+}
+
 static void count_bytes(ts_run *run, ts_buffer_id id)
 {
 	u64 n = ts_frame_n(&run->frame, id);
@@ -69,6 +80,7 @@ static ts_status view_map(ts_run *run)
 	if (ts_traverse_arguments(run, &how) != TS_OK || TS_FILL(run, launch, &args) != TS_OK) return TS_ERROR;
 	ts_traverse_from(run, &how);
 	count_bytes(run, TS_B_view_map_depth_node);
+	if (!kept && map_at_once(run, how, &args)) return ts_go_on();
 	if (!kept) return ts_traverse(run, &how, map_piece, &args);
 	return ts_launch_items(run, launch, &args, ts_run_size(run, TS_DIM_rendered_pairs));
 }

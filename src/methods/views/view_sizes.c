@@ -13,6 +13,8 @@
 #define PAIRS_ALONE 20 /* the same of a view without a hierarchy */
 #define REACH 4.0      /* area of surfaces within a distance, in squares of it: more than the disc of one */
 #define PAIRS_A_VIEW 1024
+#define NODE_BYTES 26 /* of a node of the scene, where the C backend maps pairs at once: without queues */
+#define VIEW_BYTES 50 /* the same of a node of views */
 
 static double least(double a, double b) { return a < b ? a : b; }
 
@@ -106,7 +108,9 @@ void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_para
 	n[TS_DIM_view_nodes] = lights->alone ? lights->n : (u64)view_nodes + 1;
 	n[TS_DIM_view_leaves] = lights->alone ? lights->n : (u64)views_at(&s, lights, levels) + 1;
 	n[TS_DIM_rendered_pairs] = shared ? lights->n * PAIRS_A_VIEW : n[TS_DIM_view_leaves] * leaves;
+	u64 at_once = n[TS_DIM_nodes] * NODE_BYTES + n[TS_DIM_view_nodes] * VIEW_BYTES;
 	expected->work = queue_bytes(mapped_pairs(lights, params, nodes, view_nodes), params);
+	if (at_once > expected->work) expected->work = at_once;
 }
 
 void ts_expect_gather(ts_expected *expected, const ts_scene *scene, const ts_params *params,

@@ -54,9 +54,9 @@ enum {
 	[SEVERAL] = { "wider_several", "of several views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, \
 	  "of these of several views" }, \
 	[SEVERAL_SHARE] = { "wider_several_percent", "of several views, %", TS_FIGURE_PERCENT, SEVERAL, RENDERED, 2, "" }, \
-	[QUEUE_MIB] = { "queue_mib", "queue, MiB", TS_FIGURE_MEMORY, M_MEGA, 8, 1, "longest queue" }, \
+	[QUEUE_MIB] = { "queue_mib", "longest step, MiB", TS_FIGURE_MEMORY, M_MEGA, 8, 1, "longest queue" }, \
 	[MAPS_MIB] = { "maps_mib", "maps, MiB", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "view_map,view_map.fuse" }, \
-	[LODS_QUEUE_MIB] = { "manylods_queue_mib", "ManyLoDs' queue", TS_FIGURE_MEMORY, M_LODS, 8, 1, "longest queue" }, \
+	[LODS_QUEUE_MIB] = { "manylods_queue_mib", "ManyLoDs' step", TS_FIGURE_MEMORY, M_LODS, 8, 1, "longest queue" }, \
 	[LODS_MAPS_MIB] = { "manylods_maps_mib", "maps", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "view_map,view_map.fuse" }, \
 	[MAPS_LESS] = { "maps_ratio", "by ours", TS_FIGURE_RATIO, LODS_MAPS_MIB, MAPS_MIB, 2, "" }, \
 	[RMSE] = { "rmse", "RMSE to ManyLoDs'", TS_FIGURE_RMSE, M_MEGA, M_LODS, 3, "" }
