@@ -293,7 +293,7 @@ typedef struct {
 	u64 n_pairs, n_maps, n_depths;
 	u64 *pairs, *maps; /* pairs: if it was traced */
 	u32 *depths, *shown;
-	i64 pieces, longest; /* of the queues */
+	i64 longest; /* step, in pairs */
 } grove_outcome;
 
 static inline void *grove_copy(const ts_run *run, ts_buffer_id id, u64 *n)
@@ -320,7 +320,6 @@ static inline grove_outcome grove_run(const grove *g, const ts_scene *scene, con
 	r.maps = grove_copy(&run, TS_B_view_map_depth_node, &r.n_maps);
 	r.depths = grove_copy(&run, TS_B_view_map_fused_depth, &r.n_depths);
 	r.shown = grove_copy(&run, TS_B_view_map_fused_node, &r.n_depths);
-	r.pieces = ts_run_counter(&run, "pieces of queues");
 	r.longest = ts_run_counter(&run, "longest queue");
 	ts_run_end(&run);
 	return r;
