@@ -85,6 +85,7 @@ static ts_status take_image(ts_run *run, void *user)
 	ts_bench_case *c = s->c;
 	const ts_pipeline *method = c->methods[s->variant];
 	ts_status status = ts_picture_take(&c->images[s->variant], method->name, run);
+	c->images[s->variant].before = c->before[s->variant];
 	if (c->look != NULL) c->looked[s->variant] = c->look(run);
 	bool judges = c->judge != NULL && c->truth.srgb == NULL && ts_truth_starts_from(c->judge, method);
 	return status == TS_OK && judges ? ts_picture_truth(&c->truth, c->judge, run) : status;
@@ -115,16 +116,22 @@ static ts_status make_truth(ts_bench_case *c)
 	return status;
 }
 
-static void free_pictures(ts_bench_case *c)
+/* Keeps what the next frame is compared with. */
+static void end_frame(ts_bench_case *c)
 {
-	for (u32 v = 0; v < c->n_variants; v++) ts_picture_free(&c->images[v]);
+	for (u32 v = 0; v < c->n_variants; v++) {
+		free(c->before[v]);
+		c->before[v] = c->images[v].srgb;
+		c->images[v].srgb = NULL;
+		ts_picture_free(&c->images[v]);
+	}
 	ts_picture_free(&c->truth);
 }
 
 ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
 {
 	ts_status status = TS_OK;
-	if (run == 0) free_pictures(c);
+	if (run == 0) end_frame(c);
 	for (u32 v = 0; status == TS_OK && v < c->n_variants; v++) {
 		ts_bench_runs runs = c->variants[v].runs;
 		bool rests = (runs == TS_ONCE && run > 0) || (runs == TS_FIRST && c->begun);
@@ -136,7 +143,10 @@ ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
 
 void ts_bench_case_close(ts_bench_case *c)
 {
-	for (u32 v = 0; v < c->n_variants; v++) free(c->histories[v].n);
-	free_pictures(c);
+	end_frame(c);
+	for (u32 v = 0; v < c->n_variants; v++) {
+		free(c->histories[v].n);
+		free(c->before[v]);
+	}
 	ts_scene_free(c->scene);
 }

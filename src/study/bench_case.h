@@ -36,6 +36,7 @@ typedef struct {
 	ts_measure measures[TS_BENCH_VARIANTS];        /* of the last run */
 	ts_history histories[TS_BENCH_VARIANTS];       /* of the frames before */
 	ts_picture images[TS_BENCH_VARIANTS], truth;   /* of the first run of the frame */
+	u8 *before[TS_BENCH_VARIANTS];                 /* srgb of the images of the frame before */
 	u32 sampled;                                   /* surfels to sample from scenes without surfels; 0: none */
 	bool begun;                                    /* a frame was run */
 	bool hurried;                                  /* methods that take long are left out, as if there were none */

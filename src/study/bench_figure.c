@@ -82,6 +82,16 @@ static double error(const ts_bench_case *c, const ts_bench_figure *f)
 	return f->kind == TS_FIGURE_PSNR ? found.psnr : f->kind == TS_FIGURE_SSIM ? found.ssim : found.rmse;
 }
 
+/* The change of an image itself is that beyond a reference that stays. */
+static double flicker(const ts_bench_case *c, const ts_bench_figure *f)
+{
+	const ts_picture *image = &c->images[f->a], *other = &c->images[f->b];
+	if (f->a == f->b) return ts_picture_change(image, NULL, &c->params);
+	if (image->before == NULL || other->before == NULL) return NAN;
+	return ts_metrics_flicker(other->before, other->srgb, image->before, image->srgb, NULL, TS_PARAM(&c->params, width),
+	                          TS_PARAM(&c->params, height));
+}
+
 /* NAN of images that were not kept. */
 static double seen(const ts_picture *image, size_t n_pixels)
 {
@@ -124,6 +134,7 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	case TS_FIGURE_BEYOND:
 	case TS_FIGURE_UNLIT:
 	case TS_FIGURE_GIVEN: return error(c, f);
+	case TS_FIGURE_FLICKER: return flicker(c, f);
 	case TS_FIGURE_LOOKED: return c->looked[f->a];
 	default: return NAN;
 	}

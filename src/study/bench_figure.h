@@ -30,6 +30,8 @@ typedef enum {
 	                                      * variant b; grey levels */
 	TS_FIGURE_PSNR,                      /* of the same two images, dB */
 	TS_FIGURE_SSIM,                      /* of the same two images */
+	TS_FIGURE_FLICKER,                   /* change since the frame before beyond that of variant b, or with b = a the
+	                                      * whole change; grey levels; missing in the first frame */
 	TS_FIGURE_RELATIVE,                  /* RMSE of radiance by the other's mean radiance, without the sky */
 	TS_FIGURE_NEAR,                      /* TS_FIGURE_RELATIVE of pixels near a triangle of light (near_light.h) */
 	TS_FIGURE_ELSEWHERE,                 /* TS_FIGURE_RELATIVE of all other pixels */

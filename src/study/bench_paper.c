@@ -205,6 +205,7 @@ static void report_variants(ts_report *report, const ts_paper_table *table)
 		ts_report_line(report, "models that stand alone: %s", table->alone);
 		ts_report_line(report, "set for them unless --set says otherwise: %s", table->alone_set);
 	}
+	if (table->own_camera) ts_report_line(report, "Models are seen through their first camera, as by render.");
 	if (table->note != NULL) ts_report_line(report, "%s", table->note);
 	ts_report_table(report, &t);
 }
@@ -247,6 +248,7 @@ ts_status ts_paper_bench(const ts_job *job, const ts_paper_table *table)
 {
 	ts_job own = *job;
 	measured m = {.table = table};
+	if (table->own_camera) own.scene.options.camera = NULL;
 	ts_status status = set_params(&own.params, job, table, "");
 	if (status == TS_OK) status = set_params(&m.alone, job, table, table->alone != NULL ? table->alone_set : "");
 	return status == TS_OK ? ts_bench_with_report(&own, work_on, &m) : status;

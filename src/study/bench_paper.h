@@ -84,6 +84,7 @@ typedef struct ts_paper_table {
 	bool timed;                        /* --runs; else one run, of counts */
 	const char *judge;                 /* the truth to which errors are, unless --truth says otherwise; NULL: none */
 	bool rays;                         /* judge off-screen texels and shadows by rays, once */
+	bool own_camera;                   /* models are seen through their first camera, as by render */
 	bool by_triangles;                 /* the paper's row is the one nearest in triangles, figure 0 */
 	double (*look)(const ts_run *run); /* for figures of TS_FIGURE_LOOKED; or NULL */
 	const ts_bench_variant *variants;
