@@ -40,12 +40,13 @@ static const ts_paper_part parts[] = {
 
 #define AT_LEAST(text, figure, bound, because) \
 	{ text, figure, TS_AT_LEAST, bound, 0, TS_NO_FIGURE, 0, 0, because, RADIUS }
-#define BROAD "one lobe is too broad for what surfaces reflect here"
+#define BROAD TS_NOT_ALWAYS "one lobe is too broad for what surfaces reflect here; see hull.sharpness"
 
 static const ts_paper_relation relations[] = {
 	AT_LEAST("dB that specular lobes bring", GAIN, 0, BROAD),
 	AT_LEAST("SSIM that they bring", SSIM_GAIN, 0, BROAD),
-	AT_LEAST("PSNR of lobes of triangles, dB", PSNR_DIRECT, 35, "the BRDF is no Gaussian"),
+	AT_LEAST("PSNR of lobes of triangles, dB", PSNR_DIRECT, 35,
+	  TS_NOT_ALWAYS "the BRDF is no Gaussian; see gloss.lobe"),
 	{ 0 },
 };
 
@@ -53,7 +54,7 @@ static const ts_paper_row rows[] = { { 0 } };
 
 const ts_paper_table ts_ssagh_gloss = {
 	.name = "ssagh-gloss", .title = "SSAGH, eq. 6 with a specular lobe", .effect = "area-light",
-	.scenes = "atrium,gallery,dining", .models = "sponza.glb,sibenik.glb,breakfast_room.glb",
+	.scenes = "atrium,gallery,dining", .models = "sponza.glb,sibenik.glb,breakfast_room.glb", .own_camera = true,
 	.set = "reflectors.count=0,gloss.lobe=on", .defaults = "lamp.radius=0.25", .size = "width=480,height=270",
 	.judge = "exact", .variants = variants, .figures = figures, .parts = parts, .relations = relations, .rows = rows,
 };

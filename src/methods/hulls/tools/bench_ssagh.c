@@ -60,24 +60,27 @@ static const ts_paper_part parts[] = {
 
 /* The least of the paper's scenes, for images of so many million pixels. */
 #define FASTER(bound, least, most) \
-	{ "direct / hulls", SPEEDUP, TS_AT_LEAST, bound, 0, PIXELS, least, most, "gathers are not most of the work", SAVED }
+	{ "direct / hulls", SPEEDUP, TS_AT_LEAST, bound, 0, PIXELS, least, most, \
+	  TS_GPU "gathers are not most of the work; see rsm.px", SAVED }
 
 static const ts_paper_relation relations[] = {
 	FASTER(5.01, 0.92, 2.07), FASTER(9.48, 2.07, 4.09), FASTER(11.92, 4.09, 9.21), FASTER(16.80, 9.21, 1e6),
-	{ "direct / hulls, from size to size", SPEEDUP, TS_GROWS, 1, 0, TS_NO_FIGURE, 0, 0, "it falls", SAVED },
-	{ "gathers of direct by those of hulls", SAVED, TS_AT_LEAST, 5.01, 0, PIXELS, 0.92, 1e6, "many boxes", BOXES },
+	{ "direct / hulls, from size to size", SPEEDUP, TS_GROWS, 1, 0, TS_NO_FIGURE, 0, 0,
+	  TS_GPU "what hulls do besides gathering grows with pixels, too; see depth_grid.px", SAVED },
+	{ "gathers of direct by those of hulls", SAVED, TS_AT_LEAST, 5.01, 0, PIXELS, 0.92, 1e6,
+	  TS_ELSEWHERE "many boxes; see depth_grid.px", BOXES },
 	{ "gathers of hulls, most by least", GATHERS, TS_STEADY, 0, 1.1, TS_NO_FIGURE, 0, 0,
-	  "more or fewer boxes", BOXES },
+	  TS_ELSEWHERE "the grid is finer than the smaller image; see depth_grid.px=512", BOXES },
 	{ "direct, ns a pixel, most by least", COST, TS_STEADY, 0, 1.25, TS_NO_FIGURE, 0, 0,
-	  "a busy machine, or more or less sky", DIRECT_MS },
+	  TS_GPU "what is not gathering counts in small images; see rsm.px", DIRECT_MS },
 	{ "PSNR of hulls to direct, dB", PSNR, TS_AT_LEAST, 30, 0, TS_NO_FIGURE, 0, 0,
-	  "the error is near triangles of light", NEAR_ERROR },
+	  TS_NOT_ALWAYS "one Gaussian is too narrow near triangles of light; see hull.sharpness=vmf", NEAR_ERROR },
 	{ "SSIM of hulls to direct", SSIM, TS_AT_LEAST, 0.9, 0, TS_NO_FIGURE, 0, 0,
-	  "one Gaussian a channel is not enough; a finer grid changes little", GIVEN },
+	  TS_NOT_ALWAYS "one Gaussian has no light from both sides; see hull.sharpness=vmf", GIVEN },
 	{ "RMSE elsewhere than near triangles of light", ELSEWHERE, TS_AT_MOST, 0, 0.2, TS_NO_FIGURE, 0, 0,
-	  "one Gaussian a channel is not enough; a finer grid changes little", GIVEN },
+	  TS_NOT_ALWAYS "one Gaussian has no light from both sides; see hull.sharpness=vmf", GIVEN },
 	{ "median error of a pixel", MEDIAN, TS_AT_MOST, 0, 0.15, TS_NO_FIGURE, 0, 0,
-	  "one Gaussian a channel is not enough; a finer grid changes little", GIVEN },
+	  TS_NOT_ALWAYS "one Gaussian has no light from both sides; see hull.sharpness=vmf", GIVEN },
 	{ 0 },
 };
 
@@ -103,7 +106,7 @@ static const ts_paper_row rows[] = {
 
 const ts_paper_table ts_ssagh_1 = {
 	.name = "ssagh-1", .title = "SSAGH, table 1: who runs", .effect = "indirect", .scenes = "atrium,gallery,dining",
-	.models = "sponza.glb,sibenik.glb,breakfast_room.glb", .objects_head = "pixels",
+	.models = "sponza.glb,sibenik.glb,breakfast_room.glb", .own_camera = true, .objects_head = "pixels",
 	.objects = "1280x720,1920x1080,2560x1600,3840x2400", .set = "reflectors.count=0", .defaults = "",
 	.note = "A light of the paper is 256 triangles.",
 	.timed = true, .variants = variants, .figures = figures, .parts = parts, .relations = relations, .rows = rows,

@@ -6,7 +6,7 @@
 #include "../../../study/claims.h"
 
 extern const ts_claim ts_hulls_claims[];
-extern const ts_paper_table ts_ssagh_1, ts_ssagh_2, ts_ssagh_3, ts_ssagh_4, ts_ssagh_gloss;
+extern const ts_paper_table ts_ssagh_1, ts_ssagh_2, ts_ssagh_3, ts_ssagh_4, ts_ssagh_gloss, ts_ssagh_flicker;
 ts_status ts_bench_segments(const ts_job *job);
 ts_status ts_bench_borders(const ts_job *job);
 ts_status ts_bench_curves(const ts_job *job);

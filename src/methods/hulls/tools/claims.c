@@ -8,6 +8,8 @@ const ts_claim ts_hulls_claims[] = {
 	{ "SSAGH", "algorithm 1", "four sweeps part what does not hang together, and more", "ssagh-segments", NULL, NULL },
 	{ "SSAGH", "equation 6", "a BRDF that is a Gaussian reflects the lobes specularly, at low frequency",
 	  "ssagh-gloss", NULL, NULL },
+	{ "SSAGH", "section 5", "lighting is mostly stable under animation, camera and light movement", "ssagh-flicker",
+	  NULL, NULL },
 	{ "SSAGH", "figure 1", "light is captured at the vertices of a coarse mesh", NULL, NULL,
 	  "a sketch; render indirect --method hulls writes the mesh, segments.png, and the light, lobes.png" },
 	{ "SSAGH", "figure 2", "a grid without segments shades wrongly at edges in depth", "ssagh-2", "grid", NULL },

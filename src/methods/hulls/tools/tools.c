@@ -38,6 +38,8 @@ static const ts_bench_row benches[] = {
      .paper = &ts_ssagh_4, .brief = "--size 480x270"},
 	{"ssagh-gloss", "SSAGH: specular reflection by lobes, beside the BRDF; also of models in TS_SCENES",
      TS_BENCH_BY_ITSELF " objects runs", .paper = &ts_ssagh_gloss, .brief = "--size 240x135"},
+	{"ssagh-flicker", "SSAGH: change from frame to frame beyond that of direct", TS_BENCH_BY_ITSELF " objects runs",
+     .paper = &ts_ssagh_flicker, .brief = "--frames 0..29"},
 	{"ssagh-5", "SSAGH: the curves c and s; no scene", "", .takes = TS_BENCH_FILES " json", .run = ts_bench_curves,
      .brief = ""},
 	{"ssagh-6", "SSAGH: logistic curves fitted to s; no scene", "", .takes = TS_BENCH_FILES " json",
