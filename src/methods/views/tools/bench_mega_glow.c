@@ -43,11 +43,14 @@ static const ts_paper_part parts[] = {
 #define ALL TS_NO_FIGURE, 0, 0
 
 static const ts_paper_relation relations[] = {
-	{ "dB that shadows bring", GAIN, TS_AT_LEAST, 0, 0, ALL, "leaves throw more shadow than they have",
+	{ "dB that shadows bring", GAIN, TS_AT_LEAST, 0, 0, ALL,
+	  TS_NOT_ALWAYS "leaves throw more shadow than they have; see view_map.fill=0.5",
 	  DARK_SHARE },
-	{ "SSIM that shadows bring", SSIM_GAIN, TS_AT_LEAST, 0, 0, ALL, "leaves throw more shadow than they have",
+	{ "SSIM that shadows bring", SSIM_GAIN, TS_AT_LEAST, 0, 0, ALL,
+	  TS_NOT_ALWAYS "leaves throw more shadow than they have; see view_map.fill=0.5",
 	  DARK_SHARE },
-	{ "dB over ManyLoDs", UNDER_LODS, TS_AT_LEAST, -0.5, 0, ALL, "what is shared is coarse", SHARING },
+	{ "dB over ManyLoDs", UNDER_LODS, TS_AT_LEAST, -0.5, 0, ALL,
+	  TS_NOT_ALWAYS "what views of a leaf share is coarse; see octree.levels", SHARING },
 	{ 0 },
 };
 

@@ -26,13 +26,16 @@ static const ts_paper_part side_parts[] = {
 	{ 0 },
 };
 
+#define PAIRS_END TS_ELSEWHERE "leaves are wider than a texel, so that pairs end early; see octree.levels"
 static const ts_paper_relation side_relations[] = {
 	{ "time of MegaViews, quadruple for twice the side: exponent", MS_GROWTH, TS_BETWEEN, 1.7, 2.5, ALL,
-	  "more leaves are wider than a texel, or a busy machine", WIDER_SHARE },
+	  PAIRS_END, WIDER_SHARE },
 	{ "time of ManyLoDs, the same", LODS_MS_GROWTH, TS_BETWEEN, 1.7, 2.5, ALL,
-	  "more leaves are wider than a texel, or a busy machine", WIDER_SHARE },
-	{ "ManyLoDs / MegaViews", SPEEDUP, TS_AT_LEAST, 1, 0, ALL, "few views share", SHARING },
-	{ "views that share a pair become fewer: exponent", SHARING_GROWTH, TS_AT_MOST, 0, 0, ALL, "more share", SHARING },
+	  PAIRS_END, WIDER_SHARE },
+	{ "ManyLoDs / MegaViews", SPEEDUP, TS_AT_LEAST, 1, 0, ALL,
+	  TS_ELSEWHERE "few leaves have several views; see octree.levels", SHARING },
+	{ "views that share a pair become fewer: exponent", SHARING_GROWTH, TS_AT_MOST, 0, 0, ALL,
+	  TS_ELSEWHERE "leaves are wider than a texel; see octree.levels", SHARING },
 	{ 0 },
 };
 
@@ -42,7 +45,7 @@ static const ts_paper_plot side_plot = { "texels a side", "maps, ms", X, { MS, L
 const ts_paper_table ts_mega_12 = {
 	.name = "mega-12", .title = "MegaViews, figure 12", .effect = "indirect", .scenes = "atrium",
 	.objects_head = "view_map.px", .objects_param = "view_map.px", .objects = "16,32,64", .set = "reflectors.count=0",
-	.defaults = "octree.levels=7,vpl.paths=1024,rsm.px=256", .size = "width=320,height=180", .timed = true,
+	.defaults = "octree.levels=9,vpl.paths=16384,rsm.px=1024", .size = "width=320,height=180", .timed = true,
 	.note = "The paper has a million views, and 11 levels.", .variants = splat_variants, .figures = side_figures,
 	.parts = side_parts, .relations = side_relations, .plot = &side_plot, .rows = none,
 };
@@ -79,15 +82,17 @@ static const ts_paper_part level_parts[] = {
 
 static const ts_paper_relation level_relations[] = {
 	{ "PSNR grows with levels", LEVEL_PSNR, TS_GROWS, 1, 0, ALL,
-	  "the width of texels errs more than that of leaves", LEVEL_PSNR },
+	  TS_NOT_ALWAYS "whatever is in a texel fills it, as in the paper; see view_map.texel=middle", LEVEL_PSNR },
 	{ "SSIM grows with levels", LEVEL_SSIM, TS_GROWS, 1, 0, ALL,
-	  "the width of texels errs more than that of leaves", LEVEL_SSIM },
-	{ "time grows with levels", MS, TS_GROWS, 1, 0, ALL, "it falls", MS },
-	{ "time grows slower than leaves: exponent", MS_GROWTH, TS_AT_MOST, 0, 1, ALL, "a busy machine, or little shared",
+	  TS_NOT_ALWAYS "whatever is in a texel fills it, as in the paper; see view_map.texel=middle", LEVEL_SSIM },
+	{ "time grows with levels", MS, TS_GROWS, 1, 0, ALL, TS_GPU "fusion is much of the time; see view_map.fusion", MS },
+	{ "time grows slower than leaves: exponent", MS_GROWTH, TS_AT_MOST, 0, 1, ALL,
+	  TS_ELSEWHERE "few leaves have several views; see vpl.paths",
 	  SHARING },
-	{ "pairs grow slower than leaves: exponent", PAIRS_GROWTH, TS_AT_MOST, 0, 1, ALL, "little shared", SHARING },
-	{ "pairs of several views wider than a texel, %, most by least", SEVERAL_SHARE, TS_STEADY, 0, 15, ALL,
-	  "more than the paper's pairs", SEVERAL_SHARE },
+	{ "pairs grow slower than leaves: exponent", PAIRS_GROWTH, TS_AT_MOST, 0, 1, ALL,
+	  TS_ELSEWHERE "few leaves have several views; see vpl.paths", SHARING },
+	{ "pairs of several views wider than a texel, most by least", SEVERAL, TS_STEADY, 0, 15, ALL,
+	  TS_ELSEWHERE "few views share a leaf of the deepest octree; see vpl.paths", SEVERAL_SHARE },
 	{ 0 },
 };
 
@@ -144,9 +149,11 @@ static const ts_paper_part gather_parts[] = {
 
 static const ts_paper_relation gather_relations[] = {
 	{ "nodes of views culled at level 6, %", STRUCK_SHARE, TS_AT_LEAST, 94, 0, LEVEL, 6, 6,
-	  "none are cut off by distance, and few are behind", STRUCK_SHARE },
-	{ "they are more from level to level", STRUCK_SHARE, TS_GROWS, 1, 0, ALL, "fewer", STRUCK_SHARE },
-	{ "noise by that without culling", NOISE_RATIO, TS_AT_MOST, 0, 1, ALL, "few views are culled", STRUCK_SHARE },
+	  TS_ELSEWHERE "nothing is cut off by distance; see vpl_gather.cutoff", STRUCK_SHARE },
+	{ "they are more from level to level", STRUCK_SHARE, TS_GROWS, 1, 0, ALL,
+	  TS_ELSEWHERE "nodes are nearly as large as the scene; see vpl_gather.cutoff", STRUCK_SHARE },
+	{ "noise by that without culling", NOISE_RATIO, TS_AT_MOST, 0, 1, ALL,
+	  TS_ELSEWHERE "few views are culled; see vpl_gather.cutoff", STRUCK_SHARE },
 	{ 0 },
 };
 
@@ -164,9 +171,9 @@ const ts_paper_table ts_mega_16 = {
 	.name = "mega-16", .title = "MegaViews, figure 16", .effect = "indirect", .scenes = "atrium",
 	.objects_head = "vpl_gather.level", .objects_param = "vpl_gather.level", .objects = "2,3,4,5,6",
 	.set = "reflectors.count=0",
-	.defaults = "octree.levels=7,vpl.paths=1024,rsm.px=256", .size = "width=160,height=90",
-	.note = "The paper has a million views, 11 levels, and a cut-off: --set vpl_gather.cutoff=DISTANCE, beyond which "
-	"light is lost.",
+	.defaults = "octree.levels=7,vpl.paths=1024,rsm.px=256,vpl_gather.cutoff=5", .size = "width=160,height=90",
+	.note = "The paper has a million views, 11 levels, and an unknown cut-off; here a sixth of the court. Light from "
+	"beyond it is lost.",
 	.variants = gather_variants, .figures = gather_figures, .parts = gather_parts, .relations = gather_relations,
 	.plot = &gather_plot, .rows = gather_rows,
 };

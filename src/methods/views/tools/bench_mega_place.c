@@ -50,20 +50,21 @@ static const ts_paper_part parts[] = {
 
 #define ALL TS_NO_FIGURE, 0, 0
 
+#define FAR_APART TS_ELSEWHERE "single-bounce lights are as far apart; see lamp.fov"
 static const ts_paper_relation relations[] = {
 	{ "time of views at random / single-bounce, 65,536 views", SLOWER, TS_BETWEEN, 2, 8, VIEWS, 60000, 70000,
-	  "the lamp lights more or less than the paper's", LESS_SHARED },
+	  TS_ELSEWHERE "the lamp lights more or less than the paper's; see lamp.fov", LESS_SHARED },
 	{ "pairs of views at random / single-bounce, 65,536 views", MORE, TS_BETWEEN, 2, 8, VIEWS, 60000, 70000,
-	  "the lamp lights more or less than the paper's", LESS_SHARED },
+	  TS_ELSEWHERE "the lamp lights more or less than the paper's; see lamp.fov", LESS_SHARED },
 	{ "pairs of views at random / single-bounce, from 1,024 on", MORE, TS_AT_LEAST, 1, 0, VIEWS, 1024, 1e9,
-	  "single-bounce lights are as far apart", LESS_SHARED },
-	{ "pairs of views at random / single-bounce, row by row", MORE, TS_GROWS, 1, 0, ALL, "it falls", MORE },
+	  FAR_APART, LESS_SHARED },
+	{ "pairs of views at random / single-bounce, row by row", MORE, TS_GROWS, 1, 0, ALL, FAR_APART, MORE },
 	{ "views that share a pair, random / single-bounce", LESS_SHARED, TS_AT_MOST, 0, 1, ALL,
-	  "single-bounce lights are as far apart", LESS_SHARED },
+	  FAR_APART, LESS_SHARED },
 	{ "pairs of views at random grow slower than views: exponent", PAIRS_R_GROWTH, TS_AT_MOST, 0, 1, ALL,
-	  "little shared", SHARING_R },
+	  TS_ELSEWHERE "few leaves have several views; see octree.levels", SHARING_R },
 	{ "picture of views at random beside single-bounce, dB", PSNR, TS_AT_LEAST, 20, 0, VIEWS, 1024, 1e9,
-	  "most of them are in the dark", PSNR },
+	  TS_NOT_ALWAYS "most of them are in the dark; see vpl.place", PSNR },
 	{ 0 },
 };
 

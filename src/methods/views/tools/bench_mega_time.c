@@ -44,15 +44,17 @@ static const ts_paper_part parts[] = {
 /* Where the few take half the time or more. */
 #define AS_LONG(n) \
 	{ "PSNR of many less that of " #n ", no faster", MORE_##n, TS_AT_LEAST, 0, 0, TIME_##n, 0.5, 1e9, \
-	  "maps answer too coarsely", PSNR }, \
-	{ "SSIM, of " #n, SSIM_MORE_##n, TS_AT_LEAST, 0, 0, TIME_##n, 0.5, 1e9, "maps answer too coarsely", SSIM }
+	  TS_NOT_ALWAYS "maps of 16 texels answer too coarsely; see view_map.px", PSNR }, \
+	{ "SSIM, of " #n, SSIM_MORE_##n, TS_AT_LEAST, 0, 0, TIME_##n, 0.5, 1e9, \
+	  TS_NOT_ALWAYS "maps of 16 texels answer too coarsely; see view_map.px", SSIM }
 static const ts_paper_relation relations[] = { AS_LONG(1), AS_LONG(4), AS_LONG(18), { 0 } };
 
 static const ts_paper_row rows[] = { { 0 } };
 
 const ts_paper_table ts_mega_14 = {
 	.name = "mega-14", .title = "MegaViews, figure 14", .effect = "indirect", .scenes = "atrium",
-	.models = "sibenik.glb,sponza.glb", .objects_head = "paths", .objects_param = "vpl.paths", .objects = "4096",
+	.models = "sibenik.glb,sponza.glb", .own_camera = true, .objects_head = "paths", .objects_param = "vpl.paths",
+	.objects = "4096",
 	.most = 1 << 24, .set = "reflectors.count=0", .defaults = "octree.levels=8", .size = "width=160,height=90",
 	.timed = true, .judge = "vpls",
 	.note = "The paper has 65,536 views of 16 texels a side in the time of 18 of 1024, in its Hairball.",

@@ -23,8 +23,10 @@ static const ts_bench_variant variants[] = {
 }
 
 #define GROWTH \
-	{ "pairs grow slower than views: exponent", PAIRS_GROWTH, TS_AT_MOST, 0, 1, ALL, "little shared", SHARING }, \
-	{ "views that share a pair, from row to row", SHARING, TS_GROWS, 1, 0, ALL, "it falls", SHARING }
+	{ "pairs grow slower than views: exponent", PAIRS_GROWTH, TS_AT_MOST, 0, 1, ALL, \
+	  TS_ELSEWHERE "few leaves have several views; see octree.levels", SHARING }, \
+	{ "views that share a pair, from row to row", SHARING, TS_GROWS, 1, 0, ALL, \
+	  TS_ELSEWHERE "few leaves have several views; see octree.levels", SHARING }
 
 static const ts_paper_plot plot = { "views", "maps, ms", X, { MS, LODS_MS, TS_NO_FIGURE }, true };
 
@@ -38,7 +40,7 @@ static const ts_paper_part bounce_parts[] = PARTS("mega_10_bounces", "MegaViews,
 
 static const ts_paper_relation bounce_relations[] = {
 	{ "time of ManyLoDs / MegaViews, a million views", SPEEDUP, TS_AT_LEAST, 10, 0, MILLION,
-	  "less is shared, or fusion takes longer", SHARING },
+	  TS_ELSEWHERE "fewer views share a leaf; see octree.levels", SHARING },
 	GROWTH, { 0 },
 };
 
@@ -68,9 +70,10 @@ static const ts_paper_part particle_parts[] = PARTS("mega_particles", "MegaViews
 
 static const ts_paper_relation particle_relations[] = {
 	{ "time of ManyLoDs / MegaViews, 65,536 views", SPEEDUP, TS_BETWEEN, 1.5, 2.5, X, 60000, 70000,
-	  "more or less is shared", SHARING },
+	  TS_ELSEWHERE "leaves are larger, so that more views share them; see octree.levels", SHARING },
 	{ "empty texels, %", EMPTY, TS_BETWEEN, 25, 35, ALL,
-	  "12.5 are outside the discs; of the rest those to the sky and into walls", EMPTY },
+	  TS_ELSEWHERE "12.5 are outside the discs; of the rest those to the sky and into walls; see view_map.texel",
+	  EMPTY },
 	GROWTH, { 0 },
 };
 
