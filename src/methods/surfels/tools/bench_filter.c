@@ -63,17 +63,22 @@ static const ts_paper_part parts[] = {
 #define ALL TS_NO_FIGURE, 0, 0
 
 static const ts_paper_relation relations[] = {
-	{ "dB of the lesser radius over the object filter", OVER_OBJECT, TS_AT_LEAST, 0, 0, ALL,
-	  "outlines, which the filter widens", WIDER },
-	{ "SSIM of the lesser radius over the object filter", SSIM_MORE, TS_AT_LEAST, 0, 0, ALL,
-	  "outlines, which the filter widens", WIDER },
-	{ "dB of the lesser radius over exact EWA", UNDER_EXACT, TS_AT_LEAST, -1, 0, ALL, "the lesser radius is coarser",
+	{ "dB of the lesser radius over the object filter", OVER_OBJECT, TS_AT_LEAST, 0, 0, MORE, 1.5, 1e6,
+	  TS_ELSEWHERE "surfels are wider than what they sample; see surfels.from_mesh", WIDER },
+	{ "SSIM of the lesser radius over the object filter", SSIM_MORE, TS_AT_LEAST, 0, 0, MORE, 1.5, 1e6,
+	  TS_ELSEWHERE "surfels are wider than what they sample; see surfels.from_mesh", WIDER },
+	{ "dB of the lesser radius over exact EWA", UNDER_EXACT, TS_AT_LEAST, -1, 0, ALL,
+	  TS_NOT_ALWAYS "the lesser radius is coarser; see ewa.sigma_h",
 	  PSNR + EXACT },
-	{ "fragments of the lesser radius by the object filter's", MORE, TS_AT_LEAST, 1, 0, ALL, "wide surfels",
+	{ "fragments of the lesser radius by the object filter's", MORE, TS_AT_LEAST, 1, 0, ALL,
+	  TS_ELSEWHERE "surfels are wider than pixels; see surfels.from_mesh",
 	  OBJECT_OVERLAP },
-	{ "dB that 8 bits lose", BYTES_LOSE, TS_AT_LEAST, 1, 0, ALL, "few fragments, whose sums stay below 1", OVERLAP },
-	{ "dB that half floats lose", HALF_LOSES, TS_AT_MOST, 0, 0.05, ALL, "many fragments", OVERLAP },
-	{ "dB that floats lose", FLOAT_LOSES, TS_AT_MOST, 0, 0.001, ALL, "many fragments", OVERLAP },
+	{ "dB that 8 bits lose", BYTES_LOSE, TS_AT_LEAST, 1, 0, ALL,
+	  TS_ELSEWHERE "few fragments, whose sums stay below 1; see surfels.radius", OVERLAP },
+	{ "dB that half floats lose", HALF_LOSES, TS_AT_MOST, 0, 0.05, ALL,
+	  TS_NOT_ALWAYS "many fragments; see surfels.radius", OVERLAP },
+	{ "dB that floats lose", FLOAT_LOSES, TS_AT_MOST, 0, 0.001, ALL,
+	  TS_NOT_ALWAYS "many fragments; see surfels.radius", OVERLAP },
 	{ 0 },
 };
 
@@ -108,9 +113,9 @@ static const ts_paper_part disc_parts[] = {
 
 static const ts_paper_relation disc_relations[] = {
 	{ "PSNR to rays into the surfels, dB", D_PSNR, TS_AT_LEAST, 30, 0, ALL,
-	  "a pixel has one ray where the truth has several", D_RMSE },
+	  TS_OURS "a pixel has one ray where the truth has several; see truth.grid_rays", D_RMSE },
 	{ "SSIM to rays into the surfels", D_SSIM, TS_AT_LEAST, 0.95, 0, ALL,
-	  "a pixel has one ray where the truth has several", D_RMSE },
+	  TS_OURS "a pixel has one ray where the truth has several; see truth.grid_rays", D_RMSE },
 	{ 0 },
 };
 

@@ -21,7 +21,7 @@ static const ts_bench_variant variants[] = {
 /* A rate has the number of its variant. */
 enum { SURFELS = 4 * SHADERS, NPR_COST, NPR_SHADOW_COST, SHADOW_COST, FILTER_COST, THREADS, FRAGMENTS, OBJECT_FRAGMENTS,
        SHADED, OBJECT_SHADED, SEEN, OBJECT_SEEN, OVERLAP, OBJECT_OVERLAP, MORE, ONCE, OBJECT_ONCE, NPR_SHADED,
-       NPR_ONCE };
+       DRAWN, A_PIXEL, NPR_ONCE };
 
 #define RATE(variant, key, head) [variant] = { key, head, TS_FIGURE_SURFEL_RATE, variant, 0, 2, "" }
 #define RATES(first, key) \
@@ -51,6 +51,8 @@ static const ts_bench_figure figures[] = {
 	[ONCE] = { "shaded_a_pixel", "a pixel", TS_FIGURE_RATIO, SHADED, SEEN, 3, "" },
 	[OBJECT_ONCE] = { "shaded_a_pixel_object", "no screen filter", TS_FIGURE_RATIO, OBJECT_SHADED, OBJECT_SEEN, 3, "" },
 	[NPR_SHADED] = { "shaded_npr", "NPR", TS_FIGURE_COUNTER, M_BOTH + NPR, 0, TS_WHOLE, "shading operations" },
+	[DRAWN] = { "drawn", "surfels drawn", TS_FIGURE_COUNTER, M_BOTH, 0, TS_WHOLE, "surfels drawn" },
+	[A_PIXEL] = { "surfels_a_pixel", "surfels a pixel", TS_FIGURE_RATIO, DRAWN, SEEN, 2, "" },
 	[NPR_ONCE] = { "shaded_a_pixel_npr", "NPR", TS_FIGURE_RATIO, NPR_SHADED, SEEN, 3, "" },
 	{ 0 },
 };
@@ -64,8 +66,8 @@ static const ts_paper_part parts[] = {
 	{ "nv40_object_alone", "One thread, without the screen filter", { SHADERS_OF(M_OBJECT_ALONE), TS_NO_FIGURE } },
 	{ "nv40_ratios", "Ratios of these rates", { NPR_COST, NPR_SHADOW_COST, SHADOW_COST, FILTER_COST, THREADS,
 	  TS_NO_FIGURE } },
-	{ "nv40_fragments", "Pixels with a surface, and fragments that blend there", { SEEN, OBJECT_SEEN, OVERLAP,
-	  OBJECT_OVERLAP, MORE, TS_NO_FIGURE } },
+	{ "nv40_fragments", "Pixels with a surface, and fragments that blend there", { SEEN, OBJECT_SEEN, A_PIXEL,
+	  OVERLAP, OBJECT_OVERLAP, MORE, TS_NO_FIGURE } },
 	{ "nv40_shading", "Shading operations, whatever overlaps", { SHADED, OBJECT_SHADED, ONCE, OBJECT_ONCE,
 	  NPR_ONCE, TS_NO_FIGURE } },
 	{ 0 },
@@ -73,18 +75,21 @@ static const ts_paper_part parts[] = {
 
 #define ALL TS_NO_FIGURE, 0, 0
 
+#define NOT_DEFERRED TS_OURS "not deferred; see deferred.shader"
 static const ts_paper_relation relations[] = {
-	{ "fragments with the screen filter / without, of 20 to 40 a pixel", MORE, TS_BETWEEN, 2, 6, OVERLAP, 20, 40,
-	  "surfels are wider or narrower, or epsilon hides more or less", OBJECT_OVERLAP },
-	{ "shading operations a pixel", ONCE, TS_BETWEEN, 1, 1, ALL, "not deferred", OVERLAP },
-	{ "the same without the screen filter", OBJECT_ONCE, TS_BETWEEN, 1, 1, ALL, "not deferred", OBJECT_OVERLAP },
-	{ "the same of NPR", NPR_ONCE, TS_BETWEEN, 1, 1, ALL, "not deferred", OVERLAP },
-	{ "rate of NPR / Phong", NPR_COST, TS_BETWEEN, 0.85, 1.1, ALL, "a busy machine, or shading is much of the work",
-	  NPR_COST },
+	{ "fragments a pixel, of 10 to 20 surfels a pixel", OVERLAP, TS_BETWEEN, 20, 40, A_PIXEL, 10, 20,
+	  TS_ELSEWHERE "surfels are wider or narrower; see surfels.radius", OBJECT_OVERLAP },
+	{ "fragments a pixel without the screen filter, of those", OBJECT_OVERLAP, TS_BETWEEN, 4, 10, A_PIXEL, 10, 20,
+	  TS_ELSEWHERE "surfels are wider or narrower; see surfels.radius", A_PIXEL },
+	{ "shading operations a pixel", ONCE, TS_BETWEEN, 1, 1, ALL, NOT_DEFERRED, OVERLAP },
+	{ "the same without the screen filter", OBJECT_ONCE, TS_BETWEEN, 1, 1, ALL, NOT_DEFERRED, OBJECT_OVERLAP },
+	{ "the same of NPR", NPR_ONCE, TS_BETWEEN, 1, 1, ALL, NOT_DEFERRED, OVERLAP },
+	{ "rate of NPR / Phong", NPR_COST, TS_BETWEEN, 0.85, 1.1, ALL,
+	  TS_GPU "48 instructions against 8 are work on a processor; see deferred.shader", NPR_COST },
 	{ "the same with shadows", NPR_SHADOW_COST, TS_BETWEEN, 0.85, 1.1, ALL,
-	  "a busy machine, or shading is much of the work", NPR_SHADOW_COST },
+	  TS_GPU "48 instructions against 8 are work on a processor; see deferred.shader", NPR_SHADOW_COST },
 	{ "rate with shadows / without", SHADOW_COST, TS_BETWEEN, 0.4, 1.1, ALL,
-	  "the depth map counts more or less beside the image", SHADOW_COST },
+	  TS_GPU "the depth map is made by the same processor; see depth_map.px", SHADOW_COST },
 	{ 0 },
 };
 

@@ -25,7 +25,7 @@ static const ts_bench_row benches[] = {
 	{"nv40", "surface splatting: surfels a second and fragments a pixel; --objects takes sizes",
      TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40, .brief = "--objects 240x135,480x270 --runs 1"},
 	{"nv40-shading", "surface splatting: work and errors of flat, Gouraud, Phong and deferred shading",
-     TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40_shading, .brief = "--objects 240x135,480x270"},
+     TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40_shading, .brief = "--objects 240x135,960x540"},
 	{"nv40-filter", "surface splatting: errors of filters and of frame buffers; --objects takes sizes",
      TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40_filter, .brief = ""},
 	{"nv40-discs", "surface splatting: pictures beside rays into surfels; --objects takes sizes",
