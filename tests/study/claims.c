@@ -68,7 +68,7 @@ static void test_tables(void **state)
 }
 
 /* Beginnings of the names of tables whose causes have classes. */
-static const char *const classed[] = {"ivir-", "epr-"};
+static const char *const classed[] = {"ivir-", "epr-", "ssagh-", "mega-", "nv40-"};
 static const char *const classes[] = {TS_OURS, TS_ELSEWHERE, TS_GPU, TS_NOT_ALWAYS};
 
 static bool begins_with_one(const char *text, const char *const *beginnings, size_t n)
