@@ -45,7 +45,7 @@ static const ts_paper_part gaussian_parts[] = PARTS("ssagh_4", "SSAGH, figure 4:
 
 #define AT_LEAST(text, figure, bound, because) \
 	{ text, figure, TS_AT_LEAST, bound, 0, TS_NO_FIGURE, 0, 0, because, RADIUS }
-#define ANOTHER TS_NOT_ALWAYS "another error is larger; see hull.cosine=quadrature"
+#define ANOTHER TS_NOT_ALWAYS "one Gaussian errs more; see hull.sharpness=vmf"
 #define NEARER \
 	AT_LEAST("PSNR of ours above the other's, dB", GAIN, 3, ANOTHER), \
 	AT_LEAST("SSIM above it", SSIM_GAIN, 0, ANOTHER), \

@@ -40,7 +40,7 @@ static const ts_paper_part parts[] = {
 
 #define AT_LEAST(text, figure, bound, because) \
 	{ text, figure, TS_AT_LEAST, bound, 0, TS_NO_FIGURE, 0, 0, because, RADIUS }
-#define BROAD TS_NOT_ALWAYS "one lobe is too broad for what surfaces reflect here; see hull.sharpness"
+#define BROAD TS_NOT_ALWAYS "one lobe is too broad beside a broad lamp; see lamp.radius=0.1"
 
 static const ts_paper_relation relations[] = {
 	AT_LEAST("dB that specular lobes bring", GAIN, 0, BROAD),

@@ -9,7 +9,7 @@ const ts_claim ts_surfels_claims[] = {
 	{ "NV40", "Perspectively Correct Rendering", "surfels are rasterized as rays see them", "nv40-discs", NULL,
 	  NULL },
 	{ "NV40", "Per-Pixel Phong Shading", "shading of pixels keeps highlights that flat and Gouraud's lose", SHADING,
-	  "dB", NULL },
+	  "dB|SSIM", NULL },
 	{ "NV40", "Phong Shading for PBR", "normals are splatted, and shaded once a pixel", SHADING,
 	  "shading operations a pixel", NULL },
 	{ "NV40", "3-Pass Shading", "shading before blending shades every fragment", SHADING, "shading operations, Phong",
