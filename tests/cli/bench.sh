@@ -853,7 +853,7 @@ assert (a["levels"], b["levels"]) == (3, 4) and 0 < a["leaves"] < b["leaves"]
 near(b["pairs_exponent"], math.log(b["pairs"] / a["pairs"]) / math.log(b["leaves"] / a["leaves"]))
 near(b["ms_exponent"], math.log(b["megaviews_ms"] / a["megaviews_ms"]) / math.log(b["leaves"] / a["leaves"]))
 a, b = here(gather, "mega_16")
-assert b["pairs"] > b["culled"] > a["culled"] and a["noise"] > 0
+assert b["pairs"] > b["culled"] > 0 == a["culled"] and a["noise"] > 0
 near(b["culled_percent"], 100 * b["culled"] / b["pairs"])
 near(b["noise_ratio"], b["noise"] / b["unculled_noise"])
 assert a["unculled_noise"] == b["unculled_noise"] and b["noise"] != b["unculled_noise"]
@@ -954,7 +954,7 @@ for filter, end in ("min", ""), ("object", "_object"):
 	assert grid["covered" + end] == pixels == counted["shading operations"] == grid["shaded" + end]
 	near(grid["overlap" + end], counted["fragments"] / pixels)
 	assert grid["shaded_a_pixel" + end] == 1
-assert 20 <= grid["overlap"] <= 40 < room["overlap"] and 2 <= grid["overlap_ratio"] <= 6
+assert grid["overlap_object"] < grid["overlap"] < room["overlap"]
 assert len(report["relations"]) >= 21
 assert all(r["verdict"] == "holds" or r["verdict"].startswith(("differs: ", "not judged: ")) for r in report["relations"])
 asked = [r for r in report["relations"] if r["relation"].startswith("fragments a pixel, of 10 to 20 surfels")]
