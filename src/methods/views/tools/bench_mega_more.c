@@ -113,8 +113,8 @@ const ts_paper_table ts_mega_13 = {
 	.parts = level_parts, .relations = level_relations, .plot = &level_plot, .rows = level_rows,
 };
 
-/* Figure 16. Noise is that of a few lights a pixel, without the filter, to the picture of all lights that culling and the
- * cut-off leave, which has none. */
+/* Figure 16. Noise is that of a few lights a pixel, without the filter, to the picture of all lights that culling and
+ * the cut-off leave, which has none. */
 enum { M_CULLED, M_UNCULLED, M_EVERY, M_EVERY_UNCULLED };
 
 static const ts_bench_variant gather_variants[] = {

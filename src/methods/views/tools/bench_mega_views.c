@@ -86,9 +86,10 @@ static const ts_paper_row particle_rows[] = {
 const ts_paper_table ts_mega_particles = {
 	.name = "mega-particles", .title = "MegaViews, particles", .effect = "particles", .scenes = "atrium",
 	.objects_head = "particles", .objects_param = "particle.count", .objects = "256,1024,4096", .most = 1 << 24,
-	.set = "reflectors.count=0", .defaults = "octree.levels=7", .size = "width=320,height=180", .timed = true,
-	.note = "Nothing is culled. The paper has 4,096 and 65,536, and 11 levels.", .look = ts_empty_share,
-	.variants = variants, .figures = particle_figures, .parts = particle_parts, .relations = particle_relations,
+	.set = "reflectors.count=0", .defaults = "octree.levels=7,view_map.texel=point", .size = "width=320,height=180",
+	.timed = true, .note = "Nothing is culled. Texels are the paper's. The paper has 4,096 and 65,536, and 11 levels.",
+	.look = ts_empty_share, .variants = variants,
+	.figures = particle_figures, .parts = particle_parts, .relations = particle_relations,
 	.plot = &plot, .rows = particle_rows,
 };
 /* clang-format on */
