@@ -50,4 +50,13 @@ static inline void tree_finish(tree *t)
 	assert_true(t->n <= NODES);
 }
 
+/* Nodes that their parents do not hold, so that no step of a traversal answers for another. */
+static inline void tree_shake(tree *t)
+{
+	for (u32 i = 0; i < t->n; i++) {
+		ts_node *node = &t->nodes[i];
+		ts_store3(node->centre, ts_mad(ts_load3(node->centre), direction(), uniform(0, 4) * node->radius));
+	}
+}
+
 #endif

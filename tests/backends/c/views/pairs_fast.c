@@ -34,15 +34,6 @@ static void random_cones(u32 n)
 	}
 }
 
-/* Nodes that their parents do not hold, so that no step of a traversal answers for another. */
-static void shake(tree *t)
-{
-	for (u32 i = 0; i < t->n; i++) {
-		ts_node *node = &t->nodes[i];
-		ts_store3(node->centre, ts_mad(ts_load3(node->centre), direction(), uniform(0, 4) * node->radius));
-	}
-}
-
 /* Views without a parent, anywhere in the root cube: where nodes of the scene are, or not. */
 static void scatter_views(u32 n)
 {
@@ -69,7 +60,7 @@ static traversal random_traversal(void)
 	ts_store3(root.lower, ts_scale(uniform3(-2, 2), root.side));
 	random_tree(&scene, levels, root);
 	random_tree(&views, levels, root);
-	if (below(2) == 0) shake(&scene);
+	if (below(2) == 0) tree_shake(&scene);
 	bool alone = last == 0 && below(2) == 0;
 	if (alone) scatter_views(below(300));
 	random_cones(views.n);

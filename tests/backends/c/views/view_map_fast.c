@@ -34,15 +34,6 @@ static void random_tree(tree *t, u32 levels, ts_root root)
 	tree_finish(t);
 }
 
-/* Nodes that their parents do not hold. */
-static void shake(tree *t)
-{
-	for (u32 i = 0; i < t->n; i++) {
-		ts_node *node = &t->nodes[i];
-		ts_store3(node->centre, ts_mad(ts_load3(node->centre), direction(), uniform(0, 4) * node->radius));
-	}
-}
-
 /* Views without a parent: in the root cube, or in the middles of nodes. */
 static void scatter_views(u32 n)
 {
@@ -94,7 +85,7 @@ static traversal random_traversal(void)
 	random_tree(&views, levels, root);
 	bool alone = below(3) == 0, single = below(3) == 0;
 	if (alone) scatter_views(1 + below(ALONE));
-	if (below(2) == 0) shake(&scene);
+	if (below(2) == 0) tree_shake(&scene);
 	random_cones();
 	random_reflectors(alone ? 0 : views.level[levels]);
 	traversal r = {.to = {.nodes = scene.nodes, .views = views.nodes, .pyramid = random_pyramid()}};
