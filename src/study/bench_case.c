@@ -12,20 +12,23 @@ typedef struct {
 	u32 variant;
 } seen;
 
-static bool has_default(const ts_params *params, const char *name)
+/* Nobody has set it. */
+static bool is_free(const ts_params *params, const ts_job *job, const char *name)
 {
 	char here[64], there[64];
 	size_t n, row = 0;
 	ts_params defaults;
 	const ts_param_info *table = ts_param_table(&n);
 	while (row + 1 < n && strcmp(table[row].name, name) != 0) row++;
+	if (job->set[row]) return false;
 	ts_params_default(&defaults);
 	ts_params_format(params, row, here, sizeof here);
 	ts_params_format(&defaults, row, there, sizeof there);
 	return strcmp(here, there) == 0;
 }
 
-static ts_status set(ts_params *params, const char *list, bool defaults)
+/* With a job only what is free. */
+static ts_status set(ts_params *params, const ts_job *job, const char *list)
 {
 	char item[64];
 	ts_status status = TS_OK;
@@ -33,13 +36,17 @@ static ts_status set(ts_params *params, const char *list, bool defaults)
 	while (status == TS_OK && ts_words_item(&list, item, sizeof item)) {
 		char *value = strchr(item, '=');
 		*value = 0;
-		if (!defaults || has_default(params, item)) status = ts_params_set(params, item, value + 1);
+		if (job == NULL || is_free(params, job, item)) status = ts_params_set(params, item, value + 1);
 	}
 	return status;
 }
 
-ts_status ts_bench_set(ts_params *params, const char *list) { return set(params, list, false); }
-ts_status ts_bench_set_defaults(ts_params *params, const char *list) { return set(params, list, true); }
+ts_status ts_bench_set(ts_params *params, const char *list) { return set(params, NULL, list); }
+
+ts_status ts_bench_set_defaults(ts_params *params, const ts_job *job, const char *list)
+{
+	return set(params, job, list);
+}
 
 ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 variant)
 {

@@ -53,8 +53,9 @@ ts_status ts_bench_case_run(ts_bench_case *c, u32 run);
 void ts_bench_case_close(ts_bench_case *c);
 /* The parameters of a variant. */
 ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 variant);
-/* ts_bench_set sets all parameters of "NAME=VALUE,..."; the other function only those that have their defaults. */
+/* ts_bench_set sets all parameters of "NAME=VALUE,..."; the other function only those that have their defaults, unless
+ * the job has them by --set. */
 ts_status ts_bench_set(ts_params *params, const char *set);
-ts_status ts_bench_set_defaults(ts_params *params, const char *set);
+ts_status ts_bench_set_defaults(ts_params *params, const ts_job *job, const char *set);
 
 #endif

@@ -238,8 +238,8 @@ static ts_status set_params(ts_params *params, const ts_job *job, const ts_paper
 {
 	bool sized = table->size == NULL || job->sized;
 	*params = job->params;
-	ts_status status = ts_bench_set_defaults(params, first);
-	if (status == TS_OK) status = ts_bench_set_defaults(params, table->defaults);
+	ts_status status = ts_bench_set_defaults(params, job, first);
+	if (status == TS_OK) status = ts_bench_set_defaults(params, job, table->defaults);
 	if (status == TS_OK) status = ts_bench_set(params, table->set);
 	return status == TS_OK && !sized ? ts_bench_set(params, table->size) : status;
 }

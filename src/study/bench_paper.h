@@ -78,7 +78,7 @@ typedef struct ts_paper_table {
 	u32 sampled;                       /* surfels to make of the triangles of scenes without surfels; 0: none */
 	u32 most_long;                     /* methods that take long are left out at more objects; 0: never */
 	const char *set;                   /* for all rows */
-	const char *defaults;              /* for all rows, only for parameters that have their defaults */
+	const char *defaults;              /* for all rows, for parameters that nobody set */
 	const char *size;                  /* unless --size says otherwise; NULL: 1920 x 1080 */
 	const char *note;                  /* a line above the table, or NULL */
 	bool timed;                        /* --runs; else one run, of counts */

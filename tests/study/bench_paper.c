@@ -154,6 +154,23 @@ static void test_alone(void **state)
 	}
 }
 
+/* What is typed stays, even where it is the parameter's own default. */
+static void test_typed(void **state)
+{
+	(void)state;
+	size_t n, row = 0;
+	const ts_param_info *params = ts_param_table(&n);
+	while (strcmp(params[row].name, "octree.levels") != 0) row++;
+	for (u32 typed = 0; typed < 2; typed++) {
+		ts_job job = {0};
+		job.set[row] = typed == 1;
+		ts_params_default(&job.params);
+		assert_int_equal(ts_bench_set_defaults(&job.params, &job, "octree.levels=7,frame=40"), TS_OK);
+		assert_true((TS_PARAM(&job.params, octree_levels) == 7) == (typed == 0));
+		assert_int_equal(TS_PARAM(&job.params, frame), 40);
+	}
+}
+
 static void test_refused(void **state)
 {
 	(void)state;
@@ -170,6 +187,7 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows), cmocka_unit_test(test_runs),
-	                                   cmocka_unit_test(test_alone), cmocka_unit_test(test_refused)};
+	                                   cmocka_unit_test(test_alone), cmocka_unit_test(test_typed),
+	                                   cmocka_unit_test(test_refused)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

@@ -79,7 +79,7 @@ static const ts_paper_plot plot = { "views", "maps, ms", VIEWS, { MS, MS_R, TS_N
 const ts_paper_table ts_mega_11 = {
 	.name = "mega-11", .title = "MegaViews, figure 11", .effect = "indirect", .scenes = "atrium",
 	.objects_head = "paths", .objects_param = "vpl.paths", .objects = "256,1024,4096", .most = 1 << 24,
-	.set = "reflectors.count=0", .defaults = "octree.levels=7,rsm.px=256", .size = "width=320,height=180",
+	.set = "reflectors.count=0", .defaults = "octree.levels=7,rsm.px=1024", .size = "width=320,height=180",
 	.timed = true,
 	.note = "Paths of four bounces leave up to four views each. The paper has 65,536 views, and 11 levels.",
 	.variants = variants, .figures = figures, .parts = parts, .relations = relations, .plot = &plot, .rows = rows,

@@ -2,7 +2,7 @@
  * the air, the paper's particles (section 5.2). */
 #include "bench_mega.h"
 
-#define MILLION X, 900e3, 1e9
+#define MILLION X, 800e3, 1e9
 #define ALL TS_NO_FIGURE, 0, 0
 
 /* clang-format off */
@@ -53,8 +53,8 @@ static const ts_paper_row bounce_rows[] = {
 const ts_paper_table ts_mega_10_bounces = {
 	.name = "mega-10-bounces", .title = "MegaViews, figure 10, four bounces", .effect = "indirect", .scenes = "atrium",
 	.objects_head = "paths", .objects_param = "vpl.paths", .objects = "64,256,1024", .most = 1 << 22,
-	.set = "reflectors.count=0,vpl.bounces=4", .defaults = "octree.levels=7,rsm.px=256", .size = "width=320,height=180",
-	.timed = true,
+	.set = "reflectors.count=0,vpl.bounces=4", .defaults = "octree.levels=7,rsm.px=1024",
+	.size = "width=320,height=180", .timed = true,
 	.note = "A path leaves up to four views; the paper has 256K paths, and 11 levels.", .variants = variants,
 	.look = ts_empty_share, .figures = bounce_figures, .parts = bounce_parts, .relations = bounce_relations,
 	.plot = &plot, .rows = bounce_rows,
