@@ -47,6 +47,15 @@ typedef struct {
 #define TS_BENCH_BY_ITSELF "method truth"
 #define TS_BENCH_FILES "output force"
 
+/* Classes of causes, with which `because` of a relation begins: our reading or reconstruction of the paper; scenes,
+ * sizes or settings that are not the paper's; what a processor pays for and a GPU does not, or the reverse; and claims
+ * that do not hold of every scene. The setting that shows the cause stands behind "; see ". */
+#define TS_OURS "ours: "
+#define TS_ELSEWHERE "asked elsewhere: "
+#define TS_GPU "a GPU's cost: "
+#define TS_NOT_ALWAYS "not in general: "
+bool ts_bench_has_class(const char *because);
+
 /* The table "relations" of a bench that is no ts_paper_table: a row for each relation that must hold. `paper` may be
  * NAN; `because` is printed where the relation does not hold. */
 ts_table ts_bench_relations_begin(void);

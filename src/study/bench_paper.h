@@ -26,14 +26,6 @@ typedef struct {
 
 typedef enum { TS_AT_MOST, TS_AT_LEAST, TS_BETWEEN, TS_OF_PAPER, TS_RISES_WITH, TS_GROWS, TS_STEADY } ts_relation_kind;
 
-/* Classes of causes, with which `because` of a relation begins: our reading or reconstruction of the paper; scenes,
- * sizes or settings that are not the paper's; what a processor pays for and a GPU does not, or the reverse; and claims
- * that do not hold of every scene. The setting that shows the cause stands behind "; see ". */
-#define TS_OURS "ours: "
-#define TS_ELSEWHERE "asked elsewhere: "
-#define TS_GPU "a GPU's cost: "
-#define TS_NOT_ALWAYS "not in general: "
-
 /* A bound on a figure, in rows whose figure `given` is at least `least` and at most `most`. TS_OF_PAPER bounds the
  * figure divided by the paper's, in rows that the paper has. TS_RISES_WITH must hold in nine out of ten pairs of all
  * rows. TS_GROWS bounds the least quotient of a row by the row before, TS_STEADY the quotient of the greatest by the

@@ -1,4 +1,6 @@
 /* What must hold of a table that is no paper's table of rows. */
+#include <assert.h>
+#include <string.h>
 #include "bench.h"
 
 static const ts_column columns[] = {{"relation", "relation", false}, {"bound", "must be", false},
@@ -7,9 +9,18 @@ static const ts_column columns[] = {{"relation", "relation", false}, {"bound", "
 
 ts_table ts_bench_relations_begin(void) { return ts_table_begin("relations", "What the paper claims", columns); }
 
+bool ts_bench_has_class(const char *because)
+{
+	static const char *const classes[] = {TS_OURS, TS_ELSEWHERE, TS_GPU, TS_NOT_ALWAYS};
+	for (u32 i = 0; i < sizeof classes / sizeof *classes; i++)
+		if (strncmp(because, classes[i], strlen(classes[i])) == 0) return true;
+	return false;
+}
+
 void ts_bench_relation_add(ts_table *table, const ts_bench_relation *relation)
 {
 	char verdict[256];
+	assert(ts_bench_has_class(relation->because));
 	snprintf(verdict, sizeof verdict, relation->holds ? "holds" : "differs: %s", relation->because);
 	ts_table_text(table, relation->text);
 	ts_table_text(table, relation->bound);

@@ -83,7 +83,7 @@ static void claim_row(ts_table *t, const claim *c, const errors *rows)
 	}
 	snprintf(text, sizeof text, "greatest RMSE of %s%s", methods[c->method], c->solid ? ", by solid angle" : "");
 	snprintf(bound, sizeof bound, "%g within 2 %%", c->right);
-	snprintf(because, sizeof because, "at lambda %g", rows[at].lambda);
+	snprintf(because, sizeof because, TS_OURS "at lambda %g", rows[at].lambda);
 	ts_bench_relation_add(t, &(ts_bench_relation){.text = text,
 	                                              .bound = bound,
 	                                              .here = most,
@@ -107,7 +107,7 @@ static void report_claims(ts_report *report, const errors *rows)
 	                                               .here = n_least,
 	                                               .paper = NAN,
 	                                               .holds = n_least == N_SHARP,
-	                                               .because = "another is nearer"});
+	                                               .because = TS_OURS "another is nearer"});
 	ts_report_table(report, &t);
 }
 

@@ -112,21 +112,21 @@ static void report_claims(ts_report *report, figure *f)
 				.here = n,
 				.paper = NAN,
 				.holds = n == 0,
-				.because = "c does not fall everywhere"});
+				.because = TS_OURS "c does not fall everywhere"});
 	ts_bench_relation_add(&t, &(ts_bench_relation){.text = "c: closed form and quadrature apart",
 	                                               .bound = "at most 0.01",
 	                                               .here = c,
 	                                               .paper = NAN,
 	                                               .decimals = 4,
 	                                               .holds = c <= 0.01,
-	                                               .because = "eqs 16 to 18 miss it"});
+	                                               .because = TS_OURS "eqs 16 to 18 miss it"});
 	ts_bench_relation_add(&t, &(ts_bench_relation){.text = "s: the same",
 	                                               .bound = "at most 0.03",
 	                                               .here = s,
 	                                               .paper = NAN,
 	                                               .decimals = 4,
 	                                               .holds = s <= 0.03,
-	                                               .because = "eqs 17 and 18 miss it"});
+	                                               .because = TS_OURS "eqs 17 and 18 miss it"});
 	ts_report_table(report, &t);
 }
 

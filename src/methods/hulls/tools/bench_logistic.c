@@ -146,14 +146,14 @@ static void report_claims(ts_report *report, const fitted *rows)
 	                                               .paper = 3.8e-3,
 	                                               .decimals = 5,
 	                                               .holds = most <= 3.8e-3 * 1.05,
-	                                               .because = "angles are weighted otherwise"});
+	                                               .because = TS_OURS "angles are weighted otherwise"});
 	ts_bench_relation_add(&t, &(ts_bench_relation){.text = "least",
 	                                               .bound = "at most 4.38e-11",
 	                                               .here = least,
 	                                               .paper = 4.38e-11,
 	                                               .decimals = 14,
 	                                               .holds = least <= 4.38e-11,
-	                                               .because = "the integrals are not exact"});
+	                                               .because = TS_OURS "the integrals are not exact"});
 	ts_report_table(report, &t);
 }
 

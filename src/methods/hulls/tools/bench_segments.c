@@ -157,14 +157,14 @@ static void report_claims(ts_report *report, const work *w)
 	                                               .here = (double)w->joined,
 	                                               .paper = NAN,
 	                                               .holds = w->joined == 0,
-	                                               .because = "sweeps carry labels over edges"});
+	                                               .because = TS_OURS "sweeps carry labels over edges"});
 	ts_bench_relation_add(&t, &(ts_bench_relation){.text = "labels by components",
 	                                               .bound = "at least 1",
 	                                               .here = (double)w->labels / (double)w->components,
 	                                               .paper = NAN,
 	                                               .decimals = 3,
 	                                               .holds = w->labels >= w->components,
-	                                               .because = "sweeps join components"});
+	                                               .because = TS_OURS "sweeps join components"});
 	ts_report_table(report, &t);
 }
 

@@ -118,13 +118,14 @@ static void add_relation(ts_table *t, const char *scene, const char *what, const
 {
 	char text[160];
 	snprintf(text, sizeof text, "%.96s: %s", scene, what);
-	ts_bench_relation_add(t, &(ts_bench_relation){.text = text,
-	                                              .bound = bound,
-	                                              .here = here,
-	                                              .paper = NAN,
-	                                              .decimals = 3,
-	                                              .holds = holds,
-	                                              .because = "sheets seen from behind have holes"});
+	ts_bench_relation_add(
+		t, &(ts_bench_relation){.text = text,
+	                            .bound = bound,
+	                            .here = here,
+	                            .paper = NAN,
+	                            .decimals = 3,
+	                            .holds = holds,
+	                            .because = TS_NOT_ALWAYS "sheets seen from behind have holes; see surfels.sides"});
 }
 
 /* Judges a scene by its worst filter. */
