@@ -49,6 +49,8 @@ ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, 
  * picture. */
 ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir, const ts_golden *stored,
                           const ts_golden *computed);
+/* TS_DIFFERENT: the computed golden has numbers that no stage may store; `text` says how many. */
+ts_status ts_case_strays(char *text, const ts_golden *computed);
 
 /* Runs a case as ts_golden_compute does; refuses a case that does not fit the machine. Release by ts_golden_free, also
  * after a failure. */

@@ -24,10 +24,8 @@ static ts_status check_build(const ts_job *job)
 
 static ts_status check_values(const ts_case *c, const ts_golden *golden)
 {
-	if (golden->infinite != TS_N_BUFFERS) {
-		return ts_fail("golden bless: %s: %llu floats are no numbers or not finite, the first in %s", c->name,
-		               (unsigned long long)golden->n_infinite, ts_buffer_table[golden->infinite].name);
-	}
+	char text[TS_CASE_TEXT];
+	if (ts_case_strays(text, golden) != TS_OK) return ts_fail("golden bless: %s: %s", c->name, text);
 	if (ts_golden_is_constant(golden)) return ts_fail("golden bless: %s: the image is of one colour", c->name);
 	return TS_OK;
 }

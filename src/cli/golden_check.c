@@ -34,6 +34,14 @@ static ts_status compute_again(char *text, const ts_goldens *goldens, const ts_c
 	return status == TS_ERROR ? TS_ERROR : TS_DIFFERENT;
 }
 
+ts_status ts_case_strays(char *text, const ts_golden *computed)
+{
+	if (computed->n_strays == 0) return TS_OK;
+	snprintf(text, TS_CASE_TEXT, "%llu numbers that no stage may store (CONTRACT rules 12 and 24), the first in %s",
+	         (unsigned long long)computed->n_strays, ts_buffer_table[computed->stray].name);
+	return TS_DIFFERENT;
+}
+
 /* The buffers, then the preview in a program that reads PNG. */
 ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir, const ts_golden *stored,
                           const ts_golden *computed)
@@ -54,6 +62,7 @@ static ts_case_end compare(char *text, const ts_goldens *goldens, const ts_case 
 		bool listed = ts_baseline_find(&goldens->known, c->name, NULL) != NULL;
 		status = ts_case_compute(&computed, goldens, c, &goldens->cli->job.how);
 		if (status == TS_OK) status = ts_case_compare(text, c, dir, &stored, &computed);
+		if (status == TS_OK) status = ts_case_strays(text, &computed);
 		if (status == TS_DIFFERENT && listed) status = compute_again(text, goldens, c, &computed);
 		ts_golden_free(&computed);
 	}

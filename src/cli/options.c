@@ -1,6 +1,7 @@
 /* The table of options, and what each makes of its value. */
 #include <stdio.h>
 #include <stdlib.h>
+#include "../model/decimal.h"
 #include "../model/renamed.h"
 #include "cli.h"
 #include "../study/sweep.h"
@@ -53,7 +54,7 @@ static ts_status take_number(void *to, const ts_option *option, const char *text
 static ts_status take_distance(void *to, const ts_option *option, const char *text)
 {
 	char *end;
-	double distance = strtod(text, &end);
+	double distance = ts_strtod(text, &end);
 	if (text[0] == 0 || *end != 0 || !(distance >= 0) || distance > 1e30) {
 		return ts_fail("--%s: \"%s\" is not a number from 0 to 1e30", option->name, text);
 	}

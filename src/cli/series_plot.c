@@ -2,6 +2,7 @@
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
+#include "../model/decimal.h"
 #include "../output/file.h"
 #include "../study/folder.h"
 #include "series.h"
@@ -58,7 +59,7 @@ ts_status ts_series_plot_combination(ts_series *series)
 	for (u32 k = sweep->n; k-- > 0 && status == TS_OK; weight *= sweep->swept[k].n) {
 		char *end;
 		u32 place = series->combination / weight % sweep->swept[k].n;
-		double x = strtod(series->values[k], &end);
+		double x = ts_strtod(series->values[k], &end);
 		if (*end == 0 && place * weight == series->combination) status = add_all(series, 1 + k, x);
 	}
 	return status;

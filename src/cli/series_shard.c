@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../model/decimal.h"
 #include "../study/folder.h"
 #include "series.h"
 #include "sharded.h"
@@ -155,7 +156,7 @@ ts_status ts_series_fetch_figures(ts_figures *figures, const ts_series *series, 
 		char *end = NULL;
 		good = text != NULL && value != NULL && decimals >= 0 && decimals <= 20;
 		if (!good) break;
-		figure->value = strtod(value, &end);
+		figure->value = ts_strtod(value, &end);
 		figure->decimals = (int)decimals;
 		good = *end == 0 && end > value && strlen(text) < sizeof figure->name;
 		snprintf(figure->name, sizeof figure->name, "%s", text);

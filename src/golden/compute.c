@@ -1,36 +1,6 @@
 /* Computing a golden: a traced run whose files are digested, looked through, and kept if small. */
 #include <stdlib.h>
-#include "../model/order.h"
 #include "golden.h"
-
-/* True if word `at` of an element is a float. */
-static bool is_float(ts_buffer_id id, size_t at)
-{
-	const char *element = ts_buffer_table[id].element;
-	if (strcmp(element, "f32") == 0) return true;
-	size_t n, word = 0;
-	const ts_field_info *fields = ts_field_table(&n);
-	for (size_t i = 0; i < n; i++) {
-		if (strcmp(fields[i].record, element) != 0) continue;
-		size_t words = fields[i].count * (ts_type_bytes(fields[i].type) / 4);
-		if (at >= word && at < word + words) return strcmp(fields[i].type, "f32") == 0;
-		word += words;
-	}
-	return false;
-}
-
-u64 ts_golden_infinite(ts_buffer_id id, const void *data, u64 bytes)
-{
-	bool floats[64] = {false}, any = false;
-	size_t n_words = ts_buffer_table[id].element_bytes / 4;
-	for (size_t i = 0; i < n_words && i < 64; i++) any |= floats[i] = is_float(id, i);
-	u64 count = 0;
-	for (u64 i = 0; any && i < bytes / 4; i++) {
-		u64 bits = ts_order_read((const u8 *)data + 4 * i, 4);
-		count += floats[i % n_words] && (bits & 0x7f800000u) == 0x7f800000u;
-	}
-	return count;
-}
 
 /* Memory for the file, with its header, if it is to be kept. */
 static ts_status begin_file(ts_golden *golden, const ts_chunk *chunk)
@@ -61,9 +31,9 @@ static ts_status take(void *user, const ts_chunk *chunk)
 	ts_golden_file *file = &golden->file[chunk->id];
 	if (ts_sums_take(&golden->sums, chunk) != TS_OK) return TS_ERROR;
 	if (chunk->first && begin_file(golden, chunk) != TS_OK) return TS_ERROR;
-	u64 infinite = ts_golden_infinite(chunk->id, chunk->data, chunk->bytes);
-	if (infinite != 0 && golden->infinite == TS_N_BUFFERS) golden->infinite = chunk->id;
-	golden->n_infinite += infinite;
+	u64 strays = ts_golden_strays(chunk->id, chunk->data, chunk->bytes);
+	if (strays != 0 && golden->stray == TS_N_BUFFERS) golden->stray = chunk->id;
+	golden->n_strays += strays;
 	if (file->data == NULL || chunk->bytes == 0) return TS_OK;
 	if (chunk->bytes > file->bytes - file->taken) {
 		return ts_fail("%s: its parts are longer than its shape", ts_buffer_table[chunk->id].name);
@@ -82,7 +52,7 @@ ts_status ts_golden_compute(ts_golden *golden, const ts_golden_job *job)
 {
 	ts_run run;
 	memset(golden, 0, sizeof *golden);
-	golden->infinite = TS_N_BUFFERS;
+	golden->stray = TS_N_BUFFERS;
 	ts_run_begin(&run, job->scene, job->params, job->how.threads);
 	ts_run_how(&run, &job->how);
 	run.traced = run.lean = true;

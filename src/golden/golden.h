@@ -31,8 +31,8 @@ typedef struct {
 	ts_golden_file file[TS_N_BUFFERS];
 	/* Set only if the golden was computed: */
 	u64 bytes[TS_N_BUFFERS]; /* of each file, kept or not */
-	ts_buffer_id infinite;   /* the first buffer with a float that is NaN or infinite; TS_N_BUFFERS: none */
-	u64 n_infinite;          /* number of such floats in all buffers */
+	ts_buffer_id stray;      /* the first buffer with a number that none may have; TS_N_BUFFERS: none */
+	u64 n_strays;            /* number of such numbers in all buffers */
 } ts_golden;
 
 /* The way to compute a golden. */
@@ -58,8 +58,9 @@ ts_status ts_golden_judge(const char *path);
 /* Releases the golden's memory. */
 void ts_golden_free(ts_golden *golden);
 
-/* Number of floats in a buffer's file that are NaN or infinite. */
-u64 ts_golden_infinite(ts_buffer_id id, const void *data, u64 bytes);
+/* Number of floats in a buffer's file that are NaN, infinite, -0 or nearer to 0 than 2^-100 (CONTRACT rule 12), and of
+ * keys whose distance is one, or an axial depth of 0. */
+u64 ts_golden_strays(ts_buffer_id id, const void *data, u64 bytes);
 /* Whether all pixels of the computed image.srgb are the same, or there are none. */
 bool ts_golden_is_constant(const ts_golden *golden);
 /* The pixels of the computed image.srgb. */

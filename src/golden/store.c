@@ -88,7 +88,7 @@ static ts_status read_small(void *user, const char *name)
 ts_status ts_golden_read(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline)
 {
 	memset(golden, 0, sizeof *golden);
-	golden->infinite = TS_N_BUFFERS;
+	golden->stray = TS_N_BUFFERS;
 	if (read_sums(golden, dir, pipeline) != TS_OK) return TS_ERROR;
 	if (!ts_golden_has(dir, small_name)) return TS_OK;
 	ts_golden_dir small;

@@ -3,11 +3,11 @@
 #include <assert.h>
 #include <errno.h>
 #include <inttypes.h>
-#include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "core.h"
+#include "decimal.h"
 #include "renamed.h"
 
 #define PARAM_U32(field, name, def, min, max, unit, source, help) \
@@ -48,25 +48,18 @@ static bool parse_u32(uint32_t *value, const char *text)
 	return wide <= UINT32_MAX;
 }
 
-/* strtof with a decimal point, whatever the host program's locale. */
-static bool c_strtof(float *value, const char *text)
+static bool read_f32(float *value, const char *text)
 {
-	locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
-	if (!c) return false;
-	locale_t before = uselocale(c);
 	char *end;
 	errno = 0;
-	*value = strtof(text, &end);
-	bool good = !*end && errno != ERANGE;
-	uselocale(before);
-	freelocale(c);
-	return good;
+	*value = ts_strtof(text, &end);
+	return !*end && errno != ERANGE;
 }
 
 static bool parse_f32(float *value, const char *text)
 {
 	size_t length = strspn(text, "+-.0123456789eE");
-	if (length == 0 || text[length] || !c_strtof(value, text)) return false;
+	if (length == 0 || text[length] || !read_f32(value, text)) return false;
 	*value = *value == 0 ? 0 : *value; /* not -0 */
 	return true;
 }
@@ -79,7 +72,7 @@ static void format_f32(float value, char *text, size_t text_bytes)
 		snprintf(text, text_bytes, "%.*g", digits, (double)value);
 		char *comma = strchr(text, ',');
 		if (comma) *comma = '.';
-		if (c_strtof(&back, text) && memcmp(&back, &value, 4) == 0) return;
+		if (read_f32(&back, text) && memcmp(&back, &value, 4) == 0) return;
 	}
 }
 

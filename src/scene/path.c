@@ -2,6 +2,7 @@
  * All arithmetic is the kernels' (CONTRACT rule 4). */
 #include "path.h"
 #include "../model/core.h"
+#include "../model/decimal.h"
 #include "build_parts.h"
 #include "view.h"
 #include <stdlib.h>
@@ -37,7 +38,7 @@ static bool take(const char **at, const char *end, char behind, f32 *value)
 	char *stop;
 	while (*at < end && is_blank(**at)) ++*at;
 	if (*at == end) return false;
-	*value = strtof(*at, &stop);
+	*value = ts_strtof(*at, &stop);
 	bool good = stop != *at && stop <= end;
 	if (!good) return false;
 	if (behind != 0) {

@@ -1,14 +1,14 @@
 /* Options of a scene by name and text. */
 #include "places.h"
-#include <stdlib.h>
 #include "../model/core.h"
+#include "../model/decimal.h"
 
 static ts_status take_floats(f32 *to, u32 n, const char *name, const char *text)
 {
 	char *end = NULL;
 	const char *at = text;
 	for (u32 i = 0; i < n; i++, at = end + 1) {
-		to[i] = strtof(at, &end);
+		to[i] = ts_strtof(at, &end);
 		if (end == at || *end != (i + 1 < n ? ',' : 0))
 			return ts_fail("%s: \"%s\" is not %s", name, text, n == 3 ? "X,Y,Z" : "X,Y,Z,R");
 	}

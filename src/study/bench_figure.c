@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
+#include "../model/decimal.h"
 #include "bench_figure.h"
 #include "words.h"
 
@@ -12,7 +13,7 @@ static double parameter(const ts_params *params, const char *name)
 	const ts_param_info *table = ts_param_table(&n);
 	while (row + 1 < n && strcmp(table[row].name, name) != 0) row++;
 	ts_params_format(params, row, text, sizeof text);
-	return strtod(text, NULL);
+	return ts_strtod(text, NULL);
 }
 
 /* Of the stages that ran; `none` if there are none. */

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../model/decimal.h"
 #include "speed_work.h"
 #include "words.h"
 
@@ -38,8 +39,8 @@ static const ts_column law_columns[] = {{"growth", "growth", false},
 static double number(const char *text)
 {
 	char *rest;
-	double value = strtod(text, &rest);
-	if (*rest == 'x') return value * strtod(rest + 1, NULL);
+	double value = ts_strtod(text, &rest);
+	if (*rest == 'x') return value * ts_strtod(rest + 1, NULL);
 	return *rest == 'k' ? 1e3 * value : *rest == 'M' ? 1e6 * value : value;
 }
 

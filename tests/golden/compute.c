@@ -35,7 +35,7 @@ static u64 count_kept(void)
 		const size_t at = file->npy.data_at;
 		assert_int_equal(file->taken, file->bytes);
 		assert_int_equal(file->bytes, at + file->npy.n * ts_buffer_table[id].element_bytes);
-		n += ts_golden_infinite((ts_buffer_id)id, file->data + at, file->bytes - at);
+		n += ts_golden_strays((ts_buffer_id)id, file->data + at, file->bytes - at);
 	}
 	return n;
 }
@@ -45,7 +45,7 @@ static void test_finite(void **state)
 	(void)state;
 	u32 width, height;
 	compute(true);
-	assert_true(count_kept() == 0 && golden.n_infinite == 0 && golden.infinite == TS_N_BUFFERS);
+	assert_true(count_kept() == 0 && golden.n_strays == 0 && golden.stray == TS_N_BUFFERS);
 	assert_ptr_equal(ts_golden_image(&golden, &width, &height), golden.file[TS_B_image_srgb].data + 128);
 	assert_true(width == 24 && height == 16);
 	ts_golden_free(&golden);
@@ -56,8 +56,8 @@ static void test_infinite(void **state)
 	(void)state;
 	compute(false);
 	const u64 n = count_kept();
-	assert_true(n > 1 && golden.n_infinite == n);
-	assert_int_equal(golden.infinite, TS_B_scene_material);
+	assert_true(n > 1 && golden.n_strays == n);
+	assert_int_equal(golden.stray, TS_B_scene_material);
 	ts_golden_free(&golden);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) assert_null(golden.file[id].data);
 }

@@ -1,5 +1,6 @@
 /* Goldens in memory: which difference is the first, and how it is told. */
 #include "../model/test.h"
+#include "../../src/kernels/base/num.h"
 #include <math.h>
 #include "../../src/golden/golden.h"
 
@@ -127,20 +128,25 @@ static void damaged_files(void **state)
 	ts_golden_free(&a);
 }
 
-static void infinite_floats(void **state)
+static void strays(void **state)
 {
 	(void)state;
-	const f32 good[6] = {0, -1, 0x1p127f, 0x1p-149f, 1, 1}, bad[6] = {0, 1, INFINITY, -INFINITY, NAN, 1};
-	assert_int_equal(ts_golden_infinite(TS_B_image_radiance, good, sizeof good), 0);
-	assert_int_equal(ts_golden_infinite(TS_B_image_radiance, bad, sizeof bad), 3);
-	assert_int_equal(ts_golden_infinite(TS_B_lookup_point, bad, sizeof bad), 0);
-	assert_int_equal(ts_golden_infinite(TS_B_splat_depth_index, bad, sizeof bad), 0);
+	const f32 good[6] = {0, -1, 0x1p127f, 0x1p-100f, -0x1p-100f, 1};
+	const f32 bad[6] = {-0.0f, 1, INFINITY, -INFINITY, NAN, 0x1.fffffep-101f};
+	assert_int_equal(ts_golden_strays(TS_B_image_radiance, good, sizeof good), 0);
+	assert_int_equal(ts_golden_strays(TS_B_image_radiance, bad, sizeof bad), 5);
+	assert_int_equal(ts_golden_strays(TS_B_lookup_point, bad, sizeof bad), 0);
+	const u64 one = (u64)ts_f2u(1) << 32, infinite = (u64)ts_f2u(INFINITY) << 32 | 7;
+	const u64 keys[4] = {TS_EMPTY, 3, one, infinite};
+	assert_int_equal(ts_golden_strays(TS_B_splat_depth_index, keys, sizeof keys), 1);
+	assert_int_equal(ts_golden_strays(TS_B_eye_depth_triangle, keys, sizeof keys), 2);
+	assert_int_equal(ts_golden_strays(TS_B_points_key, keys, sizeof keys), 0);
 	ts_point points[2] = {{.centre = {1, 2, 3}, .length = NAN, .piece = 0x7f800000u}, {.centre = {1, INFINITY, 3}}};
-	assert_int_equal(ts_golden_infinite(TS_B_points_record, points, sizeof points), 2);
+	assert_int_equal(ts_golden_strays(TS_B_points_record, points, sizeof points), 2);
 	ts_face faces[2] = {{.offset = ~0ull}, {.radius = NAN, .object = ~0u}};
-	assert_int_equal(ts_golden_infinite(TS_B_cube_size_face, faces, sizeof faces), 1);
+	assert_int_equal(ts_golden_strays(TS_B_cube_size_face, faces, sizeof faces), 1);
 	ts_align align = {.q = {-1, -1, -1, -1, -1, -1}, .v = {0, 0, NAN}};
-	assert_int_equal(ts_golden_infinite(TS_B_align_frame, &align, sizeof align), 1);
+	assert_int_equal(ts_golden_strays(TS_B_align_frame, &align, sizeof align), 1);
 }
 
 static void constant_images(void **state)
@@ -164,9 +170,12 @@ static void constant_images(void **state)
 int main(void)
 {
 	const struct CMUnitTest golden[] = {
-		cmocka_unit_test(elements_and_fields), cmocka_unit_test(every_byte_is_told),
-		cmocka_unit_test(other_shapes),        cmocka_unit_test(order_of_the_pipeline),
-		cmocka_unit_test(infinite_floats),     cmocka_unit_test(constant_images),
+		cmocka_unit_test(elements_and_fields),
+		cmocka_unit_test(every_byte_is_told),
+		cmocka_unit_test(other_shapes),
+		cmocka_unit_test(order_of_the_pipeline),
+		cmocka_unit_test(strays),
+		cmocka_unit_test(constant_images),
 		cmocka_unit_test(damaged_files),
 	};
 	return cmocka_run_group_tests(golden, NULL, NULL);

@@ -34,8 +34,14 @@ TS_FN f32 ts_flush(f32 x)
 	return ts_u2f((u & 0x7fffffffu) < 0x0d800000u ? 0u : u);
 }
 
-/* Every float leaves a kernel through ts_put (rule 12). */
-TS_FN f32 ts_put(f32 x) { return ts_flush(x); }
+/* Every float leaves a kernel through ts_put (rule 12): as ts_flush, NaN as +0, an infinity as the greatest float. */
+TS_FN f32 ts_put(f32 x)
+{
+	u32 u = ts_f2u(x);
+	u32 size = u & 0x7fffffffu;
+	u32 kept = size == 0x7f800000u ? u - 1u : u;
+	return ts_u2f(size < 0x0d800000u || size > 0x7f800000u ? 0u : kept);
+}
 
 /* x * 2^frac to the nearest integer, ties to even, saturating at +-(2^bits - 1); NaN gives 0. Branch-free. */
 TS_FN i32 ts_fix(f32 x, i32 frac, i32 bits)

@@ -39,7 +39,7 @@ TS_FN void ts_k_extent_add(ts_extent *e, ts_v2 p)
 /* The extent of the projected edges of a box, clipped at the near plane but not at the image. */
 TS_FN ts_extent ts_k_box_extent(const ts_camera_k *view, ts_v3 lo, ts_v3 hi)
 {
-	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
+	ts_plane near = ts_k_near_plane(view);
 	ts_extent r;
 	r.seen = 0u;
 	r.x0 = 0.0f;
@@ -58,8 +58,8 @@ TS_FN ts_extent ts_k_box_extent(const ts_camera_k *view, ts_v3 lo, ts_v3 hi)
 		f32 da = ts_k_plane_side(&near, &a);
 		f32 db = ts_k_plane_side(&near, &b);
 		if (da < 0.0f && db < 0.0f) continue;
-		if (da < 0.0f) a = ts_k_cut(&b, db, &a, da);
-		if (db < 0.0f) b = ts_k_cut(&a, da, &b, db);
+		if (da < 0.0f) a = ts_k_cut(&b, db, &a, da, view->near);
+		if (db < 0.0f) b = ts_k_cut(&a, da, &b, db, view->near);
 		ts_k_extent_add(&r, ts_k_project(view, &a));
 		ts_k_extent_add(&r, ts_k_project(view, &b));
 	}

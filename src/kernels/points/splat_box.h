@@ -73,8 +73,7 @@ TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, const ts_square *s, f32 wid
 	square.corner[1] = ts_k_to_view(view, ts_sub(ts_add(s->c, du), dv));
 	square.corner[2] = ts_k_to_view(view, ts_add(ts_add(s->c, du), dv));
 	square.corner[3] = ts_k_to_view(view, ts_add(ts_sub(s->c, du), dv));
-	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
-	if (ts_k_any_behind(&square, near)) ts_k_clip(&square, near);
+	ts_k_clip_behind(view, &square, ts_k_near_plane(view));
 	ts_box r;
 	r.x0 = 0;
 	r.y0 = 0;

@@ -43,13 +43,7 @@ TS_FN f32 ts_k_parallel_rate(const ts_camera_k *view, ts_v3 n, u32 rate)
 TS_FN ts_polygon ts_k_in_frustum(const ts_camera_k *view, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_polygon r = ts_k_polygon(view, a, b, c);
-	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
-	if (ts_k_any_behind(&r, near)) ts_k_clip(&r, near);
-	for (u32 side = 0u; side < 4u; side++) {
-		f32 pixels = (f32)(side < 2u ? view->width : view->height) * 0.5f + 1.0f;
-		ts_plane plane = ts_k_side_plane(view, side, pixels);
-		if (r.n != 0u && ts_k_any_behind(&r, plane)) ts_k_clip(&r, plane);
-	}
+	ts_k_clip_to_sides(view, &r, (f32)view->width * 0.5f + 1.0f, (f32)view->height * 0.5f + 1.0f);
 	return r;
 }
 

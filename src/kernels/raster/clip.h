@@ -46,14 +46,15 @@ TS_FN f32 ts_k_plane_side(const ts_plane *plane, const ts_corner *p)
 	return ts_flush(t + plane->d);
 }
 
-/* Cuts from the inside to the outside corner, so that both triangles of an edge get the same bits (rule 16). */
-TS_FN ts_corner ts_k_cut(const ts_corner *in, f32 d_in, const ts_corner *out, f32 d_out)
+/* Cuts from the inside to the outside corner, so that both triangles of an edge get the same bits (rule 16). On a long
+ * edge z may round to below that of the near plane, even to 0. */
+TS_FN ts_corner ts_k_cut(const ts_corner *in, f32 d_in, const ts_corner *out, f32 d_out, f32 near)
 {
 	f32 t = d_in / (d_in - d_out);
 	ts_corner r;
 	r.x = in->x + (out->x - in->x) * t;
 	r.y = in->y + (out->y - in->y) * t;
-	r.z = in->z + (out->z - in->z) * t;
+	r.z = ts_max(in->z + (out->z - in->z) * t, near);
 	r.w = ts_mad(in->w, ts_sub(out->w, in->w), t);
 	return r;
 }
@@ -65,8 +66,8 @@ TS_FN void ts_k_push(ts_polygon *polygon, ts_corner corner)
 	if (polygon->n < TS_MAX_CORNERS) polygon->corner[polygon->n++] = corner;
 }
 
-/* Clips against one plane, by Sutherland and Hodgman. */
-TS_FN void ts_k_clip(ts_polygon *polygon, ts_plane plane)
+/* Clips against one plane, by Sutherland and Hodgman; no cut is before `near`. */
+TS_FN void ts_k_clip(ts_polygon *polygon, ts_plane plane, f32 near)
 {
 	ts_polygon r;
 	r.n = 0u;
@@ -76,8 +77,8 @@ TS_FN void ts_k_clip(ts_polygon *polygon, ts_plane plane)
 		f32 dp = ts_k_plane_side(&plane, p);
 		f32 dq = ts_k_plane_side(&plane, q);
 		if (dp >= 0.0f) ts_k_push(&r, *p);
-		if (dp >= 0.0f && dq < 0.0f) ts_k_push(&r, ts_k_cut(p, dp, q, dq));
-		if (dp < 0.0f && dq >= 0.0f) ts_k_push(&r, ts_k_cut(q, dq, p, dp));
+		if (dp >= 0.0f && dq < 0.0f) ts_k_push(&r, ts_k_cut(p, dp, q, dq, near));
+		if (dp < 0.0f && dq >= 0.0f) ts_k_push(&r, ts_k_cut(q, dq, p, dp, near));
 	}
 	*polygon = r;
 }
@@ -98,6 +99,8 @@ TS_FN bool ts_k_any_behind(const ts_polygon *polygon, ts_plane plane)
 	return false;
 }
 
+TS_FN ts_plane ts_k_near_plane(const ts_camera_k *view) { return ts_plane_make(0.0f, 0.0f, 1.0f, -view->near); }
+
 /* Side plane `side` (-x +x -y +y) of the frustum, `pixels` from the image's middle. */
 TS_FN ts_plane ts_k_side_plane(const ts_camera_k *view, u32 side, f32 pixels)
 {
@@ -110,7 +113,7 @@ TS_FN ts_plane ts_k_side_plane(const ts_camera_k *view, u32 side, f32 pixels)
 /* Whether no part of the polygon can reach the image. */
 TS_FN bool ts_k_is_outside(const ts_camera_k *view, const ts_polygon *polygon)
 {
-	if (ts_k_all_behind(polygon, ts_plane_make(0.0f, 0.0f, 1.0f, -view->near))) return true;
+	if (ts_k_all_behind(polygon, ts_k_near_plane(view))) return true;
 	for (u32 side = 0u; side < 4u; side++) {
 		f32 pixels = (f32)(side < 2u ? view->width : view->height) * 0.5f;
 		if (ts_k_all_behind(polygon, ts_k_side_plane(view, side, pixels))) return true;
@@ -118,16 +121,26 @@ TS_FN bool ts_k_is_outside(const ts_camera_k *view, const ts_polygon *polygon)
 	return false;
 }
 
-/* Clips against the near plane, then the sides at the end of the snapping range (CONTRACT rule 16). */
+TS_FN void ts_k_clip_behind(const ts_camera_k *view, ts_polygon *polygon, ts_plane plane)
+{
+	if (ts_k_any_behind(polygon, plane)) ts_k_clip(polygon, plane, view->near);
+}
+
+/* Clips against the near plane, then the sides at x and y pixels from the image's middle. */
+TS_FN void ts_k_clip_to_sides(const ts_camera_k *view, ts_polygon *polygon, f32 x, f32 y)
+{
+	ts_k_clip_behind(view, polygon, ts_k_near_plane(view));
+	for (u32 side = 0u; side < 4u; side++) {
+		ts_k_clip_behind(view, polygon, ts_k_side_plane(view, side, side < 2u ? x : y));
+	}
+}
+
+/* The sides are at the end of the snapping range (CONTRACT rule 16). */
 TS_FN void ts_k_clip_to_range(const ts_camera_k *view, ts_polygon *polygon)
 {
-	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
-	if (ts_k_any_behind(polygon, near)) ts_k_clip(polygon, near);
-	for (u32 side = 0u; side < 4u; side++) {
-		f32 pixels = 32767.0f - (f32)(side < 2u ? view->width : view->height) * 0.5f;
-		ts_plane plane = ts_k_side_plane(view, side, pixels);
-		if (polygon->n != 0u && ts_k_any_behind(polygon, plane)) ts_k_clip(polygon, plane);
-	}
+	f32 x = 32767.0f - (f32)view->width * 0.5f;
+	f32 y = 32767.0f - (f32)view->height * 0.5f;
+	ts_k_clip_to_sides(view, polygon, x, y);
 }
 
 #endif

@@ -48,7 +48,7 @@ TS_VECTOR(cut)
 {
 	ts_corner from = ts_k_vector_corner(ts_v3_make(TS_A, 0.0f, 0.0f));
 	ts_corner to = ts_k_vector_corner(ts_v3_make(TS_C, 0.0f, 0.0f));
-	ts_corner r = ts_k_cut(&from, TS_B, &to, ts_row_f32(in, 3u));
+	ts_corner r = ts_k_cut(&from, TS_B, &to, ts_row_f32(in, 3u), 0.0f);
 	ts_set_f32(out, 0u, r.x);
 }
 

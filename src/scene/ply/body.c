@@ -1,6 +1,6 @@
-/* Numbers of PLY files: text in the host's locale, which must have decimal points, and words in either order. */
+/* Numbers of PLY files: text, and words in either order. */
 #include "body.h"
-#include <stdlib.h>
+#include "../../model/decimal.h"
 
 static const char at_end[] = "is missing: the file ends before it";
 
@@ -44,7 +44,7 @@ static const char *read_ascii(ts_ply_body *body, double *value)
 	while (is_blank(*body->at)) body->at++;
 	if (body->at == body->end) return at_end;
 	char *end;
-	*value = strtod(body->at, &end);
+	*value = ts_strtod(body->at, &end);
 	bool good = end != body->at && end <= body->end && (is_blank(*end) || end == body->end);
 	body->at = end;
 	return good ? NULL : "is no number";

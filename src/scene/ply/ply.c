@@ -1,7 +1,6 @@
 /* Points of a PLY file as surfels: an own reader, which trusts no count. Properties: x y z, and nx ny nz, and red green
  * blue, and radius or the half-axes u_x u_y u_z v_x v_y v_z; the others are ignored. Normals and radii that are not
  * there are estimated by the neighbours. */
-#include <locale.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -255,20 +254,10 @@ static void add_all(reader *in, u32 neighbours)
 	}
 }
 
-/* Numbers have a decimal point, whatever the host program's locale. */
 static void read_all(reader *in, u32 neighbours)
 {
-	locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
-	if (c == (locale_t)0) {
-		ts_build_about(in->build, TS_KIND_MEMORY);
-		ts_build_fail(in->build, "%s: out of memory", in->path);
-		return;
-	}
-	locale_t before = uselocale(c);
 	skip_to_points(in);
 	add_all(in, neighbours);
-	uselocale(before);
-	freelocale(c);
 }
 
 /* As ts_input_read returns a file. */

@@ -53,13 +53,13 @@ static void test_near(void **state)
 		double z[3] = {-(double)v[0].z, -(double)v[1].z, -(double)v[2].z};
 		double whole = area(d3_of(v[0]), d3_of(v[1]), d3_of(v[2]));
 		ts_polygon p = ts_k_polygon(&eye, v[0], v[1], v[2]);
-		ts_k_clip(&p, ts_plane_make(0, 0, 1, -eye.near));
+		ts_k_clip(&p, ts_k_near_plane(&eye), eye.near);
 		assert_true(p.n == 0 || p.n == 3 || p.n == 4);
 		n_cut += p.n == 4;
 		assert_near(polygon_area(&p), share_before(z, eye.near) * whole, 1e-5);
 		for (u32 k = 0; k < p.n; k++) {
 			const ts_corner *c = &p.corner[k];
-			assert_true(c->z >= eye.near - 1e-6f);
+			assert_true(c->z >= eye.near);
 			assert_true(c->w.x >= 0 && c->w.y >= 0 && c->w.z >= 0);
 			assert_near(d3_dot(d3_of(c->w), (double3){1, 1, 1}), 1, 3e-7);
 			assert_true(d3_distance(at(c), d3_blend(c->w, d3_of(v[0]), d3_of(v[1]), d3_of(v[2]))) <= 3e-6);
@@ -77,8 +77,8 @@ static void test_shared_edge(void **state)
 		ts_v3 a = uniform3(-2, 2), b = uniform3(-2, 2);
 		if ((a.z <= -eye.near) == (b.z <= -eye.near)) continue;
 		ts_polygon p = ts_k_polygon(&eye, a, b, uniform3(-2, 2)), q = ts_k_polygon(&eye, b, a, uniform3(-2, 2));
-		ts_k_clip(&p, ts_plane_make(0, 0, 1, -eye.near));
-		ts_k_clip(&q, ts_plane_make(0, 0, 1, -eye.near));
+		ts_k_clip(&p, ts_k_near_plane(&eye), eye.near);
+		ts_k_clip(&q, ts_k_near_plane(&eye), eye.near);
 		u32 n_same = 0;
 		for (u32 k = 0; k < p.n * q.n; k++) {
 			const ts_corner *c = &p.corner[k / q.n], *d = &q.corner[k % q.n];
@@ -92,7 +92,8 @@ static void test_shared_edge(void **state)
 	assert_true(n_shared > N / 5);
 }
 
-/* Whatever the triangle, at most eight corners, all within the range of snapping but for the rounding of cuts. */
+/* Whatever the triangle, at most eight corners, all within the range of snapping but for the rounding of cuts, and none
+ * before the near plane. */
 static void test_range(void **state)
 {
 	(void)state;
@@ -105,6 +106,7 @@ static void test_range(void **state)
 		most = p.n > most ? p.n : most;
 		for (u32 k = 0; k < p.n; k++) {
 			ts_v2 xy = ts_k_project(&eye, &p.corner[k]);
+			assert_true(p.corner[k].z >= eye.near);
 			assert_true(ts_abs(xy.x) <= 32783 && ts_abs(xy.y) <= 32783);
 		}
 	}

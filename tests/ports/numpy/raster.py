@@ -33,6 +33,7 @@ def clip(polygons, planes):
 		behind = (side < 0).any(1)
 		if behind.any():
 			part = clip_plane(polygons[behind], side[behind])
+			part[..., 2] = np.maximum(part[..., 2], -planes[0][3])
 			polygons = widened(polygons, part.shape[1])
 			polygons[behind] = widened(part, polygons.shape[1])
 	return polygons, left

@@ -41,8 +41,7 @@ ts_box square_box(ts_camera_k view, ts_point p)
 	square.corner[1] = corner(view, p, 1.0, -1.0);
 	square.corner[2] = corner(view, p, 1.0, 1.0);
 	square.corner[3] = corner(view, p, -1.0, 1.0);
-	ts_plane near = ts_plane_make(0.0, 0.0, 1.0, -view.near);
-	if (ts_k_any_behind(square, near)) ts_k_clip(square, near);
+	ts_k_clip_behind(view, square, ts_k_near_plane(view));
 	if (square.n == 0) return ts_box(0, 0, -1, -1);
 	ts_v2 low = ts_k_project(view, square.corner[0]), high = low;
 	float z = square.corner[0].z;

@@ -172,8 +172,7 @@ TS_WIDE(void, place,
 		i32 column = (i32)(in != 0 ? across : 0.0f);
 		i32 row = (i32)(in != 0 ? down : 0.0f);
 		texel[i] = in != 0 ? row * view.width + column : -1;
-		u32 bits = ts_f2u(ahead);
-		depth[i] = (bits & 0x7fffffffu) < 0x0d800000u ? 0u : bits; /* ts_put */
+		depth[i] = ts_f2u(ts_put(ahead));
 	}
 }
 

@@ -73,8 +73,7 @@ static void cast_block(block *b, ts_disc disc, f32 near)
 static void shift_block(block *b, ts_camera_k view, f32 epsilon)
 {
 	for (u32 i = 0; i < padded(b->n); i++) {
-		u32 bits = ts_f2u(b->z[i] + ts_k_pixel_shift(&view, epsilon, b->x[i], b->y[i]));
-		b->z[i] = ts_u2f((bits & 0x7fffffffu) < 0x0d800000u ? 0u : bits); /* ts_put */
+		b->z[i] = ts_put(b->z[i] + ts_k_pixel_shift(&view, epsilon, b->x[i], b->y[i]));
 	}
 }
 
