@@ -30,7 +30,8 @@ static bool is_float(ts_buffer_id id, size_t at)
 static bool is_stray_key(ts_buffer_id id, u64 key)
 {
 	u32 distance = (u32)(key >> 32);
-	return key != TS_EMPTY && (is_stray(distance) || (distance == 0 && strstr(ts_buffer_table[id].doc, "axial") != NULL));
+	bool axial = strstr(ts_buffer_table[id].doc, "axial") != NULL;
+	return key != TS_EMPTY && (is_stray(distance) || (distance == 0 && axial));
 }
 
 static u64 stray_keys(ts_buffer_id id, const u8 *data, u64 bytes)

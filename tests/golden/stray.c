@@ -153,7 +153,8 @@ static void judge(const ts_scene *scene, const ts_params *params, const ts_pipel
 	ts_golden_job job = {method, scene, params, {.threads = 1, .no_fast_paths = true}};
 	require(ts_golden_compute(&kernels, &job));
 	if (kernels.n_strays != 0)
-		fail_msg("%s: %u strays, the first in %s", method->name, (u32)kernels.n_strays, ts_buffer_table[kernels.stray].name);
+		fail_msg("%s: %u strays, the first in %s", method->name, (u32)kernels.n_strays,
+		         ts_buffer_table[kernels.stray].name);
 	job.how = (ts_how){.threads = 2};
 	require(ts_golden_compute(&fast, &job));
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
