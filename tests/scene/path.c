@@ -3,7 +3,7 @@
 #include "../../src/model/core.h"
 #include "../../src/scene/sources.h"
 #include "../../src/scene/view.h"
-#include "../scratch.h"
+#include "../comma.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -182,11 +182,22 @@ static void test_large(void **state)
 	ts_scene_free(scene);
 }
 
+static void test_locale(void **state)
+{
+	(void)state;
+	comma_begin();
+	ts_scene *scene = open_path("0 0.5,2,3 4,5,6 30.5", false);
+	comma_end();
+	if (scene == NULL) fail_msg("%s", ts_error_message());
+	assert_true(scene->path[0].eye[0] == 0.5f);
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_closed_form), cmocka_unit_test(test_still), cmocka_unit_test(test_one_key),
-		cmocka_unit_test(test_refused),     cmocka_unit_test(test_large),
+		cmocka_unit_test(test_refused),     cmocka_unit_test(test_large), cmocka_unit_test(test_locale),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

@@ -34,6 +34,9 @@ done
 find "${BUILD:-build/release}/obj/src" -name '*.o' -exec nm -A {} + > "$folder/symbols"
 ! grep ' i ' "$folder/symbols" && grep -q '_of_any_width\|_of_16\|_of_4' "$folder/symbols" || [ "$(uname -m)" != x86_64 ]
 result $? "loops for vectors are not chosen by the loader"
+grep -E '\.c\.o: +U (__isoc[0-9]+_)?(strto(f|d|ld)|atof)$' "$folder/symbols" | grep -v '/model/decimal\.c\.o' > "$folder/out"
+[ ! -s "$folder/out" ]
+result $? "floats in texts are read by model/decimal.c alone, whatever the locale"
 sed -E 's/.*"(.*)".*/\1/' <(tr ')' '\n' < "${BUILD:-build/release}/gen/tests.inc") | grep . | sed "s|.*|${BUILD:-build/release}/obj/tests/&.c.o|" |
 	xargs nm -P --defined-only | awk '$2 ~ /^[TDBRVW]$/ { print $1 }' | sort -u > "$folder/own"
 { nm -DP --defined-only $(ldconfig -p | awk '/lib(c|m)\.so\.6 / { print $NF }'); nm -P --defined-only "${BUILD:-build/release}/libtouchstone.a"; } \

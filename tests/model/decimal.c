@@ -1,0 +1,35 @@
+/* Decimal numbers are read with a point, and to the last bit, whatever the locale of the host program. */
+#include "../comma.h"
+#include "../../src/model/decimal.h"
+#include <float.h>
+#include <math.h>
+
+static void check(void)
+{
+	static const char *const texts[] = {"0.1", "-2.5e-3", "16777217", "3.4028235e38", "1e-45", "7", "1e39"};
+	static const float right[] = {0.1f, -2.5e-3f, 16777216.0f, FLT_MAX, 0x1p-149f, 7.0f, INFINITY};
+	char *end;
+	for (unsigned i = 0; i < sizeof texts / sizeof *texts; i++) {
+		assert_true(ts_strtof(texts[i], &end) == right[i] && *end == 0);
+		assert_true((float)ts_strtod(texts[i], NULL) == right[i]);
+	}
+	assert_true(ts_strtod("0.1", NULL) == 0.1);
+	assert_true(ts_strtof("0,5", &end) == 0 && *end == ',');
+	assert_true(ts_strtod("x", &end) == 0 && *end == 'x');
+}
+
+static void test_decimal(void **state)
+{
+	(void)state;
+	check();
+	comma_begin();
+	check();
+	assert_true(strtod("0,5", NULL) == 0.5);
+	comma_end();
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_decimal)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
