@@ -147,6 +147,7 @@ static void make_mesh(ts_build *build, const ts_builtin *scene, const u32 choice
 	mesh.place = ts_place_world();
 	mesh.material = material[scene->rug.material];
 	ts_part_rug(&mesh, &scene->rug, (u32)(count - mesh.n));
+	ts_reflectors_stand(build, scene->mirrors, scene->n_mirrors);
 }
 
 void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params)
@@ -168,6 +169,7 @@ static ts_status make_scene(ts_scene **scene, ts_build *build, const char *spec,
 	bool named = own.camera != NULL && strcmp(own.camera, TS_CAMERA_CIRCLE) != 0;
 	if (!named && own.eye == NULL && own.path == NULL) own.camera = find(spec)->camera;
 	const char *camera = ts_arrange(build, params, &own, false);
+	if (find(spec)->beyond != NULL) find(spec)->beyond(build);
 	return ts_build_finish(build, params, camera, scene);
 }
 

@@ -14,7 +14,10 @@ typedef struct {
 	u32 n_paints;
 	/* material: indices of the paints in the build. The count must not fall when `detail` rises. */
 	void (*shape)(ts_mesh *mesh, const u32 *material);
-	ts_rug rug; /* made of exactly the triangles that are left; its material is an index into `paints` */
+	ts_rug rug;              /* made of exactly the triangles that are left; its material is an index into `paints` */
+	const f32 (*mirrors)[4]; /* balls: middle and radius */
+	u32 n_mirrors;
+	void (*beyond)(ts_build *build); /* adds what eye and mirrors do not follow from; NULL: nothing */
 	/* For a scene of surfels, instead of the members above: makes at most `count` surfels, of a radius in spacings. */
 	void (*surfels)(ts_build *build, u32 count, f32 splat_radius);
 	const char *camera; /* the camera if none is named; NULL: the circling eye */
