@@ -35,8 +35,8 @@ static inline void comma_begin(void)
 	assert_int_equal(scratch_begin(&state), 0);
 	comma_write_characters();
 	comma_write_locale();
-	snprintf(command, sizeof command, "localedef -c --no-archive -f '%s' -i '%s' '%s' 2> '%s'", scratch_path("characters"),
-	         scratch_path("locale"), scratch_path("comma"), scratch_path("warnings"));
+	snprintf(command, sizeof command, "localedef -c --no-archive -f '%s' -i '%s' '%s' 2> '%s'",
+	         scratch_path("characters"), scratch_path("locale"), scratch_path("comma"), scratch_path("warnings"));
 	int warned = system(command);
 	setenv("LOCPATH", scratch_root, 1);
 	const char *set = setlocale(LC_NUMERIC, "comma");
