@@ -3,6 +3,7 @@
  * 2008). */
 #ifndef TS_TESTS_VECTORS_ROUNDED_H
 #define TS_TESTS_VECTORS_ROUNDED_H
+#include <float.h>
 #include <math.h>
 #include <string.h>
 #include "../../src/vectors/row.h"

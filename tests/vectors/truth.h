@@ -35,7 +35,7 @@ F(max, (double)A < B ? B : A)
 F(clamp, (double)A < B ? B : (double)C < A ? C : A)
 F(abs, fabsf(A))
 F(san, isnan(A) || fabsf(A) < 0x1p-39f ? 0 : fabsf(A) > 0x1p62f ? copysignf(0x1p62f, A) : A)
-F(put, stored(A))
+F(put, isnan(A) ? 0 : isinf(A) ? copysignf(FLT_MAX, A) : stored(A))
 
 W(fix, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2)))
 F(to_half, (f32)half_of((double)A))

@@ -1,4 +1,5 @@
 /* The composites of points against their formulas in double precision. */
+#include <float.h>
 #include "../../vectors/composites.h"
 #include "../../../src/kernels/points/composites.h"
 
@@ -26,7 +27,8 @@ static judgement path_length(const u32 *in, const u32 *out)
 static judgement ball_spread(const u32 *in, const u32 *out)
 {
 	double r = ts_row_f32(in, 0), e = fmax(ts_row_f32(in, 1) - r, 0), t = fmax(ts_row_f32(in, 2) - r, 0);
-	return right_if(is_near(ts_row_f32(out, 0), 2 * e * t / r, 1e-5 * (2 * e * t / r) + 1e-4 / r));
+	double right = fmin(2 * e * t / r, (double)FLT_MAX);
+	return right_if(is_near(ts_row_f32(out, 0), right, 1e-5 * right + 1e-4 / r));
 }
 
 /* By neither the paper's path nor the ball's curve: rho f over the way, at most half the cube's n over the distance. */

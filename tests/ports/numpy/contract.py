@@ -5,8 +5,13 @@ EMPTY = np.uint64(2 ** 64 - 1)
 
 
 def flush(x):
-	"""Rule 11; rule 12's put is the same."""
+	"""Rule 11."""
 	return np.where(np.abs(x) < np.float32(2.0 ** -100), np.float32(0), x)
+
+
+def put(x):
+	"""Rule 12."""
+	return flush(np.nan_to_num(x))
 
 
 def widen(x):
@@ -65,4 +70,4 @@ def contracted_length(v):
 
 def key(depth, index):
 	"""Rule 24."""
-	return flush(depth).view(np.uint32).astype(np.uint64) << np.uint64(32) | index.astype(np.uint64)
+	return put(depth).view(np.uint32).astype(np.uint64) << np.uint64(32) | index.astype(np.uint64)

@@ -24,7 +24,7 @@ def footprint(width, d, n, divided=False):
 PRIMITIVES = {
 	'add': np.add, 'mul': np.multiply, 'div': np.divide, 'sqrt': np.sqrt,
 	'muladd': lambda a, b, c: a * b + c, 'mulsub': lambda a, b, c: c - a * b,
-	'put': contract.flush, 'fix': contract.fix, 'floor_i32': contract.floor_i32,
+	'put': contract.put, 'fix': contract.fix, 'floor_i32': contract.floor_i32,
 	'dot': contract.dot, 'cross': contract.cross, 'length': contract.length, 'key': contract.key, 'footprint': footprint,
 }
 
