@@ -12,9 +12,15 @@ FLOAT_OPERATORS = {"+", "-", "*", "/", "==", "!=", "<", ">", "<=", ">="}
 UNSIGNED = {"u32", "u64"}
 # Where the range of a float is proved before it becomes an integer.
 TRUNCATES = {"ts_f2i", "ts_k_floor_within"}
+FLOORS = "ts_k_floor_quotient"
+ROWS = "src/kernels/vectors/"  # hold what primitives give
+ATOMIC = re.compile(r"ts_(?:min|or|add|next|mark)_u\d+|ts_(?:add|next)_i64")
 # Where two results of 4 bytes are one of 8, because that is where devices have the operation; and where the words of a row are
 # a record, which the functions under test get by a pointer.
 POINTS_ANEW = re.compile(r"ts_k_vector_key_min|ts_row_at_\w+")
+
+
+STATEMENTS = (c_ast.Compound, c_ast.If, c_ast.For, c_ast.While, c_ast.DoWhile, c_ast.Switch, c_ast.Case, c_ast.Default)
 
 
 def is_float(kind):
@@ -23,6 +29,28 @@ def is_float(kind):
 
 def is_integer(kind):
 	return kind.kind == "scalar" and kind.name in T.INTEGERS
+
+
+def calls(node):
+	"""The names of the functions that are called in an expression or a statement."""
+	own = [node.name.name] if isinstance(node, c_ast.FuncCall) else []
+	return own + [name for child in T.children(node) for name in calls(child)]
+
+
+def with_effects(tree):
+	"""The atomic operations, and all functions that come to one."""
+	called = {name: set(calls(function.node.body)) for name, function in tree.functions.items()}
+	found = set(filter(ATOMIC.fullmatch, set().union(*called.values())))
+	while more := {name for name, names in called.items() if names & found} - found:
+		found |= more
+	return found
+
+
+def products(node):
+	"""Those of two numbers that are not literals, in an expression."""
+	found = [each for child in T.children(node) for each in products(child)]
+	one = isinstance(node, c_ast.BinaryOp) and node.op == "*" and not (T.is_literal(node.left) or T.is_literal(node.right))
+	return found + [node] if one else found
 
 
 def takes_pointer(to, of):
@@ -55,8 +83,8 @@ def takes(to, of, node):
 class Rules(c_ast.NodeVisitor):
 	"""Of one function, or of constants outside functions: None."""
 
-	def __init__(self, tree, stores, function, node):
-		self.tree, self.function, self.stores, self.faults = tree, function, stores, []
+	def __init__(self, tree, stores, effects, function, node):
+		self.tree, self.function, self.stores, self.effects, self.faults = tree, function, stores, effects, []
 		self.name = function.name if function else None
 		self.visit(node)
 
@@ -87,6 +115,22 @@ class Rules(c_ast.NodeVisitor):
 		if reason:
 			self.fault(at, reason)
 
+	def bits(self, node, value):
+		if not T.place(node.coord.file).startswith(ROWS) and self.stores.unsettled_bits(self.name, value):
+			self.fault(node, "bits of a float are stored that has not passed ts_put")
+
+	def visit_Compound(self, node):
+		for each in node.block_items or []:
+			self.full(each.init if isinstance(each, c_ast.Decl) else each)
+		self.generic_visit(node)
+
+	def full(self, node):
+		"""A full expression, whose parts are evaluated in an order that no language promises."""
+		if isinstance(node, STATEMENTS) or node is None:
+			return
+		if sum(name in self.effects for name in calls(node)) > 1:
+			self.fault(node, "two effects in one expression: their order is not promised")
+
 	def truth(self, node):
 		if node is not None and self.type_of(node).name != "bool":
 			self.fault(node, f"{self.type_of(node).name} is no truth value: compare it")
@@ -105,6 +149,8 @@ class Rules(c_ast.NodeVisitor):
 			self.taken(to, argument, node)
 		for argument in arguments:
 			self.visit(argument)
+			if ATOMIC.fullmatch(name):
+				self.bits(node, argument)
 
 	def visit_StructRef(self, node):
 		self.visit(node.name)
@@ -157,10 +203,18 @@ class Rules(c_ast.NodeVisitor):
 			self.fault(node, f"{op} is no operation of floats")
 		if op == "%" and not (left.name in UNSIGNED and right.name in UNSIGNED):
 			self.fault(node, "a signed number has no remainder in GLSL: take that of an unsigned one")
+		if op == "/" and self.name != FLOORS and not floats and not {left.name, right.name} <= UNSIGNED:
+			self.fault(node, f"a quotient of signed numbers is cut towards 0: {FLOORS} rounds down")
 		if op == "<<" and left.name not in ("u32", "u64"):
 			self.fault(node, "a signed number is shifted: shift an unsigned one")
 		if left.kind == "pointer" and op not in ("+", "-", "==", "!="):
 			self.fault(node, f"{op} is no operation of pointers")
+
+	def visit_ArrayRef(self, node):
+		for each in products(node.subscript):
+			if self.type_of(each).name in ("u32", "i32"):
+				self.fault(node, "a product of 32 bits is an index: widen its factors")
+		self.generic_visit(node)
 
 	def visit_UnaryOp(self, node):
 		if node.op == "!":
@@ -183,6 +237,8 @@ class Rules(c_ast.NodeVisitor):
 			self.changed(node, to)
 		if is_float(to) and self.stores.is_stored(node.lvalue) and not self.stores.is_settled(self.name, node.rvalue):
 			self.fault(node, "a float is stored that has not passed ts_put")
+		if not is_float(to) and self.stores.is_stored(node.lvalue):
+			self.bits(node, node.rvalue)
 		self.generic_visit(node)
 
 	def changed(self, node, to):
@@ -203,6 +259,7 @@ class Rules(c_ast.NodeVisitor):
 
 def faults(tree):
 	stores = Stores(tree)
-	rules = [Rules(tree, stores, function, function.node.body) for function in tree.functions.values()]
-	rules += [Rules(tree, stores, None, constant) for constant in tree.constants.values()]
+	effects = with_effects(tree)
+	rules = [Rules(tree, stores, effects, function, function.node.body) for function in tree.functions.values()]
+	rules += [Rules(tree, stores, effects, None, constant) for constant in tree.constants.values()]
 	return sum((each.faults for each in rules), [])

@@ -5,7 +5,7 @@ from pycparser import c_ast
 from . import tree as T
 
 CHOOSE = {"ts_min", "ts_max"}
-PUTS = {"ts_put", "ts_flush"}  # the same function
+PUTS = {"ts_put"}
 
 
 def is_plain(literal):
@@ -117,6 +117,15 @@ class Stores:
 		if isinstance(node, c_ast.ID) and not self.tree.type_of(node).shared:
 			return node.name in within or self.variable_is_settled(function, node.name, (*within, node.name))
 		return self.tree.type_of(node).shared
+
+	def unsettled_bits(self, function, node, within=()):
+		"""Whether an integer is made of the bits of a float that has not passed ts_put."""
+		if isinstance(node, c_ast.FuncCall) and node.name.name == "ts_f2u":
+			return not self.is_settled(function, node.args.exprs[0])
+		if isinstance(node, c_ast.ID) and node.name not in within:
+			given = self.values[function].given.get(node.name, [])
+			return any(self.unsettled_bits(function, value, (*within, node.name)) for value in given if value is not None)
+		return any(self.unsettled_bits(function, child, within) for child in T.children(node))
 
 	def is_constant(self, function, node):
 		"""Of one outside functions, all of whose literals are plain."""

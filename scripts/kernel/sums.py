@@ -42,7 +42,7 @@ class Sums(c_ast.NodeVisitor):
 			return self.follow(node, self.computed, within)
 		if isinstance(node, c_ast.TernaryOp):
 			return self.computed(node.iftrue, within) | self.computed(node.iffalse, within)
-		if isinstance(node, c_ast.FuncCall) and node.name.name in CHOOSE | PUTS:
+		if isinstance(node, c_ast.FuncCall) and node.name.name in CHOOSE | PUTS | {"ts_flush"}:
 			return set().union(*(self.computed(each, within) for each in node.args.exprs))
 		return set() if is_stored_float(self.tree.type_of(node)) else self.read(node)
 

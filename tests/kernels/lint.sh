@@ -146,6 +146,16 @@ sees_stored "has not passed ts_put" "f32 b = a > 0.0f ? ts_put(a) : a; *out = b;
 sees_stored "has not passed ts_put" "*out = ts_length(ts_v3_make(a, a, a));"
 sees_stored "has not passed ts_put" "*out = -0.0f;"
 sees_stored "has not passed ts_put" "*out = 0.00000000000000000000000000000039443045261050590270586428264139311483660321755451150238513946533203125f;"
+sees_stored "has not passed ts_put" "*out = ts_flush(a);"
+sees_stored "bits of a float" "*n = (i32)ts_f2u(a * a);"
+sees_stored "bits of a float" "u32 b = ts_f2u(a); *n = (i32)(b | 1u);"
+sees "bits of a float" "TS_FN void ts_bad(TS_GLOBAL u64 *keys, f32 a) { ts_min_u64(&keys[0], (u64)ts_f2u(a) << 32); }"
+sees "two effects" "TS_FN i64 ts_bad(TS_GLOBAL i64 *n) { return ts_next_i64(n) - ts_next_i64(n); }"
+sees "two effects" "TS_FN i64 ts_bad_next(TS_GLOBAL i64 *n) { return ts_next_i64(n); }
+TS_FN void ts_bad(TS_GLOBAL i64 *n, TS_GLOBAL i32 *out) { out[ts_bad_next(n)] = (i32)ts_bad_next(n); }"
+sees_stored "cut towards 0" "*n = *n / 2;"
+sees_stored "cut towards 0" "i64 b = 3; *n = (i32)(b / 2);"
+sees "a product of 32 bits is an index" "TS_FN f32 ts_bad(TS_GLOBAL const f32 *in, u32 w, u32 y) { return in[(u64)(w * y)]; }"
 sees_stored "f32 becomes i32" "*n = a;"
 sees_in "d may be read before it is set" "f32 d; if (a > b) d = c; return d;"
 sees_in "d may be read before it is set" "f32 d; if (a > b) d = c; else if (b > c) d = a; return d;"
@@ -176,8 +186,9 @@ TS_FN f32 ts_good(TS_GLOBAL f32 *out, TS_GLOBAL const f32 *in, f32 a, u32 n)
 	for (u32 i = 0u; i < n; i++) b = ts_min(b, in[i]);
 	out[n] = b;
 	out[n + 1u] = n > 7u ? -2.0f : (f32)(n << 3);
-	out[n + 2u] = ts_flush(ts_dot(ts_v3_make(a, a, a), ts_v3_make(b, b, b)) / 16777216.0f);
+	out[n + 2u] = ts_put(ts_dot(ts_v3_make(a, a, a), ts_v3_make(b, b, b)) / 16777216.0f);
 	out[n + 3u] = ts_table[n & 1u];
+	out[(u64)n * (u64)n] = in[2u * n / 3u];
 	f32 lesser = out[n + 4u];
 	out[n + 4u] = ts_put(ts_min(lesser, b));
 	(void)in;

@@ -147,7 +147,7 @@ TS_FN void ts_k_hull_item(const ts_hull_args *args, u64 i)
 	ts_v3 n = ts_load3(args->pixels[i].normal);
 	for (u32 channel = 0u; channel < 3u; channel++) {
 		ts_sg g = ts_k_hull_lobe(args, box, &shares, channel);
-		args->irradiance[i * 3u + channel] = ts_k_lobe_irradiance(args, &g, n);
+		args->irradiance[i * 3u + channel] = ts_put(ts_k_lobe_irradiance(args, &g, n));
 	}
 }
 

@@ -83,7 +83,7 @@ TS_FN bool ts_k_scatter_centre(const ts_scatter_args *args, const ts_camera_k *v
 	ts_fragment fragment = ts_k_fragment_drawn(&args->from.scene, view, triangle, i, j);
 	if (!(fragment.z > 0.0f)) return false;
 	if (args->depths != NULL) {
-		ts_min_u32(&args->depths[texel], ts_f2u(fragment.z));
+		ts_min_u32(&args->depths[texel], ts_f2u(ts_put(fragment.z)));
 	} else {
 		ts_k_offer_centre(args, view, triangle, &fragment, texel);
 	}

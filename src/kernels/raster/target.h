@@ -20,9 +20,9 @@ TS_FN ts_target ts_k_keys(TS_GLOBAL u64 *keys)
 TS_FN void ts_k_draw_texel(const ts_target *target, u64 at, f32 z, u32 triangle)
 {
 	if (target->keys != NULL) {
-		ts_min_u64(&target->keys[at], ((u64)ts_f2u(z) << 32) | triangle);
+		ts_min_u64(&target->keys[at], ((u64)ts_f2u(ts_put(z)) << 32) | triangle);
 	} else {
-		ts_min_u32(&target->depths[at], ts_f2u(z));
+		ts_min_u32(&target->depths[at], ts_f2u(ts_put(z)));
 	}
 }
 

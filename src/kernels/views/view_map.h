@@ -81,7 +81,8 @@ TS_FN void ts_k_cap_fill(TS_GLOBAL u64 *map, const ts_pyramid *pyramid, const ts
 		TS_GLOBAL u64 *texels = map + ts_k_pyramid_first(pyramid, level) + (back ? side * side : 0u);
 		for (u32 row = (u32)box.y.from >> level; row <= ((u32)box.y.to - 1u) >> level; row++) {
 			for (u32 column = (u32)box.x.from >> level; column <= ((u32)box.x.to - 1u) >> level; column++) {
-				if (ts_k_cap_is_filled(cap, pyramid, level, column, row)) ts_min_u64(&texels[row * side + column], key);
+				u64 at = (u64)row * (u64)side + (u64)column;
+				if (ts_k_cap_is_filled(cap, pyramid, level, column, row)) ts_min_u64(&texels[at], key);
 			}
 		}
 	}

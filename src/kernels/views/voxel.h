@@ -51,8 +51,8 @@ TS_FN ts_range ts_k_narrow(ts_range r, i64 step, i64 low, i64 high)
 	none.last = -1;
 	if (room < 0 || (size == 0 && above > 0)) return none;
 	if (size == 0) return r;
-	r.last = ts_k_least_i64(r.last, r.first + room / size);
-	r.first = above > 0 ? r.first + (above + size - 1) / size : r.first;
+	r.last = ts_k_least_i64(r.last, r.first + (i64)((u64)room / (u64)size));
+	r.first = above > 0 ? r.first + (i64)((u64)(above + size - 1) / (u64)size) : r.first;
 	return r;
 }
 
