@@ -46,6 +46,18 @@ static const ts_builtin *find(const char *spec)
 	return NULL;
 }
 
+void ts_builtin_camera(ts_build *build, const char *name, ts_v3 eye, f32 down)
+{
+	char own[16];
+	ts_camera camera = {.name = own, .right = {1.0f, 0.0f, 0.0f}, .yfov = 0.125f};
+	ts_v3 back = ts_normalize(ts_v3_make(0.0f, down, 1.0f));
+	snprintf(own, sizeof own, "%s", name);
+	ts_store3(camera.eye, eye);
+	ts_store3(camera.back, back);
+	ts_store3(camera.up, ts_cross(back, ts_v3_make(1.0f, 0.0f, 0.0f)));
+	ts_build_camera(build, &camera);
+}
+
 bool ts_builtin_is(const char *spec) { return find(spec) != NULL; }
 
 /* Digits, perhaps with a fraction, and perhaps k or M; counted in integers. Returns what follows, or NULL if it is none

@@ -23,6 +23,9 @@ typedef struct {
 	const char *camera; /* the camera if none is named; NULL: the circling eye */
 } ts_builtin;
 
+/* Adds a camera that looks along -z, and down by `down` a metre. */
+void ts_builtin_camera(ts_build *build, const char *name, ts_v3 eye, f32 down);
+
 #define SCENE(name) extern const ts_builtin ts_builtin_##name;
 #include "scenes.def"
 #undef SCENE

@@ -9,17 +9,6 @@ enum { WIDTH = 64, TIMES = 4 }; /* as many times as long as it is wide */
 #define LIGHT 0.75f
 #define DARK 0.0625f
 
-/* Low over the near end, looking along -z and down by 1 in 8. */
-static void add_camera(ts_build *build)
-{
-	char name[] = "receding";
-	ts_camera camera = {.name = name, .eye = {0.0f, 2.0f, 0.0f}, .right = {1.0f, 0.0f, 0.0f}, .yfov = 0.125f};
-	ts_v3 back = ts_normalize(ts_v3_make(0.0f, 0.125f, 1.0f));
-	ts_store3(camera.back, back);
-	ts_store3(camera.up, ts_cross(back, ts_v3_make(1.0f, 0.0f, 0.0f)));
-	ts_build_camera(build, &camera);
-}
-
 /* Squares lie by whole coordinates. */
 bool ts_checkerboard_at(f32 *albedo, f32 x, f32 z)
 {
@@ -51,7 +40,7 @@ static void add_grid(ts_build *build, u32 count, f32 splat_radius)
 			add_surfel(build, x - (f32)WIDTH * 0.5f, -z, spacing * splat_radius);
 		}
 	}
-	add_camera(build);
+	ts_builtin_camera(build, "receding", ts_v3_make(0.0f, 2.0f, 0.0f), 0.125f);
 	build->scene->is_checkerboard = true;
 }
 

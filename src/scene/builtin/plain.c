@@ -13,22 +13,12 @@ static const ts_paint paints[N_PAINTS] = {
 
 static const f32 mirrors[][4] = {{0.0f, 1.0f, 0.0f, 0.5f}, {1.0f, 0.375f, 0.75f, 0.25f}};
 
-static void add_camera(ts_build *build)
-{
-	char name[] = "visitor";
-	ts_camera camera = {.name = name, .eye = {0.25f, 1.25f, 2.5f}, .right = {1.0f, 0.0f, 0.0f}, .yfov = 0.125f};
-	ts_v3 back = ts_normalize(ts_v3_make(0.0f, 0.1875f, 1.0f));
-	ts_store3(camera.back, back);
-	ts_store3(camera.up, ts_cross(back, ts_v3_make(1.0f, 0.0f, 0.0f)));
-	ts_build_camera(build, &camera);
-}
-
 static void shape_plain(ts_mesh *mesh, const u32 *material)
 {
 	mesh->material = material[STONE];
 	ts_mesh_block(mesh, ts_v3_make(-1.25f, 0.5f, -0.75f), ts_v3_make(0.375f, 0.5f, 0.375f), 0.0f, 0);
 	ts_mesh_block(mesh, ts_v3_make(1.5f, 0.25f, -1.0f), ts_v3_make(0.5f, 0.25f, 0.25f), 0.0f, 0);
-	if (mesh->build != NULL) add_camera(mesh->build);
+	if (mesh->build != NULL) ts_builtin_camera(mesh->build, "visitor", ts_v3_make(0.25f, 1.25f, 2.5f), 0.1875f);
 }
 
 static void add_ground(ts_build *build)

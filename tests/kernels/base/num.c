@@ -123,7 +123,7 @@ static void test_order(void **state)
 	}
 }
 
-/* What a unit in the last place of a float near y is worth. */
+/* From a float near y to the next one. */
 static double ulp(double y) { return y == 0 ? ldexp(1, -149) : ldexp(1, ilogb(y) - 23); }
 
 static void test_log2(void **state)
