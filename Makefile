@@ -134,7 +134,7 @@ IMAGE_CC := src/image/openimageio.cc
 LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/* methods methods/* families golden vectors)) \
-	$(patsubst %,src/backends/%.c,args fast find) src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,descr emit sums)) \
+	$(patsubst %,src/backends/%.c,args fast find wide) src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,descr emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(if $(REPORTS),$(REPORTS:%=src/cli/%.c) $(patsubst %,src/study/%.c,folder folder_ours table) src/scene/print_text.c) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends baseline command commit digest golden* help \

@@ -6,6 +6,7 @@ from pycparser import c_ast
 
 from . import literals
 from . import tree as T
+from .comments import comments
 from .stores import Stores
 
 FLOAT_OPERATORS = {"+", "-", "*", "/", "==", "!=", "<", ">", "<=", ">="}
@@ -14,10 +15,11 @@ UNSIGNED = {"u32", "u64"}
 TRUNCATES = {"ts_f2i", "ts_k_floor_within"}
 FLOORS = "ts_k_floor_quotient"
 ROWS = "src/kernels/vectors/"  # hold what primitives give
+ARRIVAL, SAYS_SO = re.compile(r"ts_next_[iu]\d+"), "order of arrival"
 ATOMIC = re.compile(r"ts_(?:min|or|add|next|mark)_u\d+|ts_(?:add|next)_i64")
 # Where two results of 4 bytes are one of 8, because that is where devices have the operation; and where the words of a row are
 # a record, which the functions under test get by a pointer.
-POINTS_ANEW = re.compile(r"ts_k_vector_key_min|ts_row_at_\w+")
+POINTS_ANEW = re.compile(r"ts_k_vector_(key_min|add_i64)|ts_row_at_\w+")
 
 
 STATEMENTS = (c_ast.Compound, c_ast.If, c_ast.For, c_ast.While, c_ast.DoWhile, c_ast.Switch, c_ast.Case, c_ast.Default)
@@ -86,6 +88,7 @@ class Rules(c_ast.NodeVisitor):
 	def __init__(self, tree, stores, effects, function, node):
 		self.tree, self.function, self.stores, self.effects, self.faults = tree, function, stores, effects, []
 		self.name = function.name if function else None
+		self.dropped = None
 		self.visit(node)
 
 	def fault(self, node, reason):
@@ -151,6 +154,12 @@ class Rules(c_ast.NodeVisitor):
 			self.visit(argument)
 			if ATOMIC.fullmatch(name):
 				self.bits(node, argument)
+		if ARRIVAL.fullmatch(name) and node is not self.dropped and SAYS_SO not in self.said():
+			self.fault(node, f"the result of {name} is the {SAYS_SO}: say above the function what sorts it")
+
+	def said(self):
+		"""Above the function."""
+		return " ".join(comments(self.function.path.split("@")[0]).above.get(self.function.line, []))
 
 	def visit_StructRef(self, node):
 		self.visit(node.name)
@@ -179,6 +188,7 @@ class Rules(c_ast.NodeVisitor):
 
 	def visit_Cast(self, node):
 		to, of = self.type_of(node), self.type_of(node.expr)
+		self.dropped = node.expr if to.name == "void" else self.dropped
 		self.visit(node.expr)
 		if to.kind == "scalar" and to.name == "void":
 			return

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "../backends/wide.h"
 #include "cli.h"
 #include "../output/file.h"
 #include "worker.h"
@@ -97,7 +98,8 @@ static int run(void *user)
 	ts_cli *cli = &t->cli;
 	require_path();
 	if (cli->job.output.quiet) ts_listen(&(ts_listener){.line = NULL});
-	ts_status status = ts_backend_open(&cli->job); /* before there are threads: who asks for devices forks */
+	ts_status status = ts_lanes_choose();
+	if (status == TS_OK) status = ts_backend_open(&cli->job); /* before there are threads: who asks for devices forks */
 	if (status == TS_OK && ts_command_takes(t->command, TS_OPTION_THREADS)) {
 		u32 *n = &cli->job.how.threads;
 		*n = *n == 0 ? ts_threads_all() : ts_threads_ready(*n);

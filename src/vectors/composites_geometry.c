@@ -48,6 +48,17 @@ static void relate_footprint(u32 *in, u32 random)
 	if (k == 5) ts_relate_v3(d, ts_mad(ts_cross(ts_row_v3(d, 0), ts_row_v3(n, 0)), ts_row_v3(n, 0), 0.015625f));
 }
 
+enum { PERIOD = 3, MOVES = 33, POSE_FRAME = 36, N_MOTION = 37, POSE_N = 41 };
+
+/* On an ellipse, as the file says, mirrored or not; an object that stands still, a file without motions. */
+static void relate_pose(u32 *in, u32 random)
+{
+	if (ts_once_in(&random, 8)) in[PERIOD] = 0;
+	if (ts_once_in(&random, 4)) in[MOVES] = 0;
+	in[N_MOTION] = ts_once_in(&random, 3) ? 0 : 1;
+	ts_relate_unit(in + POSE_N);
+}
+
 enum { FOCAL = 2, CLIP_NEAR = 3, CORNERS = 5 };
 
 /* Corners before and behind, in the plane, and so far aside that the range of snapping ends. */
@@ -86,6 +97,14 @@ const ts_vector ts_composites_geometry[] = {
 	{ PRIMITIVE(footprint), "ts_k_footprint",
 	  "footprint of a pixel of this width on a surface with normal n; d runs from the eye to the surface",
 	  { LENGTH("width", 1), WORLD("d", 3), WORLD("n", 3) }, GIVES(F32, 1), .relate = relate_footprint },
+	{ PRIMITIVE(pose), "ts_k_pose_at",
+	  "place, normal, tangent at a frame: by the ellipse, or by the motion if n_motion and motion.moves are not 0",
+	  { ANY_INDEX("object.first_vertex", 1), ANY_INDEX("object.n_vertices", 1), ANY_INDEX("object.reflector", 1),
+	    UNSIGNED("object.period", 1, 0, 4096), NEAR("object.centre", 3), SHARE("object.phase", 1),
+	    NEAR("object.axis", 2), NEAR("object.bob", 1), NEAR("object.spin", 1), NEAR("motion.linear", 9),
+	    NEAR("motion.origin", 3), NEAR("motion.normal", 9), UNSIGNED("motion.moves", 1, 0, 2), ZERO("motion.pad", 2),
+	    UNSIGNED("frame", 1, 0, 65535), UNSIGNED("n_motion", 1, 0, 1), NEAR("p", 3), UNIT("n") },
+	  { COLUMN("p", F32, 3), COLUMN("n", F32, 3), COLUMN("t", F32, 3) }, .relate = relate_pose },
 	{ PRIMITIVE(clip), "ts_k_clip_to_range",
 	  "triangle a b c in view space, clipped by rule 16: n corners, each x, y, z and three weights",
 	  { UNSIGNED("size", 2, 1, 4096), POSITIVE("focal", 1, 126, 140), POSITIVE("near", 1, 117, 127),

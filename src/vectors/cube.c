@@ -1,5 +1,4 @@
-/* Primitives of cube maps and of what is written to them: places, texels, keys (kernels/raster/cube.h, CONTRACT rule
- * 24). */
+/* Primitives of cube maps: places and texels (kernels/raster/cube.h). */
 #include "../kernels/vectors/vectors_texture.h"
 #include "row.h"
 
@@ -30,39 +29,7 @@ static void relate_texel(u32 *in, u32 random)
 	in[0] = s == 0 ? 0 : ts_f2u(s) + (random >> 4 & 1) - (random >> 5 & 1);
 }
 
-static f32 depth_of_24_bits(f32 depth) { return (f32)(rint(fmin((double)depth, 1) * 16777215) / 16777215); }
-
-WIDE_ITEM(key_depth24, ts_k_vector_packed(depth_of_24_bits(A), in[1]))
-
-/* Of each only the 24 bits of depth below sign and the highest of the exponent count. */
-static void key_min_depth24(u32 *out, const u32 *in)
-{
-	u64 a = ts_row_u64(in, 0), b = ts_row_u64(in, 2);
-	u32 da = (u32)(a >> 38), db = (u32)(b >> 38);
-	ts_set_u64(out, 0, db < da || (db == da && (u32)b < (u32)a) ? b : a);
-}
-
-static void key_min_narrow(u32 *out, const u32 *in)
-{
-	u64 a = ts_row_u64(in, 0), b = ts_row_u64(in, 2);
-	ts_set_u64(out, 0, (b >> 32) < (a >> 32) ? b : a);
-}
-
-/* Equal depths, or depths a step apart. */
-static void relate_keys(u32 *in, u32 random)
-{
-	in[1] &= 0x7fffffffu;
-	in[3] &= 0x7fffffffu;
-	if ((random & 3) == 0) in[3] = in[1];
-	if ((random & 3) == 1) in[3] = in[1] ^ 1;
-}
-
 static const f32 texel_edges[] = {-1.0f, 1.0f, 0.5f, -0.5f};
-static const f32 depth_edges[] = {0x1p-100f, 1.0f, 0.5f, 0.25f};
-
-/* clang-format off */
-#define WIDE(name) { name, TS_VECTOR_U64, 1, INT64_MIN, INT64_MAX, false }
-/* clang-format on */
 
 /* clang-format off */
 const ts_vector ts_vectors_cube[] = {
@@ -74,14 +41,6 @@ const ts_vector ts_vectors_cube[] = {
 	{ PRIMITIVE(cube_texel), "14", "min(n - 1, floor((s + 1) / 2 * n)), not below 0",
 	  { { "s", TS_VECTOR_F32, 1, 88, 127, true }, UNSIGNED("n", 1, 1, 4096) }, GIVES(U32, 1),
 	  EDGES(texel_edges), .relate = relate_texel },
-	{ PRIMITIVE(key), "12, 24", "bits of put(depth) << 32 | payload", { POSITIVE("depth", 1, 0, 254),
-	    UNSIGNED("payload", 1, 0, UINT32_MAX - 1) }, GIVES(U64, 1),
-	  { { TS_FAULT_DEPTH24, key_depth24 } }, EDGES(depth_edges) },
-	{ PRIMITIVE(key_min), "24, 25", "the smaller of two keys", { WIDE("a"), WIDE("b") }, GIVES(U64, 1),
-	  { { TS_FAULT_DEPTH24, key_min_depth24 }, { TS_FAULT_NARROW, key_min_narrow } }, .relate = relate_keys },
-	{ PRIMITIVE(point_key), "ts_k_points_item", "triangle << 32 | (y + 2^15) << 16 | x + 2^15",
-	  { ALL_U32("triangle", 1), INTEGER("x", 1, -32768, 32767), INTEGER("y", 1, -32768, 32767) },
-	  GIVES(U64, 1) },
 	{ 0 },
 };
 /* clang-format on */

@@ -69,6 +69,15 @@ static void relate_edge(u32 *in, u32 random)
 	in[5] = (u32)limited(ts_row_i32(in, 1) + dy * t / 4096 - (i32)(random >> 3 & 1));
 }
 
+WIDE_ITEM(quotient_truncate, ts_row_i64(in, 0) / ts_row_i64(in, 2))
+
+/* Multiples of b, and one beside them. */
+static void relate_quotient(u32 *in, u32 random)
+{
+	i64 a = ts_row_i64(in, 0), b = ts_row_i64(in, 2);
+	if ((random & 3) < 3) ts_set_u64(in, 0, (u64)(a / 2 / b * b + (i64)(random & 3) - 1));
+}
+
 /* One coordinate the same. */
 static void relate_top_left(u32 *in, u32 random)
 {
@@ -110,6 +119,17 @@ static void relate_touches(u32 *in, u32 random)
 	in[8] = (u32)ts_min_i32(ts_max_i32(j, -PIXEL_MAX), PIXEL_MAX);
 }
 
+/* A row near the first corner. */
+static void relate_row(u32 *in, u32 random)
+{
+	u32 touches[9];
+	memcpy(touches, in, sizeof touches - sizeof *touches);
+	touches[8] = 0;
+	relate_touches(touches, random);
+	memcpy(in, touches, 7 * sizeof *in);
+	in[7] = touches[8];
+}
+
 static void fragment_reciprocal(u32 *out, const u32 *in)
 {
 	i64 area = ts_row_i64(in, 0) + ts_row_i64(in, 2) + ts_row_i64(in, 4);
@@ -120,6 +140,14 @@ static void fragment_reciprocal(u32 *out, const u32 *in)
 	f32 z = ts_put(1.0f / s);
 	ts_set_f32(out, 3, z);
 	for (u32 k = 0; k < 3; k++) ts_set_f32(out, k, over_z[k] * z);
+}
+
+static void fragment_parallel_reciprocal(u32 *out, const u32 *in)
+{
+	f32 r = 1.0f / (f32)(ts_row_i64(in, 0) + ts_row_i64(in, 2) + ts_row_i64(in, 4));
+	ts_v3 w = ts_v3_make((f32)ts_row_i64(in, 0) * r, (f32)ts_row_i64(in, 2) * r, (f32)ts_row_i64(in, 4) * r);
+	ts_set_v3(out, w);
+	ts_set_f32(out, 3, ts_put(ts_blend1(w, ts_row_f32(in, 6), ts_row_f32(in, 7), ts_row_f32(in, 8))));
 }
 
 static void cut_fused(u32 *out, const u32 *in)
@@ -155,6 +183,10 @@ const ts_vector ts_vectors_raster[] = {
 	{ PRIMITIVE(edge), "17", "(bx - ax)(py - ay) - (by - ay)(px - ax)", { SNAPPED("a"), SNAPPED("b"), SNAPPED("p") },
 	  GIVES(I64, 1), { { TS_FAULT_NARROW, edge_narrow }, { TS_FAULT_FLOAT, edge_float } },
 	  .relate = relate_edge },
+	{ PRIMITIVE(floor_quotient), "3, 19", "the floor of a / b",
+	  { { "a", TS_VECTOR_I64, 1, -((i64)1 << 57), (i64)1 << 57, true },
+	    { "b", TS_VECTOR_I64, 1, 1, (i64)1 << 33, false } }, GIVES(I64, 1),
+	  { { TS_FAULT_TRUNCATE, quotient_truncate } }, .relate = relate_quotient },
 	{ PRIMITIVE(top_left), "18", "1 if the edge from a to b is a top or left one", { SNAPPED("a"), SNAPPED("b") },
 	  GIVES(U32, 1), .relate = relate_top_left },
 	{ PRIMITIVE(covers), "18", "1 if point p is in triangle a b c, or on a top or left edge; 0 if it has no area",
@@ -163,9 +195,16 @@ const ts_vector ts_vectors_raster[] = {
 	{ PRIMITIVE(touches), "19", "1 if the square of half size `half` around the centre of `pixel` meets triangle a b c",
 	  { SNAPPED("a"), SNAPPED("b"), SNAPPED("c"), INTEGER("half", 1, 128, 129),
 	    INTEGER("pixel", 2, -PIXEL_MAX, PIXEL_MAX) }, GIVES(U32, 1), .relate = relate_touches },
+	{ PRIMITIVE(touched_row), "19", "of the pixels of row j that triangle a b c touches: the first, and how many",
+	  { SNAPPED("a"), SNAPPED("b"), SNAPPED("c"), INTEGER("half", 1, 128, 129),
+	    INTEGER("j", 1, -PIXEL_MAX, PIXEL_MAX) },
+	  { COLUMN("first", I32, 1), COLUMN("n", U32, 1) }, .relate = relate_row },
 	{ PRIMITIVE(fragment), "22", "weights and depth (w0, w1, w2, z) of edges e and corner depths z",
 	  { { "e", TS_VECTOR_I64, 3, 0, (i64)1 << 47, true }, POSITIVE("z", 3, 107, 150) }, GIVES(F32, 4),
 	  { { TS_FAULT_RECIPROCAL, fragment_reciprocal } } },
+	{ PRIMITIVE(fragment_parallel), "22", "the same of an orthographic view",
+	  { { "e", TS_VECTOR_I64, 3, 0, (i64)1 << 47, true }, POSITIVE("z", 3, 107, 150) }, GIVES(F32, 4),
+	  { { TS_FAULT_RECIPROCAL, fragment_parallel_reciprocal } } },
 	{ 0 },
 };
 /* clang-format on */

@@ -6,7 +6,7 @@
 
 /* The tables of the primitives that all methods share, each ended by a row without a name. */
 extern const ts_vector ts_vectors_arithmetic[], ts_vectors_number[], ts_vectors_vector[], ts_vectors_raster[],
-	ts_vectors_cube[], ts_vectors_texture[];
+	ts_vectors_cube[], ts_vectors_memory[], ts_vectors_texture[];
 extern const ts_vector ts_composites_geometry[], ts_composites_shade[], ts_composites_lattice[];
 
 /* The first fields of a ts_vector: the kernels' item of that name. */

@@ -87,6 +87,8 @@ const ts_vector ts_vectors_texture[] = {
 	  { CHANNELS("texels", 4), FRACTIONS("f", 2) }, GIVES(U32, 1) },
 	{ PRIMITIVE(texture_mix2), "ts_k_texture_mix2", "two levels by a weight of 1/256",
 	  { CHANNELS("texels", 2), FRACTIONS("f", 1) }, GIVES(U32, 1) },
+	{ PRIMITIVE(texture_blend), "ts_k_texture_blend", "bilinear mean of four texels; f in 1/256",
+	  { { "texels", TS_VECTOR_U64, 4, INT64_MIN, INT64_MAX, false }, UNSIGNED("f", 2, 0, 255) }, GIVES(U32, 4) },
 	{ PRIMITIVE(texture_bilinear), "ts_k_texture_bilinear",
 	  "channels of an image of 2 x 2 texels, u64 with red lowest, at uv",
 	  { { "texels", TS_VECTOR_U64, 4, INT64_MIN, INT64_MAX, false }, POSITIVE("uv", 2, 88, 126), WRAP("wrap", 2) },

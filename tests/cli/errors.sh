@@ -67,6 +67,7 @@ refuses 'no such scene' bench epr-1 --scene atrium,atrum
 refuses 'No such file' bench epr-2 --scene atrium,/nonexistent/scene.glb
 refuses 'not several' bench epr-2 --truth=A,B
 refuses 'built-in' digest scene.glb
+TS_LANES=5 refuses 'TS_LANES=5: 4, 8 or 16 would be right' digest
 refuses 'the nearest is render' help rendr
 
 for command in 'list params' 'list params --json' 'help' 'info atrium:triangles=10000 --json'; do

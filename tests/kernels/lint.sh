@@ -153,6 +153,13 @@ sees "bits of a float" "TS_FN void ts_bad(TS_GLOBAL u64 *keys, f32 a) { ts_min_u
 sees "two effects" "TS_FN i64 ts_bad(TS_GLOBAL i64 *n) { return ts_next_i64(n) - ts_next_i64(n); }"
 sees "two effects" "TS_FN i64 ts_bad_next(TS_GLOBAL i64 *n) { return ts_next_i64(n); }
 TS_FN void ts_bad(TS_GLOBAL i64 *n, TS_GLOBAL i32 *out) { out[ts_bad_next(n)] = (i32)ts_bad_next(n); }"
+sees "order of arrival: say above" "/* Appends. */
+TS_FN void ts_bad(TS_GLOBAL i64 *n, TS_GLOBAL i32 *out) { out[ts_next_i64(n)] = 7; }"
+sees "order of arrival: say above" "TS_FN void ts_bad(TS_GLOBAL u32 *n, TS_GLOBAL i32 *out) { (void)ts_next_u32(n); u32 k = ts_next_u32(n + 1); out[k] = 7; }"
+sees "pad of ts_r is not set" "typedef struct { f32 x[3]; u32 k, pad; } ts_r;
+TS_FN void ts_bad(TS_GLOBAL ts_r *out, ts_v3 a) { ts_store3(out->x, a); out->k = 7u; }"
+sees "pad1 of ts_r is not set" "typedef struct { u32 k, pad0, pad1; } ts_r;
+TS_FN void ts_bad(TS_GLOBAL ts_r *out) { out[3].k = 7u; out[3].pad0 = 0u; }"
 sees_stored "cut towards 0" "*n = *n / 2;"
 sees_stored "cut towards 0" "i64 b = 3; *n = (i32)(b / 2);"
 sees "a product of 32 bits is an index" "TS_FN f32 ts_bad(TS_GLOBAL const f32 *in, u32 w, u32 y) { return in[(u64)(w * y)]; }"
@@ -207,6 +214,13 @@ TS_FN f32 ts_good(TS_GLOBAL f32 *out, TS_GLOBAL const f32 *in, f32 a, u32 n)
 	default: return row[2] + set.z;
 	}
 	return set.x;
+}
+typedef struct { u32 k, l, pad; } ts_record;
+/* In the order of arrival, which a sort ends. */
+TS_FN void ts_appended(TS_GLOBAL ts_record *out, TS_GLOBAL u32 *n)
+{
+	(void)ts_next_u32(n);
+	out[ts_next_u32(n + 1)].k = 7u;
 }
 END
 scripts/lint-kernels "$folder/good.h"

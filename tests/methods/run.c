@@ -41,7 +41,7 @@ static void assert_same_runs(const ts_scene *scene, const ts_params *p, const ts
 static void test_threads(void **state)
 {
 	(void)state;
-	static const u32 threads[] = {2, 3, 7};
+	static const u32 threads[] = {2, 5, 7};
 	static const char *const methods[] = {"epr", "mvr"};
 	ts_params params = small_params(80, 45);
 	params.lookup_bounces = 3;

@@ -66,6 +66,34 @@ static judgement footprint(const u32 *in, const u32 *out)
 	return right_if(is_near(ts_row_f32(out, 0), width / sqrt(fmax(cosine, 1.0 / 64)), 2e-5 * width));
 }
 
+/* Turned about y by the ellipse's angle times its spin, or by the matrices; normals unit. */
+static judgement pose(const u32 *in, const u32 *out)
+{
+	double3 p = d3_row(in, 38), n = d3_row(in, 41), place = p, normal = n, tangent = n;
+	const u32 *linear = in + 12, *origin = in + 21, *normals = in + 24;
+	if (in[37] != 0 && in[33] != 0) {
+		double3 rows[3] = {d3_row(linear, 0), d3_row(linear, 3), d3_row(linear, 6)};
+		double3 of[3] = {d3_row(normals, 0), d3_row(normals, 3), d3_row(normals, 6)};
+		place = d3_mad((double3){d3_dot(rows[0], p), d3_dot(rows[1], p), d3_dot(rows[2], p)}, d3_row(origin, 0), 1);
+		normal = (double3){d3_dot(of[0], n), d3_dot(of[1], n), d3_dot(of[2], n)};
+		tangent = (double3){d3_dot(rows[0], n), d3_dot(rows[1], n), d3_dot(rows[2], n)};
+		if (d3_length(normal) < 0.5 || d3_length(tangent) < 0.5) return NOT_JUDGED;
+		normal = d3_unit(normal), tangent = d3_unit(tangent);
+	} else if (in[3] != 0) {
+		double turn = 2 * acos(-1), angle = ts_row_f32(in, 7) + in[36] % in[3] / (double)in[3];
+		double spin = turn * angle * ts_row_f32(in, 11), c = cos(spin), s = sin(spin);
+		double3 centre = d3_row(in, 4);
+		centre.x += ts_row_f32(in, 8) * cos(turn * angle);
+		centre.y += ts_row_f32(in, 10) * sin(2 * turn * angle);
+		centre.z += ts_row_f32(in, 9) * sin(turn * angle);
+		place = d3_mad(centre, (double3){c * p.x + s * p.z, p.y, c * p.z - s * p.x}, 1);
+		normal = tangent = (double3){c * n.x + s * n.z, n.y, c * n.z - s * n.x};
+	}
+	bool placed = d3_distance(place, d3_row(out, 0)) < 2e-3;
+	return right_if(placed && d3_distance(normal, d3_row(out, 3)) < 1e-4 &&
+	                d3_distance(tangent, d3_row(out, 6)) < 1e-4);
+}
+
 /* The planes of rule 16 as functions that are not negative inside. */
 static double plane(const u32 *in, u32 k, double3 p)
 {

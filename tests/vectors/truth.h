@@ -30,6 +30,16 @@ F(i32_to_f32, (f32)(long double)ts_row_i32(in, 0))
 F(u32_to_f32, (f32)(long double)in[0])
 F(i64_to_f32, (f32)(long double)ts_row_i64(in, 0))
 
+F(u64_to_f32, (f32)(long double)ts_row_u64(in, 0))
+F(third, rdiv(A, 3))
+/* 11/10 and 17/10 as binary32 has them. */
+static void t_constants(u32 *right, const u32 *in)
+{
+	f32 c = (f32)(9227469 / 8388608.0), d = (f32)(14260634 / 8388608.0);
+	ts_set_f32(right, 0, rmul(rmul(A, c), d));
+	ts_set_f32(right, 1, rmul(A, rmul(c, d)));
+}
+
 F(min, (double)B < A ? B : A)
 F(max, (double)A < B ? B : A)
 F(clamp, (double)A < B ? B : (double)C < A ? C : A)
@@ -102,6 +112,9 @@ static i64 edge_of(i64 ax, i64 ay, i64 bx, i64 by, i64 px, i64 py)
 	return bx * py - bx * ay - ax * py - by * px + by * ax + ay * px;
 }
 L(edge, edge_of(I(0), I(1), I(2), I(3), I(4), I(5)))
+/* What is left when a remainder that is not negative is taken away. */
+static i64 whole_quotient(i64 a, i64 b) { return (a - ((a % b) + b) % b) / b; }
+L(floor_quotient, whole_quotient(ts_row_i64(in, 0), ts_row_i64(in, 2)))
 W(top_left, I(3) - I(1) < 0 || (I(3) == I(1) && I(2) - I(0) > 0))
 
 /* The sign of the edge function at p moved right by a little and down by much less: what the top-left rule stands
@@ -144,6 +157,21 @@ static bool touched(const u32 *in)
 }
 W(touches, touched(in))
 
+/* Pixel by pixel. */
+static void t_touched_row(u32 *right, const u32 *in)
+{
+	u32 row[9] = {in[0], in[1], in[2], in[3], in[4], in[5], in[6], 0, in[7]};
+	i64 low = INT32_MAX, high = INT32_MIN;
+	for (u32 k = 0; k < 6; k += 2) low = I(k) < low ? I(k) : low, high = I(k) > high ? I(k) : high;
+	right[0] = right[1] = 0;
+	for (i64 i = low / 256 - 2; i <= high / 256 + 2; i++) {
+		row[7] = (u32)(i32)i;
+		if (!touched(row)) continue;
+		if (right[1] == 0) right[0] = row[7];
+		right[1]++;
+	}
+}
+
 static void t_fragment(u32 *right, const u32 *in)
 {
 	i64 e[3] = {ts_row_i64(in, 0), ts_row_i64(in, 2), ts_row_i64(in, 4)};
@@ -155,6 +183,18 @@ static void t_fragment(u32 *right, const u32 *in)
 	f32 z = stored(rdiv(1, sum));
 	ts_set_v3(right, ts_v3_make(rmul(share[0], z), rmul(share[1], z), rmul(share[2], z)));
 	ts_set_f32(right, 3, z);
+}
+
+static void t_fragment_parallel(u32 *right, const u32 *in)
+{
+	i64 e[3] = {ts_row_i64(in, 0), ts_row_i64(in, 2), ts_row_i64(in, 4)};
+	f32 area = (f32)(long double)(e[0] + e[1] + e[2]), w[3], z = 0;
+	for (u32 k = 0; k < 3; k++) {
+		w[k] = rdiv((f32)(long double)e[k], area);
+		z = radd(z, rmul(w[k], ts_row_f32(in, 6 + k)));
+	}
+	ts_set_v3(right, ts_v3_make(w[0], w[1], w[2]));
+	ts_set_f32(right, 3, stored(z));
 }
 
 /* The largest coordinate; x before y before z. */
@@ -182,6 +222,28 @@ L(key, (u64)ts_f2u(stored(A)) * 4294967296 + in[1])
 L(key_min, ts_row_u64(in, 0) < ts_row_u64(in, 2) ? ts_row_u64(in, 0) : ts_row_u64(in, 2))
 L(point_key, (u64)in[0] * 4294967296 + (u64)((I(2) + 32768) * 65536 + I(1) + 32768))
 
+W(min_u32, in[0] < in[1] ? in[0] : in[1])
+L(add_i64, (i64)fixed(A, 24, 31) + fixed(B, 24, 31) + fixed(C, 24, 31) + fixed(D, 24, 31))
+static void t_scan(u32 *right, const u32 *in)
+{
+	memset(right, 0, 9 * sizeof *right);
+	for (u32 k = 0; k < 8; k++) {
+		for (u32 after = k + 1; after < 9; after++) right[after] += in[k];
+	}
+}
+static u64 bit_by_bit(const u32 *in)
+{
+	u64 code = 0;
+	for (u32 b = 0; b < 33; b++) code |= (u64)(in[b % 3] >> b / 3 & 1) << b;
+	return code;
+}
+L(morton, bit_by_bit(in))
+static void t_unmorton(u32 *right, const u32 *in)
+{
+	memset(right, 0, 3 * sizeof *right);
+	for (u32 b = 0; b < 33; b++) right[b % 3] |= (u32)(ts_row_u64(in, 0) >> b & 1) << b / 3;
+}
+
 static f32 wrapped(f32 u, u32 how)
 {
 	if (how == 2) return u < 0 ? 0 : u > 1 ? 1 : u;
@@ -198,6 +260,14 @@ static u32 mixed(u64 a, u64 b, u64 c, u64 d, u64 x, u64 y)
 }
 W(texture_mix4, mixed(in[0], in[1], in[2], in[3], in[4], in[5]))
 W(texture_mix2, mixed(in[0], in[1], in[0], in[1], in[2], 0))
+static void t_texture_blend(u32 *right, const u32 *in)
+{
+	for (u32 k = 0; k < 4; k++) {
+		u64 t[4];
+		for (u32 i = 0; i < 4; i++) t[i] = ts_row_u64(in, 2 * i) >> 16 * k & 65535;
+		right[k] = mixed(t[0], t[1], t[2], t[3], in[8], in[9]);
+	}
+}
 static void t_texture_bilinear(u32 *right, const u32 *in)
 {
 	i64 x = (i64)rint(ts_row_f32(in, 8) * 512.0) - 128, y = (i64)rint(ts_row_f32(in, 9) * 512.0) - 128;
@@ -224,12 +294,16 @@ static const struct {
 	truth *right;
 } exact[] = {
 #define T(name) {#name, t_##name},
+	/* clang-format off */
 	T(add) T(sub) T(mul) T(div) T(sqrt) T(muladd) T(mulsub) T(compare) T(floor) T(i32_to_f32) T(u32_to_f32)
-		T(i64_to_f32) T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(to_half) T(f2i) T(floor_i32) T(rint) T(pcg)
-			T(random) T(uniform) T(diff_of_products) T(dot) T(cross) T(mad) T(length) T(normalize) T(reflect) T(blend)
-				T(cut) T(project) T(snap) T(edge) T(top_left) T(covers) T(touches) T(fragment) T(cube_face)
-					T(cube_place) T(cube_texel) T(key) T(key_min) T(point_key) T(texture_wrap) T(texture_neighbour)
-						T(texture_mix4) T(texture_mix2) T(texture_bilinear) T(srgb)};
+	T(i64_to_f32) T(u64_to_f32) T(third) T(constants) T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(to_half)
+	T(f2i) T(floor_i32) T(rint) T(pcg) T(random) T(uniform) T(diff_of_products) T(dot) T(cross) T(mad) T(length)
+	T(normalize) T(reflect) T(blend) T(cut) T(project) T(snap) T(edge) T(floor_quotient) T(top_left) T(covers)
+	T(touches) T(touched_row) T(fragment) T(fragment_parallel) T(cube_face) T(cube_place) T(cube_texel) T(key)
+	T(key_min) T(point_key) T(min_u32) T(add_i64) T(scan) T(morton) T(unmorton) T(texture_wrap) T(texture_neighbour)
+	T(texture_mix4) T(texture_mix2) T(texture_blend) T(texture_bilinear) T(srgb)
+	/* clang-format on */
+};
 enum { N_EXACT = sizeof exact / sizeof exact[0] };
 
 /* What a port with faults computes for muladd, for div, for a part of muladd, and for half. */

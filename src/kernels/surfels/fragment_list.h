@@ -13,7 +13,7 @@
 	ARG(VALUE, ts_filter, filter, none)
 TS_ARGS(ts_fragment_list_args);
 
-/* scatter over surfels: into the counts of the pixels, or their lists */
+/* scatter over surfels: into the counts of the pixels, or their lists, in the order of arrival, which leaf_sort ends */
 TS_FN void ts_k_fragment_list_item(const ts_fragment_list_args *args, u64 i)
 {
 	ts_camera_k view = ts_k_view(args->view);

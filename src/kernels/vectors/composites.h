@@ -13,6 +13,7 @@
 	VECTOR(circumcentre) \
 	VECTOR(hit) \
 	VECTOR(footprint) \
+	VECTOR(pose) \
 	VECTOR(clip) \
 	VECTOR(light) \
 	VECTOR(brdf) \

@@ -1,10 +1,11 @@
-/* Composites of triangles: edges, closest points (closest.h), rays (hit.h), footprints (surface.h), clipping
- * (clip.h). */
+/* Composites of triangles: edges, closest points (closest.h), rays (hit.h), footprints (surface.h), poses (pose.h),
+ * clipping (clip.h). */
 #ifndef TS_KERNELS_COMPOSITES_GEOMETRY_H
 #define TS_KERNELS_COMPOSITES_GEOMETRY_H
 #include "../base/area.h"
 #include "../base/closest.h"
 #include "../base/hit.h"
+#include "../base/pose.h"
 #include "../base/surface.h"
 #include "composites_row.h"
 #include "vectors_raster.h"
@@ -42,6 +43,16 @@ TS_VECTOR(hit)
 }
 
 TS_COMPOSITE_FLOAT(footprint, ts_k_footprint(TS_A, ts_row_v3(in, 1u), ts_row_v3(in, 4u)))
+
+/* A vertex, as ts_k_pose_item has it; the normal is the tangent too. */
+TS_VECTOR(pose)
+{
+	ts_pose pose = ts_k_pose_at(ts_row_at_ts_object(in, 0u), 1u, 0u, ts_row_at_ts_motion(in, 12u), in[37], in[36]);
+	ts_v3 n = ts_row_v3(in, 41u);
+	ts_put_v3(out, ts_k_pose_point(&pose, ts_row_v3(in, 38u)));
+	ts_put_v3(out + 3, pose.moves != 0u ? ts_k_pose_normal(&pose, n) : n);
+	ts_put_v3(out + 6, pose.moves != 0u ? ts_k_pose_tangent(&pose, n) : n);
+}
 
 TS_FN void ts_put_polygon(TS_GLOBAL u32 *out, const ts_polygon *polygon)
 {

@@ -2,6 +2,7 @@
 #ifndef TS_KERNELS_VECTORS_H
 #define TS_KERNELS_VECTORS_H
 #include "vectors_args.h"
+#include "vectors_memory.h"
 #include "vectors_number.h"
 #include "vectors_raster.h"
 #include "vectors_texture.h"
@@ -20,6 +21,9 @@
 	VECTOR(i32_to_f32) \
 	VECTOR(u32_to_f32) \
 	VECTOR(i64_to_f32) \
+	VECTOR(u64_to_f32) \
+	VECTOR(third) \
+	VECTOR(constants) \
 	VECTOR(min) \
 	VECTOR(max) \
 	VECTOR(clamp) \
@@ -51,20 +55,29 @@
 	VECTOR(project) \
 	VECTOR(snap) \
 	VECTOR(edge) \
+	VECTOR(floor_quotient) \
 	VECTOR(top_left) \
 	VECTOR(covers) \
 	VECTOR(touches) \
+	VECTOR(touched_row) \
 	VECTOR(fragment) \
+	VECTOR(fragment_parallel) \
 	VECTOR(cube_face) \
 	VECTOR(cube_place) \
 	VECTOR(cube_texel) \
 	VECTOR(key) \
 	VECTOR(key_min) \
 	VECTOR(point_key) \
+	VECTOR(min_u32) \
+	VECTOR(add_i64) \
+	VECTOR(scan) \
+	VECTOR(morton) \
+	VECTOR(unmorton) \
 	VECTOR(texture_wrap) \
 	VECTOR(texture_neighbour) \
 	VECTOR(texture_mix4) \
 	VECTOR(texture_mix2) \
+	VECTOR(texture_blend) \
 	VECTOR(texture_bilinear) \
 	VECTOR(texture_lod) \
 	VECTOR(srgb)

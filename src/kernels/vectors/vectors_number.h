@@ -5,6 +5,10 @@
 #include "../base/half.h"
 #include "vectors_row.h"
 
+/* The binary32 next to 1.1 and 1.7. */
+#define TS_VECTOR_FACTOR 1.10000002384185791015625f
+#define TS_VECTOR_OTHER 1.7000000476837158203125f
+
 TS_VECTOR_FLOAT(add, TS_A + TS_B)
 TS_VECTOR_FLOAT(sub, TS_A - TS_B)
 TS_VECTOR_FLOAT(mul, TS_A *TS_B)
@@ -22,6 +26,15 @@ TS_VECTOR_FLOAT(floor, ts_floor(TS_A))
 TS_VECTOR_FLOAT(i32_to_f32, (f32)ts_row_i32(in, 0u))
 TS_VECTOR_FLOAT(u32_to_f32, (f32)in[0])
 TS_VECTOR_FLOAT(i64_to_f32, (f32)ts_row_i64(in, 0u))
+TS_VECTOR_FLOAT(u64_to_f32, (f32)ts_row_u64(in, 0u))
+
+/* Numbers that the compiler knows: drivers turn such a quotient into a product, and two such factors into one. */
+TS_VECTOR_FLOAT(third, TS_A / 3.0f)
+TS_VECTOR(constants)
+{
+	ts_set_f32(out, 0u, (TS_A * TS_VECTOR_FACTOR) * TS_VECTOR_OTHER);
+	ts_set_f32(out, 1u, TS_A * (TS_VECTOR_FACTOR * TS_VECTOR_OTHER));
+}
 
 TS_VECTOR_FLOAT(min, ts_min(TS_A, TS_B))
 TS_VECTOR_FLOAT(max, ts_max(TS_A, TS_B))

@@ -72,6 +72,8 @@ TS_FN i64 ts_k_vector_edge_of(TS_GLOBAL const u32 *in)
 }
 TS_VECTOR_WIDE(edge, ts_k_vector_edge_of(in))
 
+TS_VECTOR_WIDE(floor_quotient, ts_k_floor_quotient(ts_row_i64(in, 0u), ts_row_i64(in, 2u)))
+
 TS_VECTOR_WORD(top_left, ts_k_is_top_left(ts_row_snapped(in, 0u), ts_row_snapped(in, 2u)))
 
 TS_VECTOR(covers)
@@ -100,7 +102,21 @@ TS_VECTOR(touches)
 	out[0] = meets && ts_k_touches(&cover, i, j) ? 1u : 0u;
 }
 
-TS_VECTOR(fragment)
+/* The first of the pixels, and how many. */
+TS_VECTOR(touched_row)
+{
+	ts_cover cover = ts_row_cover(in);
+	ts_box box = cover.touched;
+	i32 j = ts_row_i32(in, 7u);
+	ts_lines lines;
+	ts_k_lines(&lines, &cover);
+	ts_span row = ts_k_touched_row(&lines, box, j);
+	bool none = j < box.y0 || j > box.y1 || row.last < row.first;
+	out[0] = none ? 0u : (u32)row.first;
+	out[1] = none ? 0u : (u32)(row.last - row.first) + 1u;
+}
+
+TS_FN void ts_k_vector_fragment_of(TS_GLOBAL u32 *out, TS_GLOBAL const u32 *in, bool parallel)
 {
 	ts_corner corner[3];
 	ts_setup setup;
@@ -115,9 +131,12 @@ TS_VECTOR(fragment)
 	corner[0].w.x = 1.0f;
 	corner[1].w.y = 1.0f;
 	corner[2].w.z = 1.0f;
-	ts_fragment f = ts_k_fragment(&setup, &edges, &corner[0], &corner[1], &corner[2]);
+	ts_fragment f = parallel ? ts_k_fragment_parallel(&setup, &edges, &corner[0], &corner[1], &corner[2])
+	                         : ts_k_fragment(&setup, &edges, &corner[0], &corner[1], &corner[2]);
 	ts_set_v3(out, f.w);
 	ts_set_f32(out, 3u, f.z);
 }
+TS_VECTOR(fragment) { ts_k_vector_fragment_of(out, in, false); }
+TS_VECTOR(fragment_parallel) { ts_k_vector_fragment_of(out, in, true); }
 
 #endif

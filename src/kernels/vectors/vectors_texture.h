@@ -1,5 +1,4 @@
-/* Primitives of cube maps and of the keys in them (cube.h, CONTRACT rule 24), and of textures and display values
- * (texture.h, srgb.h). */
+/* Primitives of cube maps (cube.h), and of textures and display values (texture.h, srgb.h). */
 #ifndef TS_KERNELS_VECTORS_TEXTURE_H
 #define TS_KERNELS_VECTORS_TEXTURE_H
 #include "../raster/cube.h"
@@ -17,29 +16,29 @@ TS_VECTOR(cube_place)
 
 TS_VECTOR_WORD(cube_texel, ts_k_cube_texel(TS_A, in[1]))
 
-TS_FN u64 ts_k_vector_packed(f32 depth, u32 payload) { return (u64)ts_f2u(depth) << 32 | payload; }
-TS_VECTOR_WIDE(key, ts_k_vector_packed(ts_put(TS_A), in[1]))
-
-/* The minimum is taken in the result's memory, since devices have the operation only in memory. */
-TS_VECTOR(key_min)
-{
-	TS_GLOBAL u64 *key = (TS_GLOBAL u64 *)out;
-	*key = ts_row_u64(in, 0u);
-	ts_min_u64(key, ts_row_u64(in, 2u));
-	ts_set_u64(out, 0u, *key);
-}
-
-TS_VECTOR(point_key)
-{
-	u32 x = (u32)(ts_row_i32(in, 1u) + 32768);
-	u32 y = (u32)(ts_row_i32(in, 2u) + 32768);
-	ts_set_u64(out, 0u, (u64)in[0] << 32 | (u64)y << 16 | (u64)x);
-}
-
 TS_VECTOR_FLOAT(texture_wrap, ts_k_texture_wrap(TS_A, in[1]))
 TS_VECTOR_WORD(texture_neighbour, ts_k_texture_neighbour(ts_row_i32(in, 0u), ts_row_i32(in, 1u), in[2]))
 TS_VECTOR_WORD(texture_mix4, ts_k_texture_mix4(in[0], in[1], in[2], in[3], in[4], in[5]))
 TS_VECTOR_WORD(texture_mix2, ts_k_texture_mix2(in[0], in[1], in[2]))
+
+TS_FN void ts_put_texel(TS_GLOBAL u32 *out, ts_rgba16 t)
+{
+	out[0] = t.r;
+	out[1] = t.g;
+	out[2] = t.b;
+	out[3] = t.a;
+}
+
+TS_VECTOR(texture_blend)
+{
+	ts_texels at;
+	at.a = at.b = at.c = at.d = 0UL;
+	at.fx = in[8];
+	at.fy = in[9];
+	ts_rgba16 t =
+		ts_k_texture_blend(&at, ts_row_u64(in, 0u), ts_row_u64(in, 2u), ts_row_u64(in, 4u), ts_row_u64(in, 6u));
+	ts_put_texel(out, t);
+}
 
 TS_FN u64 ts_row_texel(TS_GLOBAL const u32 *in, u64 at) { return ts_row_u64(in, 2u * (u32)at); }
 
@@ -48,10 +47,7 @@ TS_FN void ts_k_vector_sample(TS_GLOBAL u32 *out, TS_GLOBAL const u32 *in, ts_v2
 	ts_texels at = ts_k_texture_around(2u, 2u, uv, in + 10);
 	ts_rgba16 t = ts_k_texture_blend(&at, ts_row_texel(in, at.a), ts_row_texel(in, at.b), ts_row_texel(in, at.c),
 	                                 ts_row_texel(in, at.d));
-	out[0] = t.r;
-	out[1] = t.g;
-	out[2] = t.b;
-	out[3] = t.a;
+	ts_put_texel(out, t);
 }
 TS_VECTOR(texture_bilinear) { ts_k_vector_sample(out, in, ts_row_v2(in, 8u)); }
 

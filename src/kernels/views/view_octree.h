@@ -39,7 +39,7 @@ TS_FN void ts_k_view_octree_leaf_item(const ts_view_octree_args *args, u64 i)
 	(void)ts_next_u32(&args->offset[leaf - args->first_leaf + 1u]);
 }
 
-/* scatter over views: lists of the leaves */
+/* scatter over views: lists of the leaves, in the order of arrival, which leaf_sort ends */
 TS_FN void ts_k_view_octree_list_item(const ts_view_octree_args *args, u64 i)
 {
 	args->entries[ts_next_u32(&args->offset[args->leaf[i] - args->first_leaf + 1u])] = (u32)i;

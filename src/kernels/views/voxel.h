@@ -221,6 +221,7 @@ TS_FN bool ts_k_voxel_is_cut(const ts_voxel_args *args, u32 triangle, const ts_c
 	return ts_k_is_below_cutoff(&args->scene, triangle, w, t->n, ts_k_voxel_side(args->root, args->levels));
 }
 
+/* Into the mask, the count of a leaf, or its list, in the order of arrival, which leaf_sort ends. */
 TS_FN void ts_k_voxel_meet(const ts_voxel_args *args, u32 triangle, const ts_corners *t, ts_i3 voxel)
 {
 	if (ts_k_voxel_is_cut(args, triangle, t, voxel)) return;

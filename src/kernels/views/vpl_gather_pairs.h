@@ -22,7 +22,7 @@ TS_FN void ts_k_vpl_gather_pairs_count_item(const ts_vpl_gather_pairs_args *args
 	if (pair < TS_STRUCK) (void)ts_next_u32(&args->offset[ts_k_pair_node(pair) - args->first + 1u]);
 }
 
-/* scatter over pairs: the lists */
+/* scatter over pairs: the lists, in the order of arrival, which leaf_sort ends */
 TS_FN void ts_k_vpl_gather_pairs_list_item(const ts_vpl_gather_pairs_args *args, u64 i)
 {
 	u64 pair = args->pairs[i];

@@ -291,12 +291,26 @@ static void test_edge_on(void **state)
 	}
 }
 
+/* Rule 16: a side below 2^-100 counts as 0, which is inside; so a corner that close before a plane is not cut off. */
+static void test_tiny_sides(void **state)
+{
+	(void)state;
+	const ts_plane left = {1, 0, 0, 0};
+	for (i32 e = -126; e <= -90; e++) {
+		ts_corner outside = {.x = (f32)-ldexp(1, e), .z = 1};
+		ts_polygon p = {.corner = {{.x = 1, .z = 1}, {.x = 1, .y = 1, .z = 1}, outside}, .n = 3};
+		assert_true(ts_k_plane_side(&left, &outside) == (e < -100 ? 0 : outside.x));
+		ts_k_clip(&p, left, 0);
+		assert_int_equal(p.n, e < -100 ? 3 : 4);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_edge_on), seeded_test(test_near),    seeded_test(test_shared_edge),
 		seeded_test(test_range),        seeded_test(test_outside), seeded_test(test_reprojection),
-		seeded_test(test_ray),          seeded_test(test_to_view),
+		seeded_test(test_ray),          seeded_test(test_to_view), cmocka_unit_test(test_tiny_sides),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

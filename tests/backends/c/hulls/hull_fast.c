@@ -105,7 +105,7 @@ static void test_equal(void **state)
 	u64 n_lit = 0;
 	for (u32 i = 0; i < N; i++) {
 		u32 start = n_random, width = 1 + below(70), n = width * (1 + below(MOST_PIXELS / width)),
-			threads = 1 + below(4);
+			threads = 1 + below(7);
 		random_world(&w, n);
 		ts_hull_args args = arguments(&w, &plain, width);
 		ts_c_launch(TS_KERNEL_hull, &args, n, 1);

@@ -30,7 +30,7 @@ static void test_equal(void **state)
 	(void)state;
 	n_random = 0;
 	for (u32 i = 0; i < N; i++) {
-		u32 start = n_random, n = 1 + random_bits() % PIECES, threads = 1 + random_bits() % 3;
+		u32 start = n_random, n = 1 + random_bits() % PIECES, threads = 1 + random_bits() % 7;
 		for (u32 k = 0; k < n; k++) {
 			random_piece(&pieces[k]);
 			scale[k] = uniform_power(-20, 20);

@@ -53,7 +53,7 @@ static void test_equal(void **state)
 		f32 plain[MESH_TRIANGLES], fast[MESH_TRIANGLES];
 		u32 pieces[2][MESH_TRIANGLES];
 		i64 none = 0;
-		u32 start = n_random, n_views = 1 + random_bits() % VIEWS, threads = 1 + random_bits() % 3;
+		u32 start = n_random, n_views = 1 + random_bits() % VIEWS, threads = 1 + random_bits() % 7;
 		random_scene(&m, views, n_views);
 		u32 rate = random_bits() % 2 == 0 ? TS_RATE_IS_PAPER : TS_RATE_IS_VIR;
 		ts_density_args args = views_density(&m, views, n_views, rate, &none);
@@ -114,7 +114,7 @@ static void test_equal_of_the_eye(void **state)
 	for (u32 i = 0; i < n_meshes(); i++) {
 		mesh m;
 		f32 plain[MESH_TRIANGLES], fast[MESH_TRIANGLES];
-		u32 pieces[2][MESH_TRIANGLES], start = n_random, threads = 1 + random_bits() % 3;
+		u32 pieces[2][MESH_TRIANGLES], start = n_random, threads = 1 + random_bits() % 7;
 		i64 n_capped = 0, limited[2] = {0, 0};
 		random_mirrors(&m);
 		ts_density_args args = mesh_density(&m, &n_capped, uniform_power(-4, 4));

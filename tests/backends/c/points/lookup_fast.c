@@ -17,7 +17,7 @@ static void test_equal(void **state)
 		mesh m;
 		ts_pixel pixels[PIXELS];
 		static u32 plain[PIXELS * TS_N_SAMPLES], fast[PIXELS * TS_N_SAMPLES];
-		u32 start = n_random, threads = 1 + random_bits() % 3, n_cubes = 1 + random_bits() % MESH_CUBES;
+		u32 start = n_random, threads = 1 + random_bits() % 7, n_cubes = 1 + random_bits() % MESH_CUBES;
 		u64 n = 1 + random_bits() % PIXELS;
 		mesh_begin(&m);
 		for (u32 r = 0; r < n_cubes; r++) mesh_cube(&m, uniform3(-1, 1), 1, sizes[random_bits() % 7]);

@@ -64,7 +64,7 @@ static void test_equal(void **state)
 		u32 start = n_random;
 		random_scene();
 		ts_view view = random_view();
-		u32 samples = below(2) == 0 ? 1 : TS_N_EYE_SAMPLES, threads = 1 + below(3);
+		u32 samples = below(2) == 0 ? 1 : TS_N_EYE_SAMPLES, threads = 1 + below(7);
 		u32 n = (u32)(view.width * view.height) * samples;
 		ts_mirror_pixel_args args = {.scene = small_arrays(&scene),
 		                             .view = &view,

@@ -87,7 +87,7 @@ static void test_equal(void **state)
 		setting s = {.start = n_random,
 		             .snap = random_bits() % 2,
 		             .paper_splat = random_bits() % 4 == 0,
-		             .threads = 1 + random_bits() % 4,
+		             .threads = 1 + random_bits() % 7,
 		             .half_size = half_sizes[random_bits() % 3]};
 		random_mesh(&m);
 		n_points += assert_equal(&m, &s);

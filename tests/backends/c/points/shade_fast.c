@@ -69,7 +69,7 @@ static void random_scene(scene *s)
 {
 	u32 way = random_bits() % 4;
 	s->start = n_random;
-	s->threads = 1 + random_bits() % 3;
+	s->threads = 1 + random_bits() % 7;
 	s->n = 1 + random_bits() % ENTRIES;
 	random_mesh(&s->m);
 	s->light = (ts_light){.kind = TS_LIGHT_KIND_POINT, .intensity = {9, 8, 7}};

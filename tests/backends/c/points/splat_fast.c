@@ -155,7 +155,7 @@ static void test_equal(void **state)
 		             .clip = random_bits() % 2,
 		             .plane_depth = random_bits() % 4 == 0,
 		             .paper_splat = random_bits() % 4 == 0,
-		             .threads = 1 + random_bits() % 4,
+		             .threads = 1 + random_bits() % 7,
 		             .half_size = random_bits() % 2 == 0 ? 129 : 128,
 		             .inset = random_bits() % 3 == 0 ? 0 : TS_SPLAT_INSET,
 		             .samples = uniform_power(-6, 6)};

@@ -74,7 +74,7 @@ static void test_equal(void **state)
 	for (u32 i = 0; i < N; i++) {
 		mesh m;
 		ts_offscreen views[VIEWS];
-		u32 start = n_random, threads = 1 + random_bits() % 3;
+		u32 start = n_random, threads = 1 + random_bits() % 7;
 		random_mesh(&m, views);
 		ts_density_args args = random_args(&m, views, &n_capped);
 		n_pieces += assert_equal(&m, args, threads, start);

@@ -25,7 +25,7 @@ static void test_equal(void **state)
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
 		ts_cube_face_args args = {.scene = triangles(&s), .cubes = cubes, .texels = plain};
-		u32 threads = 1 + below(5);
+		u32 threads = 1 + below(7);
 		random_cubes(cubes);
 		args.first_cube = below(CUBES);
 		args.n_cubes = below(CUBES + 1 - args.first_cube);

@@ -64,7 +64,7 @@ static void test_equal(void **state)
 	u64 n_bits = 0;
 	n_random = 0;
 	for (u32 i = 0; i < N; i++) {
-		u32 start = n_random, n_cubes = 1 + random_bits() % CUBES, threads = 1 + random_bits() % 3;
+		u32 start = n_random, n_cubes = 1 + random_bits() % CUBES, threads = 1 + random_bits() % 7;
 		u64 n = 1 + random_bits() % TRIANGLES;
 		random_scene(n_cubes);
 		ts_visibility_args args = {.scene = {.vertices = vertices, .triangles = triangles, .materials = materials},

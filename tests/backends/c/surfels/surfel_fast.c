@@ -69,7 +69,7 @@ static void random_frame(frame *f)
 	f->view = random_view();
 	f->epsilon = exp2f(uniform(-10, 1));
 	f->shader = below(2);
-	f->threads = 1 + below(4);
+	f->threads = 1 + below(7);
 	f->filter = (ts_filter){.filter = below(3),
 	                        .botsch = below(4) == 0,
 	                        .opens = below(2),

@@ -139,7 +139,7 @@ static void test_equal(void **state)
 	u64 n_pairs = 0, n_all = 0;
 	n_random = 0;
 	for (u32 i = 0; i < whole_or(300, 100); i++) {
-		u32 start = n_random, threads = 1 + below(3);
+		u32 start = n_random, threads = 1 + below(7);
 		traversal t = random_traversal();
 		n_pairs += compare(&t, threads, start);
 		n_all +=

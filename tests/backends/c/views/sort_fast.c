@@ -20,7 +20,7 @@ static void test_equal(void **state)
 	static u32 offset[LISTS + 1], entries[2][ENTRIES];
 	n_random = 0;
 	for (u32 i = 0; i < N; i++) {
-		u32 start = n_random, threads = 1 + below(3);
+		u32 start = n_random, threads = 1 + below(7);
 		for (u32 k = 0; k < LISTS; k++) {
 			offset[k + 1] = offset[k] + random_list(entries[0] + offset[k], below(4));
 		}

@@ -155,7 +155,7 @@ static void test_equal(void **state)
 	u32 n_lit = 0;
 	n_random = 0;
 	for (u32 i = 0; i < N; i++) {
-		u32 start = n_random, threads = 1 + below(3);
+		u32 start = n_random, threads = 1 + below(7);
 		ts_vpl_gather_args args = random_args();
 		n_lit += compare(args, threads, start);
 	}
