@@ -45,7 +45,7 @@ JOBS_OF_ITS_OWN := env -u MAKEFLAGS -u MAKELEVEL
 
 # Configurations. OPT may be set: make OPT=-O0, make OPT="-O3 -march=native".
 # With a sanitizer clang does not vectorize all that is asked for, and says so.
-SANITIZE := -O1 -g -fno-omit-frame-pointer -Wno-pass-failed -fsanitize
+SANITIZE := -O1 -g1 -fno-omit-frame-pointer -Wno-pass-failed -fsanitize
 ifeq ($(config),release)
 OPT ?= -O3
 else ifeq ($(config),debug)
@@ -529,10 +529,13 @@ faults faults-short: deps-test
 	$(Q)$(MAKE) --no-print-directory all
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' scripts/faults $(if $(filter %-short,$@),--short) $(T)
 
-##   release-check      what a release must pass beside .ci/run: all of tests with TS_WHOLE=1, faults, matrix, distros, mutants-src; hours
+##   release-check      what a release must pass beside .ci/run: all of tests with TS_WHOLE=1, faults, matrix, distros, mutants-src, fresh
+##                      mutants, and the tests with each sanitizer; hours
 release-check:
 	$(Q)scripts/install-deps --matrix
 	$(Q)for part in test test-long faults matrix distros mutants-src; do TS_WHOLE=1 $(MAKE) --no-print-directory $$part || exit; done
+	$(Q)$(MAKE) --no-print-directory mutants-src T='--fresh commit'
+	$(Q)for config in asan ubsan tsan; do $(MAKE) --no-print-directory test config=$$config || exit; done
 
 ##   bench              the papers' tables, measured here, and every backend on one frame
 bench: all

@@ -6,7 +6,7 @@ runner=$(realpath scripts/run-tests)
 cd "$scratch" || exit
 mkdir -p scripts tests/{a,b}
 ln -s "$runner" scripts/run-tests
-ln -s "${runner%/*}/usage.py" scripts/usage.py
+ln -s "${runner%/*}"/{usage,settings}.py scripts
 mkdir -p build/{record,cuda,python}
 touch build/{touchstone{,-core},record/touchstone,cuda/libcuda.so.1,python/touchstone}
 echo '# none' > tests/apart.txt
@@ -64,6 +64,14 @@ make_test b/late.sh ':'
 runs 1 'reported no test' 'a test that reports nothing'
 make_test b/late.sh 'echo "ok 1 - no"; exit 3'
 runs 1 'exit status 3' 'a test that ends with another status'
+make_test b/late.sh 'echo "ok 1 - no # SKIP nothing here"'
+runs 0 '^2 passed, 0 failed, 1 skipped' 'a skip'
+export TS_REQUIRE=all
+printf '# none\n' > tests/skips.txt
+runs 1 'skips 1, and tests/skips.txt has 0' 'a skip that is not listed, where everything is required'
+printf '# one\nb/late.sh 1: nothing is there\n' > tests/skips.txt
+runs 0 '^2 passed, 0 failed, 1 skipped' 'one that is'
+unset TS_REQUIRE
 rm build/record/touchstone
 runs 2 'build/record/touchstone is not built: `make tests` builds it' 'what is not built is named, with what builds it'
 finish
