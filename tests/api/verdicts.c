@@ -1,5 +1,6 @@
 /* All that verdicts say: bits planted at random places of several buffers are listed, counted by field and marked there
  * and nowhere else; and a part of a comparison says what the whole does. */
+#include <unistd.h>
 #include "../lcg.h"
 #include "run.h"
 
@@ -112,6 +113,28 @@ static void test_planted(void **state)
 		free(copy);
 		free(wrong);
 	}
+}
+
+/* Too few marks, and a file that has become shorter since its trace was opened. */
+static void test_marks_refused(void **state)
+{
+	(void)state;
+	const ts_buffer_view *v = ts_trace_buffer(reference, "pose.vertex");
+	char folder[FOLDER], path[PATH];
+	ts_trace *saved;
+	uint8_t *marks = malloc(count_of(v));
+	assert_non_null(marks);
+	refused(ts_compare_marks(context, marks, count_of(v) - 1, v->name, reference, candidate, NULL), "marks");
+	make_folder(folder);
+	snprintf(path, sizeof path, "%s/saved", folder);
+	done(ts_trace_save(context, reference, path, NULL));
+	done(ts_trace_open(context, &saved, path));
+	snprintf(path, sizeof path, "%s/saved/02-pose.vertex.npy", folder);
+	assert_int_equal(truncate(path, 4096), 0);
+	refused(ts_compare_marks(context, marks, count_of(v), v->name, reference, saved, NULL), "shorter");
+	ts_trace_close(saved);
+	remove_folder(folder);
+	free(marks);
 }
 
 /* The candidate with wrong bits in two buffers. */
@@ -264,8 +287,9 @@ static void test_pairs(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_planted), cmocka_unit_test(test_tree),    cmocka_unit_test(test_stages),
-		cmocka_unit_test(test_marks),   cmocka_unit_test(test_shorter), cmocka_unit_test(test_pairs),
+		cmocka_unit_test(test_planted), cmocka_unit_test(test_marks_refused), cmocka_unit_test(test_tree),
+		cmocka_unit_test(test_stages),  cmocka_unit_test(test_marks),         cmocka_unit_test(test_shorter),
+		cmocka_unit_test(test_pairs),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

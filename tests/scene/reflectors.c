@@ -2,6 +2,7 @@
 #include "../../src/kernels/base/pose.h"
 #include "../../src/scene/sources.h"
 #include "../../src/scene/view.h"
+#include "../status.h"
 #include "../whole.h"
 #include "folder.h"
 #include <unistd.h>
@@ -263,6 +264,26 @@ static void test_in_the_picture(void **state)
 	ts_scene_free(scene);
 }
 
+/* A file's camera stands still: it sees every mirror of frame 0, of which none stands behind a wall or beside the picture. */
+static void test_all_seen_by_a_standing_eye(void **state)
+{
+	(void)state;
+	params.reflectors_count = 5;
+	ts_scene *scene;
+	ts_view eye;
+	require(ts_scene_load(&scene, "scenes/room.gltf", &params, &(ts_scene_options){.camera = "door"}));
+	ts_view_eye(&eye, &scene->info, &params);
+	u32 n = 0;
+	for (u32 i = 1; i < scene->n_objects; i++) {
+		f32 depth;
+		if (scene->objects[i].reflector == TS_NONE || scene->objects[i].period == 0) continue;
+		assert_true(ts_view_holds(&eye, ts_k_pose(&scene->objects[i], 0).centre, 0.0f, &depth));
+		n++;
+	}
+	assert_int_equal(n, 5);
+	ts_scene_free(scene);
+}
+
 static void test_materials(void **state)
 {
 	(void)state;
@@ -341,13 +362,21 @@ static void test_flat_scenes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_mean_size, set_up),   cmocka_unit_test_setup(test_mean_size_in_files, set_up),
-		cmocka_unit_test_setup(test_stay_inside, set_up), cmocka_unit_test_setup(test_paths, set_up),
-		cmocka_unit_test_setup(test_apart, set_up),       cmocka_unit_test_setup(test_clear_of_the_eye, set_up),
-		cmocka_unit_test_setup(test_heights, set_up),     cmocka_unit_test_setup(test_in_the_picture, set_up),
-		cmocka_unit_test_setup(test_materials, set_up),   cmocka_unit_test_setup(test_mixed_shapes, set_up),
-		cmocka_unit_test_setup(test_same_bytes, set_up),  cmocka_unit_test_setup(test_none, set_up),
-		cmocka_unit_test_setup(test_too_large, set_up),   cmocka_unit_test_setup(test_flat_scenes, set_up),
+		cmocka_unit_test_setup(test_mean_size, set_up),
+		cmocka_unit_test_setup(test_mean_size_in_files, set_up),
+		cmocka_unit_test_setup(test_stay_inside, set_up),
+		cmocka_unit_test_setup(test_paths, set_up),
+		cmocka_unit_test_setup(test_apart, set_up),
+		cmocka_unit_test_setup(test_clear_of_the_eye, set_up),
+		cmocka_unit_test_setup(test_heights, set_up),
+		cmocka_unit_test_setup(test_in_the_picture, set_up),
+		cmocka_unit_test_setup(test_materials, set_up),
+		cmocka_unit_test_setup(test_mixed_shapes, set_up),
+		cmocka_unit_test_setup(test_same_bytes, set_up),
+		cmocka_unit_test_setup(test_none, set_up),
+		cmocka_unit_test_setup(test_too_large, set_up),
+		cmocka_unit_test_setup(test_flat_scenes, set_up),
+		cmocka_unit_test_setup(test_all_seen_by_a_standing_eye, set_up),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -145,6 +145,10 @@ static u64 try_surfels(const traced *t, u32 x, u32 y)
 	bool halves = t->run.params.surfel_blend_accumulation == TS_ACCUMULATION_HALF;
 	assert_true(fabs(sum - told) < (halves ? 0.01 * (1 + sum) : 1e-4));
 	assert_int_equal(figure(json_object_get(answer, "sums"), "fragments"), figure(blended, "fragments"));
+	const json_t *epsilon = json_object_get(json_object_get(answer, "visibility"), "epsilon");
+	const f32 *used = data(t, TS_B_surfel_setup_epsilon);
+	if (json_object_get(json_object_get(answer, "visibility"), "nearest") != NULL)
+		assert_true(json_real_value(epsilon) == (double)used[0]);
 	if (x % 4 == 0) try_nearest(t, json_object_get(answer, "visibility"), x, y);
 	if (strcmp(t->run.pipeline->name, "deferred") == 0) try_shading(t, json_object_get(answer, "shading"));
 	u64 n = figure(hidden, "fragments");
