@@ -625,7 +625,7 @@ dist:
 	$(Q)command -v xz > /dev/null || { echo "make dist: no xz here; scripts/install-deps --test installs it" >&2; exit 2; }
 	$(Q)mkdir -p build && part=$(DIST).$$$$.tar && trap 'rm -f $$part $$part.xz' EXIT && \
 		git -c tar.umask=0022 archive --prefix=$(notdir $(DIST))/ -o $$part HEAD && \
-		env -u XZ_OPT -u XZ_DEFAULTS xz -T1 -f $$part && mv -f $$part.xz $(DIST).tar.xz
+		env -u XZ_OPT -u XZ_DEFAULTS xz -T1 -2 -f $$part && mv -f $$part.xz $(DIST).tar.xz
 	@echo $(DIST).tar.xz
 
 ##   wheel              build/touchstone-VERSION-py3-none-PLATFORM.whl: the package for Python with the library, the same bytes each time

@@ -264,7 +264,7 @@ static void test_in_the_picture(void **state)
 	ts_scene_free(scene);
 }
 
-/* A file's camera stands still: it sees every mirror of frame 0, of which none stands behind a wall or beside the picture. */
+/* A file's camera stands still: it sees every mirror in frame 0. */
 static void test_all_seen_by_a_standing_eye(void **state)
 {
 	(void)state;
