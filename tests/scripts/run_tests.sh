@@ -4,6 +4,7 @@
 . "$(dirname "$0")/../cli/tap.bash"
 runner=$(realpath scripts/run-tests)
 cd "$scratch" || exit
+unset TS_REQUIRE
 mkdir -p scripts tests/{a,b}
 ln -s "$runner" scripts/run-tests
 ln -s "${runner%/*}"/{usage,settings}.py scripts
