@@ -192,6 +192,8 @@ class Rules(c_ast.NodeVisitor):
 		self.visit(node.expr)
 		if to.kind == "scalar" and to.name == "void":
 			return
+		if is_float(to) and of.name == "u64":
+			self.fault(node, "u64 becomes f32, for which some processors take a sum: convert an i64")
 		if is_float(of) and not is_float(to) and self.name not in TRUNCATES:
 			self.fault(node, f"({to.name}) of a float needs a proved range: use ts_f2i, ts_floor_i32 or ts_fix")
 		if "pointer" in (to.kind, of.kind) and of.kind != "null" and not POINTS_ANEW.fullmatch(self.name or ""):

@@ -67,9 +67,6 @@ static void relate_i64(u32 *in, u32 random)
 	ts_set_u64(in, 0, (middle & ~((1ull << 38) - 1)) + (random >> 2 & 1 ? 1 : 0) - (random >> 3 & 1 ? 1 : 0));
 }
 
-FLOAT_ITEM(from_u64_truncate, truncated(ts_row_u64(in, 0), false))
-FLOAT_ITEM(from_u64_twice, (f32)(double)ts_row_u64(in, 0))
-
 FLOAT_ITEM(third_reciprocal, A *(1.0f / 3.0f))
 FLOAT_ITEM(third_flush, flushed_result((double)flushed(A) / 3))
 
@@ -127,9 +124,6 @@ const ts_vector ts_vectors_arithmetic[] = {
 	{ PRIMITIVE(i64_to_f32), "4, 22", "to the nearest float, ties to even, rounded once",
 	  { { "a", TS_VECTOR_I64, 1, INT64_MIN, INT64_MAX, true } }, GIVES(F32, 1),
 	  { { TS_FAULT_TRUNCATE, from_i64_truncate }, { TS_FAULT_TWICE, from_i64_twice } }, .relate = relate_i64 },
-	{ PRIMITIVE(u64_to_f32), "4", "to the nearest float, ties to even, rounded once",
-	  { { "a", TS_VECTOR_U64, 1, INT64_MIN, INT64_MAX, false } }, GIVES(F32, 1),
-	  { { TS_FAULT_TRUNCATE, from_u64_truncate }, { TS_FAULT_TWICE, from_u64_twice } }, .relate = relate_i64 },
 	{ PRIMITIVE(third), "4", "a / 3, where the compiler knows the 3", { FINITE("a", 1) }, GIVES(F32, 1),
 	  { { TS_FAULT_RECIPROCAL, third_reciprocal }, { TS_FAULT_FLUSH, third_flush } } },
 	{ PRIMITIVE(constants), "4, 6", "(a c) d and a (c d); the compiler knows c = 0x1.19999ap+0 and d = 0x1.b33334p+0",

@@ -160,6 +160,7 @@ sees "pad of ts_r is not set" "typedef struct { f32 x[3]; u32 k, pad; } ts_r;
 TS_FN void ts_bad(TS_GLOBAL ts_r *out, ts_v3 a) { ts_store3(out->x, a); out->k = 7u; }"
 sees "pad1 of ts_r is not set" "typedef struct { u32 k, pad0, pad1; } ts_r;
 TS_FN void ts_bad(TS_GLOBAL ts_r *out) { out[3].k = 7u; out[3].pad0 = 0u; }"
+sees_in "u64 becomes f32" "u64 n = 1UL; return (f32)n;"
 sees_stored "cut towards 0" "*n = *n / 2;"
 sees_stored "cut towards 0" "i64 b = 3; *n = (i32)(b / 2);"
 sees "a product of 32 bits is an index" "TS_FN f32 ts_bad(TS_GLOBAL const f32 *in, u32 w, u32 y) { return in[(u64)(w * y)]; }"

@@ -30,7 +30,6 @@ F(i32_to_f32, (f32)(long double)ts_row_i32(in, 0))
 F(u32_to_f32, (f32)(long double)in[0])
 F(i64_to_f32, (f32)(long double)ts_row_i64(in, 0))
 
-F(u64_to_f32, (f32)(long double)ts_row_u64(in, 0))
 F(third, rdiv(A, 3))
 /* 11/10 and 17/10 as binary32 has them. */
 static void t_constants(u32 *right, const u32 *in)
@@ -296,11 +295,11 @@ static const struct {
 #define T(name) {#name, t_##name},
 	/* clang-format off */
 	T(add) T(sub) T(mul) T(div) T(sqrt) T(muladd) T(mulsub) T(compare) T(floor) T(i32_to_f32) T(u32_to_f32)
-	T(i64_to_f32) T(u64_to_f32) T(third) T(constants) T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(to_half)
-	T(f2i) T(floor_i32) T(rint) T(pcg) T(random) T(uniform) T(diff_of_products) T(dot) T(cross) T(mad) T(length)
-	T(normalize) T(reflect) T(blend) T(cut) T(project) T(snap) T(edge) T(floor_quotient) T(top_left) T(covers)
-	T(touches) T(touched_row) T(fragment) T(fragment_parallel) T(cube_face) T(cube_place) T(cube_texel) T(key)
-	T(key_min) T(point_key) T(min_u32) T(add_i64) T(scan) T(morton) T(unmorton) T(texture_wrap) T(texture_neighbour)
+	T(i64_to_f32) T(third) T(constants) T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(to_half) T(f2i)
+	T(floor_i32) T(rint) T(pcg) T(random) T(uniform) T(diff_of_products) T(dot) T(cross) T(mad) T(length) T(normalize)
+	T(reflect) T(blend) T(cut) T(project) T(snap) T(edge) T(floor_quotient) T(top_left) T(covers) T(touches)
+	T(touched_row) T(fragment) T(fragment_parallel) T(cube_face) T(cube_place) T(cube_texel) T(key) T(key_min)
+	T(point_key) T(min_u32) T(add_i64) T(scan) T(morton) T(unmorton) T(texture_wrap) T(texture_neighbour)
 	T(texture_mix4) T(texture_mix2) T(texture_blend) T(texture_bilinear) T(srgb)
 	/* clang-format on */
 };

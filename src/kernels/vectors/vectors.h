@@ -21,7 +21,6 @@
 	VECTOR(i32_to_f32) \
 	VECTOR(u32_to_f32) \
 	VECTOR(i64_to_f32) \
-	VECTOR(u64_to_f32) \
 	VECTOR(third) \
 	VECTOR(constants) \
 	VECTOR(min) \

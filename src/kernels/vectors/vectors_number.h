@@ -26,7 +26,6 @@ TS_VECTOR_FLOAT(floor, ts_floor(TS_A))
 TS_VECTOR_FLOAT(i32_to_f32, (f32)ts_row_i32(in, 0u))
 TS_VECTOR_FLOAT(u32_to_f32, (f32)in[0])
 TS_VECTOR_FLOAT(i64_to_f32, (f32)ts_row_i64(in, 0u))
-TS_VECTOR_FLOAT(u64_to_f32, (f32)ts_row_u64(in, 0u))
 
 /* Numbers that the compiler knows: drivers turn such a quotient into a product, and two such factors into one. */
 TS_VECTOR_FLOAT(third, TS_A / 3.0f)
