@@ -113,7 +113,7 @@ CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson l
 LIBS := $(call packages,--libs,jansson libcrypto zlib libzstd tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test check test-% dist fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release release-check style format deps-build deps-test uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test check test-% dist fuzz matrix matrix-short distros distros-short mutants mutants-short mutants-src mutants-src-short faults faults-short release release-check style format deps-build deps-test uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -264,7 +264,7 @@ $(call object,src/backends/c/run.c): OWN := -I$(BUILD)/gen -DTS_FLAGS='"-std=c11
 ##   golden             runs the cases of reference/cases.txt again and compares; writes nothing
 golden:
 	$(Q)$(MAKE) --no-print-directory $(BUILD)/touchstone-core
-	$(Q)$(BUILD)/touchstone-core golden check
+	$(Q)$(BUILD)/touchstone-core golden check $(T)
 
 # The kernels as the text of an OpenCL program.
 PROGRAM := $(BUILD)/gen/program.inc
@@ -511,10 +511,11 @@ distros distros-short:
 	$(Q)$(JOBS_OF_ITS_OWN) scripts/distros $(if $(filter distros-short,$@),--short)
 
 ##   mutants            defects planted in sources and traces: each must be found where it was planted
-mutants: deps-test
+##   mutants-short      the part of it that .ci/run runs
+mutants mutants-short: deps-test
 	$(Q)$(MAKE) --no-print-directory all
 	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK="$(CXX) $(LINK_FLAGS) -Wl,-rpath,'$(abspath $(BUILD))'" \
-		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(T)
+		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(if $(filter %-short,$@),--short) $(T)
 
 ##   mutants-src        mutants of src/, each run by the tests that reach it, and how many they kill; T="PARTS OF NAMES"; an hour
 ##   mutants-src-short  the part of it that .ci/run runs
@@ -529,11 +530,11 @@ faults faults-short: deps-test
 	$(Q)$(MAKE) --no-print-directory all
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' scripts/faults $(if $(filter %-short,$@),--short) $(T)
 
-##   release-check      what a release must pass beside .ci/run: all of tests with TS_WHOLE=1, faults, matrix, distros, mutants-src, fresh
-##                      mutants, and the tests with each sanitizer; hours
+##   release-check      what a release must pass beside .ci/run: all of tests with TS_WHOLE=1, faults, matrix, distros, mutants,
+##                      mutants-src, fresh mutants, and the tests with each sanitizer; hours
 release-check:
 	$(Q)scripts/install-deps --matrix
-	$(Q)for part in test test-long faults matrix distros mutants-src; do TS_WHOLE=1 $(MAKE) --no-print-directory $$part || exit; done
+	$(Q)for part in test test-long faults matrix distros mutants mutants-src; do TS_WHOLE=1 $(MAKE) --no-print-directory $$part || exit; done
 	$(Q)$(MAKE) --no-print-directory mutants-src T='--fresh commit'
 	$(Q)for config in asan ubsan tsan; do $(MAKE) --no-print-directory test config=$$config || exit; done
 
@@ -647,4 +648,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-src mutants-src-short faults faults-short release-check bench style format deps-build deps-test install uninstall installcheck dist wheel release python docs clean help FORCE
+.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-short mutants-src mutants-src-short faults faults-short release-check bench style format deps-build deps-test install uninstall installcheck dist wheel release python docs clean help FORCE
