@@ -1,7 +1,8 @@
 /* Launches of stages: they name what their kernels have; filling makes what they write by its shape, once a stage or
- * once for all batches, and leaves what they do not bind NULL. */
+ * once for all batches, and leaves what they do not bind NULL. One that fails ends the method. */
 #include "../../src/kernels/points/mirror.h"
 #include "../../src/kernels/points/splat.h"
+#include "../whole.h"
 #include "small.h"
 
 static void test_known(void **state)
@@ -116,11 +117,95 @@ static void test_unknown_size(void **state)
 	ts_scene_free(scene);
 }
 
+/* Of each effect little. */
+static ts_params params_of_all(void)
+{
+	ts_params params = small_params(32, 18);
+	params.reflectors_count = 2;
+	params.cube_max_px = 16;
+	params.depth_map_px = 16;
+	params.lamp_views = 3;
+	params.octree_levels = 4;
+	params.vpl_paths = 20;
+	params.rsm_px = 16;
+	params.particle_count = 10;
+	params.surfels_from_mesh = 500;
+	return params;
+}
+
+/* ---- a backend in C of which one call fails ---- */
+
+typedef struct {
+	ts_backend backend;
+	ts_c_backend c;
+	u32 n, failing; /* calls so far, and the one that fails */
+} faulty;
+
+static ts_status call(faulty *f) { return f->n++ == f->failing ? ts_fail("planted") : TS_OK; }
+
+static ts_status faulty_launch(ts_backend *b, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
+{
+	faulty *f = (faulty *)b;
+	return call(f) == TS_OK ? f->c.backend.launch(&f->c.backend, frame, launch, args, n) : TS_ERROR;
+}
+
+static ts_status faulty_fill(ts_backend *b, ts_frame *frame, ts_buffer_id id, u8 byte)
+{
+	faulty *f = (faulty *)b;
+	return call(f) == TS_OK ? f->c.backend.fill(&f->c.backend, frame, id, byte) : TS_ERROR;
+}
+
+static ts_status faulty_scan(ts_backend *b, ts_frame *frame, ts_buffer_id id, u64 *total)
+{
+	faulty *f = (faulty *)b;
+	return call(f) == TS_OK ? f->c.backend.scan(&f->c.backend, frame, id, total) : TS_ERROR;
+}
+
+static ts_status run_faulty(const ts_pipeline *method, const ts_scene *scene, const ts_params *params, u32 failing,
+                            u32 *n)
+{
+	ts_run run;
+	faulty f = {.failing = failing};
+	ts_run_begin(&run, scene, params, 1);
+	ts_c_begin(&f.c, 1);
+	f.backend = f.c.backend;
+	f.backend.launch = faulty_launch;
+	f.backend.fill = faulty_fill;
+	f.backend.scan = faulty_scan;
+	f.backend.at_once = NULL;
+	run.backend = &f.backend;
+	ts_status status = ts_pipeline_run(method, &run);
+	ts_run_end(&run);
+	*n = f.n;
+	return status;
+}
+
+/* A call of the backend that fails ends the method at once, whichever it is. */
+static void test_failures(void **state)
+{
+	(void)state;
+	enum { FEW = 16 };
+	ts_params params = params_of_all();
+	ts_scene *scene = small_scene(&params);
+	for (const ts_pipeline *const *m = ts_pipelines(); *m != NULL; m++) {
+		u32 n, done;
+		if (run_faulty(*m, scene, &params, UINT32_MAX, &n) != TS_OK) fail_msg("%s: %s", (*m)->name, ts_error_message());
+		assert_true(n > 5);
+		for (u32 at = 0; at < n; at += whole_or(1, 1 + n / FEW)) {
+			if (run_faulty(*m, scene, &params, at, &done) == TS_OK)
+				fail_msg("%s: call %u fails, the method does not", (*m)->name, at);
+			if (done != at + 1) fail_msg("%s: call %u fails, and %u more follow", (*m)->name, at, done - at - 1);
+			assert_non_null(strstr(ts_error_message(), "planted"));
+		}
+	}
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest launch[] = {
 		cmocka_unit_test(test_known),   cmocka_unit_test(test_bound),        cmocka_unit_test(test_fill),
-		cmocka_unit_test(test_batches), cmocka_unit_test(test_unknown_size),
+		cmocka_unit_test(test_batches), cmocka_unit_test(test_unknown_size), cmocka_unit_test(test_failures),
 	};
 	return cmocka_run_group_tests(launch, NULL, NULL);
 }
