@@ -210,7 +210,7 @@ int ts_mutant = -1;
 unsigned char *ts_mutants_reached = unmapped;
 __attribute__((constructor(101))) static void begin_mutants(void)
 {
-	const char *number = getenv("TS_MUTANT"), *path = getenv("TS_MUTANTS_REACHED");
+	const char *number = (getenv)("TS_MUTANT"), *path = (getenv)("TS_MUTANTS_REACHED");
 	if (number) ts_mutant = atoi(number);
 	int file = path ? open(path, O_RDWR | O_CLOEXEC) : -1;
 	void *bytes = file >= 0 ? mmap(NULL, sizeof unmapped, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0) : MAP_FAILED;

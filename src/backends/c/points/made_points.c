@@ -48,14 +48,13 @@ u64 ts_made_piece_count(const ts_made_piece *p)
 }
 
 typedef struct {
-	ts_v3 low, high, none; /* 0; NaN if there was an infinity or a NaN */
+	ts_v3 low, high;
 } limits;
 
 static void widen(limits *to, ts_v3 p)
 {
 	to->low = ts_min3(to->low, p);
 	to->high = ts_max3(to->high, p);
-	to->none = ts_mad(to->none, p, 0.0f);
 }
 
 /* A coordinate of a sample never falls, or never rises, along rows and columns, so four samples are the limits of all;
@@ -65,8 +64,7 @@ ts_bounds ts_made_piece_bounds(const ts_made_piece *p)
 	const f32 rounding = 0x1p-18f;
 	const ts_piece *piece = &p->from->pieces[p->piece];
 	ts_box box = p->cover.touched;
-	limits all = {ts_load3(piece->a), ts_load3(piece->a), {0, 0, 0}};
-	widen(&all, ts_load3(piece->a));
+	limits all = {ts_load3(piece->a), ts_load3(piece->a)};
 	widen(&all, ts_load3(piece->b));
 	widen(&all, ts_load3(piece->c));
 	for (u32 k = 0; k < 4; k++) {
@@ -76,7 +74,7 @@ ts_bounds ts_made_piece_bounds(const ts_made_piece *p)
 	ts_v3 middle = ts_scale(ts_add(all.low, all.high), 0.5f), half = ts_scale(ts_sub(all.high, all.low), 0.5f);
 	ts_bounds r;
 	ts_store3(r.middle, middle);
-	ts_store3(r.half, ts_add(half, all.none));
+	ts_store3(r.half, half);
 	for (u32 axis = 0; axis < 3; axis++) r.half[axis] += rounding * (ts_abs(r.middle[axis]) + r.half[axis]);
 	return r;
 }
