@@ -82,7 +82,7 @@ static void test_replay(void **state)
 	for (size_t i = 0; i < count_of(view); i++) moved[i].position[1] += 0.25f;
 	done(ts_trace_candidate(context, &trace, reference, 0));
 	put(trace, view, moved);
-	refused(ts_replay(context, &verdicts, "eye", reference, trace, NULL), "none of its outputs");
+	refused(ts_replay(context, &verdicts, "eye", reference, trace, NULL), ": the candidate has none of its outputs");
 	keys = ts_trace_buffer(reference, "eye.depth_triangle");
 	put(trace, keys, keys->data);
 	assert_int_equal(ts_replay(context, &verdicts, "eye", reference, trace, NULL), TS_DIFFERENT);
@@ -96,7 +96,7 @@ static void test_replay(void **state)
 	assert_null(verdicts);
 	refused(ts_replay(context, &verdicts, "eyes", reference, trace, NULL), "eyes");
 	memcpy(moved, view->data, bytes_of(view));
-	refused(ts_replay(context, &verdicts, "splat", reference, trace, NULL), "none of its outputs");
+	refused(ts_replay(context, &verdicts, "splat", reference, trace, NULL), ": the candidate has none of its outputs");
 
 	/* The reference's outputs are lent: what the candidate's inputs give is not what they are. Nobody's are missing. */
 	ts_trace *bare;

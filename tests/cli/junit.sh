@@ -45,6 +45,11 @@ run compare a.png b.png --junit j.xml --rmse x
 verdict $? 'an error in JUnit: a value that is none'
 suits 1 0 1 0 'which suits the schema'
 refuses '/dev/full: cannot be written' compare a.png b.png --junit /dev/full
+rm j.xml
+run golden check small-none --goldens "$goldens" --junit j.xml
+[ "$status" -eq 2 ] && grep -q '<testcase .*classname="touchstone.golden"' j.xml && grep -qF small-none j.xml
+verdict $? 'an error in JUnit: golden check of a case that is none'
+suits 1 0 1 0 'which suits the schema'
 
 # And of what was skipped: each case, in every form; shards without a device are merged with the others.
 without_device() { OCL_ICD_VENDORS=/nonexistent run golden check 'small-e*' small-mvr --goldens "$goldens" --backend opencl "$@"; }

@@ -127,6 +127,7 @@ verdict $? 'a sweep runs no method again for what it does not read'
 import json
 report, times = json.load(open("sweep/report.json")), json.load(open("sweep/times.json"))["renders"]
 assert [(t["combination"], t["frame"]) for t in times] == [(c, 0) for c in range(4)]
+assert times[1]["values"] == {"density.scale": "0.25", "reflectors.px": "25"}
 rows = {row["name"]: row["shows"] for row in report["pictures"]}
 assert rows["../contact-sheet.png"] == "renders from left to right; from above epr, mvr, truth-b"
 assert {"epr.png .exr", "mvr.png .exr", "truth-b.png .exr", "../sweep.csv"} < set(rows) and "../*.mp4" not in rows
