@@ -131,6 +131,11 @@ for pair in 'r/epr.png r/epr.exr' 'r/epr.exr r/epr.png' 'r/epr.exr r/epr.exr'; d
 done
 ends 1 'by another exposure' r/epr.png r/epr.exr --exposure 1.01
 refuses '--exposure: a.png and a.png both hold sRGB codes; leave it out$' compare a.png a.png --exposure 1
+writes grey.png <<< 'pixels = [[0]] * 40'
+writes_exr grey.exr Y
+writes_exr alpha.exr RGBA
+ends 0 'greys' grey.png grey.exr --exposure 1
+refuses '--exposure: alpha.exr has 4 channels; expected 1 or 3, as alpha is not shown' compare alpha.exr black.png --exposure 1
 refuses '--exposure auto: needs a scene' compare r/epr.png r/epr.exr --exposure auto
 cp r/epr.exr named.png
 refuses 'named.png holds linear radiance, and r/epr.png sRGB codes;' compare r/epr.png named.png

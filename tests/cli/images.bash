@@ -11,8 +11,27 @@ exec(open("change.py").read())
 rows = b"".join(b"\0" + bytes(sum(pixels[y * width:(y + 1) * width], [])) for y in range(height))
 def chunk(kind, data):
 	return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-head = struct.pack(">IIBBBBB", width, height, 8, {3: 2, 4: 6}[len(pixels[0])], 0, 0, 0)
+head = struct.pack(">IIBBBBB", width, height, 8, {1: 0, 3: 2, 4: 6}[len(pixels[0])], 0, 0, 0)
 open(sys.argv[1], "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+PY
+}
+# writes_exr NAME CHANNELS: black, 10 x 4, as OpenEXR's file layout has it: header, offsets of rows, rows, not compressed.
+writes_exr() {
+	python3 - "$@" <<'PY'
+import struct, sys
+width, height, names = 10, 4, sys.argv[2]
+def attribute(name, kind, body):
+	return f"{name}\0{kind}\0".encode() + struct.pack("<I", len(body)) + body
+window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+channels = b"".join(name.encode() + struct.pack("<BIIII", 0, 2, 0, 1, 1) for name in sorted(names)) + b"\0"
+head = struct.pack("<II", 20000630, 2) + attribute("channels", "chlist", channels) + attribute("compression", "compression", b"\0")
+head += attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", window)
+head += attribute("lineOrder", "lineOrder", b"\0") + attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
+head += attribute("screenWindowCenter", "v2f", bytes(8)) + attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0"
+row = 4 * width * len(names)
+offsets = [len(head) + 8 * height + y * (row + 8) for y in range(height)]
+rows = b"".join(struct.pack("<iI", y, row) + bytes(row) for y in range(height))
+open(sys.argv[1], "wb").write(head + struct.pack(f"<{height}Q", *offsets) + rows)
 PY
 }
 # writes_two: a.png, and b.png, of which 3 values of 2 pixels differ.
