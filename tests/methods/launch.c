@@ -117,22 +117,6 @@ static void test_unknown_size(void **state)
 	ts_scene_free(scene);
 }
 
-/* Of each effect little. */
-static ts_params params_of_all(void)
-{
-	ts_params params = small_params(32, 18);
-	params.reflectors_count = 2;
-	params.cube_max_px = 16;
-	params.depth_map_px = 16;
-	params.lamp_views = 3;
-	params.octree_levels = 4;
-	params.vpl_paths = 20;
-	params.rsm_px = 16;
-	params.particle_count = 10;
-	params.surfels_from_mesh = 500;
-	return params;
-}
-
 /* ---- a backend in C of which one call fails ---- */
 
 typedef struct {
@@ -184,11 +168,11 @@ static ts_status run_faulty(const ts_pipeline *method, const ts_scene *scene, co
 static void test_failures(void **state)
 {
 	(void)state;
-	enum { FEW = 16 };
-	ts_params params = params_of_all();
-	ts_scene *scene = small_scene(&params);
+	enum { FEW = 8 };
+	ts_params params = small_params_of_all();
 	for (const ts_pipeline *const *m = ts_pipelines(); *m != NULL; m++) {
 		u32 n, done;
+		ts_scene *scene = small_scene_of(*m, &params);
 		if (run_faulty(*m, scene, &params, UINT32_MAX, &n) != TS_OK) fail_msg("%s: %s", (*m)->name, ts_error_message());
 		assert_true(n > 5);
 		for (u32 at = 0; at < n; at += whole_or(1, 1 + n / FEW)) {
@@ -197,8 +181,8 @@ static void test_failures(void **state)
 			if (done != at + 1) fail_msg("%s: call %u fails, and %u more follow", (*m)->name, at, done - at - 1);
 			assert_non_null(strstr(ts_error_message(), "planted"));
 		}
+		ts_scene_free(scene);
 	}
-	ts_scene_free(scene);
 }
 
 int main(void)

@@ -23,11 +23,34 @@ static inline ts_params small_params(u32 width, u32 height)
 	return params;
 }
 
+/* Little of each effect. */
+static inline ts_params small_params_of_all(void)
+{
+	ts_params params = small_params(32, 18);
+	params.reflectors_count = 2;
+	params.reflectors_px = 8;
+	params.cube_max_px = 16;
+	params.depth_map_px = 16;
+	params.lamp_views = 3;
+	params.octree_levels = 4;
+	params.vpl_paths = 20;
+	params.rsm_px = 16;
+	params.particle_count = 10;
+	return params;
+}
+
 static inline ts_scene *small_scene(const ts_params *params)
 {
 	ts_scene *scene;
 	if (ts_scene_load(&scene, SMALL_SCENE, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	return scene;
+}
+
+/* What the method draws of it: triangles, or surfels. */
+static inline ts_scene *small_scene_of(const ts_pipeline *method, ts_params *params)
+{
+	params->surfels_from_mesh = ts_pipeline_reads(method, TS_B_scene_surfel) ? 500 : 0;
+	return small_scene(params);
 }
 
 /* Runs a method to its end; the frame stays until ts_run_end. */
