@@ -79,7 +79,6 @@ ts_build *ts_build_new(const char *name)
 	build->scene = ts_alloc_zero(1, sizeof *build->scene, "a scene");
 	if (build->scene) {
 		build->scene->camera = TS_NONE;
-		build->scene->info.circles = 1;
 		build->scene->name = text_copy(build, name);
 	}
 	if (!build->scene || !build->scene->name || !TS_BUILD_ROOM(build, objects, "objects")) {
