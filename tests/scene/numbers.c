@@ -17,8 +17,10 @@ static void uv_are_scaled_turned_and_moved(void **state)
 		f32 rotation = uniform(-7, 7), u = uniform(0, 1), v = uniform(0, 1);
 		double x = (double)scale[0] * (double)u, y = (double)scale[1] * (double)v, r = (double)rotation;
 		ts_number_uv_transform(m, offset, rotation, scale);
-		is_about((double)m[0] * (double)u + (double)m[1] * (double)v + (double)m[2], cos(r) * x + sin(r) * y + (double)offset[0], 20);
-		is_about((double)m[3] * (double)u + (double)m[4] * (double)v + (double)m[5], -sin(r) * x + cos(r) * y + (double)offset[1], 20);
+		is_about((double)m[0] * (double)u + (double)m[1] * (double)v + (double)m[2],
+		         cos(r) * x + sin(r) * y + (double)offset[0], 20);
+		is_about((double)m[3] * (double)u + (double)m[4] * (double)v + (double)m[5],
+		         -sin(r) * x + cos(r) * y + (double)offset[1], 20);
 	}
 }
 
