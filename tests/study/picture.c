@@ -14,7 +14,8 @@ static void mirrors_are_marked(void **state)
 		ts_scene *scene = small_scene(&params);
 		small_run(&run, scene, &params, "epr", 2, NULL, NULL);
 		assert_int_equal(ts_picture_take(&picture, "epr", &run), TS_OK);
-		u64 n = ts_frame_n(&run.frame, TS_B_mirror_pixel_record), n_pixels = (u64)params.width * params.height, marked = 0;
+		u64 n = ts_frame_n(&run.frame, TS_B_mirror_pixel_record), n_pixels = (u64)params.width * params.height,
+			marked = 0;
 		const ts_pixel *pixels = ts_frame_data(&run.frame, TS_B_mirror_pixel_record);
 		for (u64 i = 0; i < n; i++) assert_int_equal(picture.reflective[pixels[i].index % n_pixels], 1);
 		for (u64 i = 0; i < n_pixels; i++) marked += picture.reflective[i];

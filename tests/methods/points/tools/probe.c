@@ -189,6 +189,35 @@ static void try_triangle(u32 triangle)
 	json_decref(answer);
 }
 
+static u64 shows(const traced *t, ts_buffer_id id, u32 triangle)
+{
+	const u64 *keys = data(t, id);
+	u64 n = 0;
+	for (u64 i = 0; i < count(t, id); i++) n += keys[i] != TS_EMPTY && (u32)keys[i] == triangle;
+	return n;
+}
+
+/* The texels of the eye that show a triangle are those that it won; of cubes the run keeps the last one. */
+static void test_triangles_drawn(void **state)
+{
+	(void)state;
+	const u64 *seen = data(&mvr, TS_B_eye_depth_triangle), *keys = data(&mvr, TS_B_cube_face_depth_triangle);
+	for (u32 i = 0; i < 8;) {
+		json_t *answer;
+		bool by_eye = i % 2 == 0;
+		u64 key = by_eye ? seen[below((u32)count(&mvr, TS_B_eye_depth_triangle))]
+		                 : keys[below((u32)count(&mvr, TS_B_cube_face_depth_triangle))];
+		if (key == TS_EMPTY) continue;
+		require(ask_triangle(&mvr, (u32)key, &answer));
+		assert_int_equal(json_integer_value(get(answer, "eye", "texels_won")),
+		                 shows(&mvr, TS_B_eye_depth_triangle, (u32)key));
+		assert_true((u64)json_integer_value(get(answer, "cubes", "texels_won")) >=
+		            shows(&mvr, TS_B_cube_face_depth_triangle, (u32)key));
+		json_decref(answer);
+		i++;
+	}
+}
+
 /* Triangles that each stage loses, as many as there are, up to 6 each. */
 static void test_triangles(void **state)
 {
@@ -337,12 +366,19 @@ static void test_nothing_there(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_pixels_epr),        cmocka_unit_test(test_pixels_mvr),
-		cmocka_unit_test(test_pixels_of_bounces), cmocka_unit_test(test_texels),
-		cmocka_unit_test(test_texels_mvr),        cmocka_unit_test(test_ties),
-		cmocka_unit_test(test_triangles),         cmocka_unit_test(test_points),
-		cmocka_unit_test(test_bufferless),        cmocka_unit_test(test_forward),
-		cmocka_unit_test(test_nothing_there),     cmocka_unit_test(test_greatest_side),
+		cmocka_unit_test(test_pixels_epr),
+		cmocka_unit_test(test_pixels_mvr),
+		cmocka_unit_test(test_pixels_of_bounces),
+		cmocka_unit_test(test_texels),
+		cmocka_unit_test(test_texels_mvr),
+		cmocka_unit_test(test_ties),
+		cmocka_unit_test(test_triangles),
+		cmocka_unit_test(test_triangles_drawn),
+		cmocka_unit_test(test_points),
+		cmocka_unit_test(test_bufferless),
+		cmocka_unit_test(test_forward),
+		cmocka_unit_test(test_nothing_there),
+		cmocka_unit_test(test_greatest_side),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }
