@@ -34,6 +34,18 @@ keep() {
 }
 
 run "${frame[@]:0:${#frame[@]}-1}" --method epr --trace -o r
+python3 - <<'PY'
+import ast, json, struct
+trace = json.load(open("r/trace-epr/trace.json"))
+for buffer in trace["buffers"]:
+	if buffer["file"] is None: continue
+	head = open("r/trace-epr/" + buffer["file"], "rb").read(512)
+	size, = struct.unpack_from("<H", head, 8)
+	assert list(ast.literal_eval(head[10:10 + size].decode())["shape"]) == buffer["shape"], buffer
+points = next(buffer for buffer in trace["buffers"] if buffer["name"] == "points.key")
+assert trace["counters"]["points"] == points["shape"][0] > 0
+PY
+verdict $? 'trace.json says the shapes that the files have, and what was counted'
 cp -r r/trace-epr c
 keep same compare r/trace-epr c
 wrong c/05-mirror_pixel.record.npy 24

@@ -103,7 +103,13 @@ static u32 try_draws(const traced *t, const json_t *lights, u32 pixel)
 	}
 	assert_int_equal(i, figure(lights, "draws"));
 	for (u32 c = 0; c < 3; c++) assert_bits(ts_put(sum[c] * shown(lights, "share", 0)), right[c]);
-	json_array_foreach (json_object_get(lights, "brightest"), i, entry) n_dark += try_light(t, entry);
+	double parts = 0;
+	json_array_foreach (json_object_get(lights, "brightest"), i, entry) {
+		n_dark += try_light(t, entry);
+		parts += json_real_value(json_object_get(entry, "part"));
+	}
+	bool all = json_object_get(lights, "others") == NULL && right[0] + right[1] + right[2] > 0;
+	assert_true(parts < 1.0001 && (parts > 0.9999 || !all));
 	return n_dark;
 }
 
