@@ -168,11 +168,12 @@ static ts_status run_faulty(const ts_pipeline *method, const ts_scene *scene, co
 static void test_failures(void **state)
 {
 	(void)state;
-	enum { FEW = 8 };
+	enum { FEW = 24 };
+	ts_scene *scene = NULL;
 	ts_params params = small_params_of_all();
 	for (const ts_pipeline *const *m = ts_pipelines(); *m != NULL; m++) {
 		u32 n, done;
-		ts_scene *scene = small_scene_of(*m, &params);
+		small_scene_of(&scene, *m, &params);
 		if (run_faulty(*m, scene, &params, UINT32_MAX, &n) != TS_OK) fail_msg("%s: %s", (*m)->name, ts_error_message());
 		assert_true(n > 5);
 		for (u32 at = 0; at < n; at += whole_or(1, 1 + n / FEW)) {
@@ -181,8 +182,8 @@ static void test_failures(void **state)
 			if (done != at + 1) fail_msg("%s: call %u fails, and %u more follow", (*m)->name, at, done - at - 1);
 			assert_non_null(strstr(ts_error_message(), "planted"));
 		}
-		ts_scene_free(scene);
 	}
+	ts_scene_free(scene);
 }
 
 int main(void)

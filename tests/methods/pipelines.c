@@ -56,37 +56,6 @@ static void test_reads(void **state)
 	}
 }
 
-static void is_expected(const ts_pipeline *method, ts_dim dim, const ts_expected *expected, u64 made)
-{
-	const ts_dim_info *info = &ts_dim_table[dim];
-	bool batched = info->how == TS_IS_batched, given = info->how == TS_IS_fixed || info->how == TS_IS_given;
-	u64 n = expected->sizes.n[dim], all = batched ? n * expected->batches : n;
-	if (n == TS_UNKNOWN || made == TS_UNKNOWN || n == made || all == made) return;
-	if (given || batched || made > 3 * n || (made != 0 && n > 8 * made))
-		fail_msg("%s %s: %llu %s expected, %llu made", method->effect->name, method->name, (unsigned long long)all,
-		         info->name, (unsigned long long)made);
-}
-
-/* Sizes that are given are expected as they are; others are at most three times of what is expected, and at least an
- * eighth, where there are any. */
-static void test_expected(void **state)
-{
-	(void)state;
-	ts_params params = small_params_of_all();
-	params.width = 96;
-	params.height = 54;
-	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
-		ts_run run;
-		ts_scene *scene = small_scene_of(*at, &params);
-		ts_expected expected = ts_pipeline_expect(*at, scene, &params);
-		ts_run_begin(&run, scene, &params, 2);
-		if (ts_pipeline_run(*at, &run) != TS_OK) fail_msg("%s: %s", (*at)->name, ts_error_message());
-		for (ts_dim d = 0; d < TS_N_DIMS; d++) is_expected(*at, d, &expected, ts_run_size(&run, d));
-		ts_run_end(&run);
-		ts_scene_free(scene);
-	}
-}
-
 typedef struct {
 	u64 done, total;
 	u32 n;
@@ -131,8 +100,10 @@ static void test_progress(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_effects),  cmocka_unit_test(test_making),   cmocka_unit_test(test_reads),
-		cmocka_unit_test(test_expected), cmocka_unit_test(test_progress),
+		cmocka_unit_test(test_effects),
+		cmocka_unit_test(test_making),
+		cmocka_unit_test(test_reads),
+		cmocka_unit_test(test_progress),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

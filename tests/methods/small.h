@@ -46,11 +46,14 @@ static inline ts_scene *small_scene(const ts_params *params)
 	return scene;
 }
 
-/* What the method draws of it: triangles, or surfels. */
-static inline ts_scene *small_scene_of(const ts_pipeline *method, ts_params *params)
+/* Makes *scene, NULL at first, what the method draws of it: triangles, or surfels. */
+static inline void small_scene_of(ts_scene **scene, const ts_pipeline *method, ts_params *params)
 {
-	params->surfels_from_mesh = ts_pipeline_reads(method, TS_B_scene_surfel) ? 500 : 0;
-	return small_scene(params);
+	u32 n_surfels = ts_pipeline_reads(method, TS_B_scene_surfel) ? 500 : 0;
+	if (*scene != NULL && n_surfels == params->surfels_from_mesh) return;
+	ts_scene_free(*scene);
+	params->surfels_from_mesh = n_surfels;
+	*scene = small_scene(params);
 }
 
 /* Runs a method to its end; the frame stays until ts_run_end. */
