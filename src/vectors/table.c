@@ -10,11 +10,11 @@ static const ts_launch launch = TS_LAUNCH(vectors, TS_ALL), launch_composites = 
 /* clang-format off */
 static const ts_vector_set primitives = {
 	&launch, false,
-	{ts_vectors_arithmetic, ts_vectors_number, ts_vectors_vector, ts_vectors_raster, ts_vectors_cube,
-	ts_vectors_memory, ts_vectors_texture},
+	TS_TABLES(ts_vectors_arithmetic, ts_vectors_number, ts_vectors_vector, ts_vectors_raster, ts_vectors_cube,
+	ts_vectors_memory, ts_vectors_texture),
 };
 static const ts_vector_set composites = {&launch_composites, true,
-	{ts_composites_geometry, ts_composites_shade, ts_composites_lattice}};
+	TS_TABLES(ts_composites_geometry, ts_composites_shade, ts_composites_lattice)};
 /* clang-format on */
 
 /* What all methods share. */

@@ -9,7 +9,7 @@
 #include "../kernels/base/compat.h"
 
 enum { TS_VECTOR_ITEMS = 4096, TS_VECTOR_COLUMNS = 60, TS_VECTOR_WORDS = 128, TS_VECTOR_VARIANTS = 6 };
-enum { TS_VECTOR_TABLES = 6, TS_VECTOR_DESCR = 2048 };
+enum { TS_VECTOR_DESCR = 2048 };
 
 /* Values of one argument. Floats: biased exponents from `low` to `high`, and zero; -0 and denormals only where low is
  * 0, infinity and NaN only where high is 255. Integers: from low to high. */
@@ -73,8 +73,9 @@ typedef struct {
 typedef struct {
 	const ts_launch *launch;
 	bool composed; /* composites: functions made of primitives, which a backend need not compute before it runs */
-	const ts_vector *tables[TS_VECTOR_TABLES + 1]; /* each ended by a row without a name; all by NULL */
+	const ts_vector *const *tables; /* TS_TABLES: each ended by a row without a name */
 } ts_vector_set;
+#define TS_TABLES(...) ((const ts_vector *const[]){__VA_ARGS__, NULL})
 
 /* Takes the sets of the families, which follow those that all methods share; the list, ended by NULL, must stay. */
 void ts_vectors_use(const ts_vector_set *const *sets);

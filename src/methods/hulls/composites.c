@@ -96,4 +96,4 @@ static const ts_vector gathered[] = {
 
 static const ts_launch launch = TS_LAUNCH(hulls_composites, TS_ALL);
 
-const ts_vector_set ts_hulls_composites_vectors = {&launch, true, {gathered}};
+const ts_vector_set ts_hulls_composites_vectors = {&launch, true, TS_TABLES(gathered)};

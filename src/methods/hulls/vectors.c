@@ -80,4 +80,4 @@ static const ts_vector light[] = {
 
 static const ts_launch launch = TS_LAUNCH(hulls_vectors, TS_ALL);
 
-const ts_vector_set ts_hulls_vectors = {&launch, false, {light}};
+const ts_vector_set ts_hulls_vectors = {&launch, false, TS_TABLES(light)};

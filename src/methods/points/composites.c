@@ -191,4 +191,4 @@ static const ts_vector splats[] = {
 
 static const ts_launch launch = TS_LAUNCH(points_composites, TS_ALL);
 
-const ts_vector_set ts_points_composites_vectors = {&launch, true, {density, splats}};
+const ts_vector_set ts_points_composites_vectors = {&launch, true, TS_TABLES(density, splats)};

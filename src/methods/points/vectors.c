@@ -16,4 +16,4 @@ static const ts_vector culling[] = {
 
 static const ts_launch launch = TS_LAUNCH(points_vectors, TS_ALL);
 
-const ts_vector_set ts_points_vectors = {&launch, false, {culling}};
+const ts_vector_set ts_points_vectors = {&launch, false, TS_TABLES(culling)};

@@ -116,4 +116,4 @@ static const ts_vector surfels[] = {
 
 static const ts_launch launch = TS_LAUNCH(surfels_composites, TS_ALL);
 
-const ts_vector_set ts_surfels_composites_vectors = {&launch, true, {surfels}};
+const ts_vector_set ts_surfels_composites_vectors = {&launch, true, TS_TABLES(surfels)};

@@ -152,4 +152,4 @@ static const ts_vector maps[] = {
 
 static const ts_launch launch = TS_LAUNCH(views_composites, TS_ALL);
 
-const ts_vector_set ts_views_composites_vectors = {&launch, true, {maps}};
+const ts_vector_set ts_views_composites_vectors = {&launch, true, TS_TABLES(maps)};
