@@ -134,7 +134,7 @@ static void splat(worker *w, caster *c, squares *of)
 	f32 length = w->point.length, half_length = length * 0.5f;
 	if (!c->of.has_cover) {
 		ts_k_shadow_cover(&w->args->of, &c->of, w->piece);
-		ts_k_lines(&c->lines, &c->of.cover);
+		if (c->of.cover.n != 0) ts_k_lines(&c->lines, &c->of.cover);
 	}
 	if (c->of.cover.n == 0) return;
 	ts_square s = {.u = w->u, .v = w->v, .length = length, .slack = w->slack};
