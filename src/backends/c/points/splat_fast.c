@@ -197,7 +197,8 @@ static void splat_piece(const job *j, worker *w, u32 k)
 	}
 	w->face.scatters += n;
 	if (w->batch.way[k] == TS_SPLAT_UNSEEN) return;
-	if (n < MANY && is_needless(j, w, ts_splat_batch_box_of(&w->batch, k), &j->live.bounds[at])) return;
+	bool few = n < MANY && j->clusters != NULL;
+	if (few && is_needless(j, w, ts_splat_batch_box_of(&w->batch, k), &j->live.bounds[at])) return;
 	splat_together(j, w, k, NULL);
 }
 
