@@ -1,6 +1,7 @@
 /* Degenerate triangles, in every method: no stage stores a number that none may have, and the fast paths store what the
  * kernels do. */
 #include "../kernels/seeded.h"
+#include "../methods/small.h"
 #include "../status.h"
 #include "../whole.h"
 #include "../../src/golden/golden.h"
@@ -132,18 +133,10 @@ static ts_scene *soup(const ts_params *params, u32 kind)
 
 static ts_params params_of(void)
 {
-	ts_params params;
-	ts_params_default(&params);
+	ts_params params = small_params_of_all();
 	params.width = 48;
 	params.height = 27;
 	params.reflectors_count = 0;
-	params.cube_max_px = 16;
-	params.depth_map_px = 16;
-	params.lamp_views = 3;
-	params.octree_levels = 4;
-	params.vpl_paths = 20;
-	params.rsm_px = 16;
-	params.particle_count = 10;
 	return params;
 }
 
