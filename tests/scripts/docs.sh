@@ -42,7 +42,7 @@ planted() {
 whole() {
 	reasons=() files=()
 	cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md reference/VERDICTS.md reference/PERFORMANCE.md \
-		reference/PICTURES.md README.md CONTRIBUTING.md "$folder/"
+		reference/PICTURES.md reference/RENDERING.md README.md CONTRIBUTING.md "$folder/"
 }
 whole
 plant "there is no ts_k_spalt_item" METHODS.md '/^### `eye`/s/$/ `ts_k_spalt_item`/'
@@ -60,10 +60,13 @@ plant "not numbered" CONTRACT.md 's/^\*\*12\. /**13. /'
 plant "stale" VERDICTS.md '/^| SSAGH | figure 7 /s/holds/differs/'
 plant "surfels by gouraud has no golden" PICTURES.md '/^| `gouraud`/d'
 plant "effect particles has no pictures" PICTURES.md '/generated: pictures particles/d'
-plant "there is no method megaview" README.md 's/^| `megaviews`/| `megaview`/'
-plant "truth vpls is not in the table" README.md '/^| vpls |/d'
-plant "effect omni-shadows is not shown" README.md 's/render omni-shadows/render shadows/'
-plant "there is no table epr-4 of bench" README.md 's/bench epr-1 /bench epr-4 /'
+plant "there is no method megaview" RENDERING.md 's/^| `megaviews`/| `megaview`/'
+plant "truth vpls is not in the table" RENDERING.md '/^| vpls |/d'
+plant "effect omni-shadows is not shown" RENDERING.md 's/render omni-shadows/render shadows/'
+plant "there is no table epr-4 of bench" RENDERING.md 's/bench epr-1 /bench epr-4 /'
+plant "1[0-9]* words, at most 1000" README.md "\$a $(yes word | head -n 200 | tr '\n' ' ')"
+plant "method vir is not named" README.md 's/, `vir`//'
+plant "there is no table epr-4 of bench" README.md '/^## Start/s/$/ `touchstone bench epr-4`/'
 plant ".ci/run does not run make test-long" CONTRIBUTING.md 's/, the second, `make test-devices`/, `make test-long`&/'
 plant ".ci/run runs make golden" CONTRIBUTING.md 's/`make faults-short`, `make golden`/`make faults-short`/'
 planted
