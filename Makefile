@@ -571,9 +571,10 @@ BASH_COMPLETION := $(DESTDIR)$(bashcompletiondir)
 ZSH_COMPLETION := $(DESTDIR)$(zshcompletiondir)
 PYTHON := $(DESTDIR)$(pythondir)/touchstone
 REFERENCE := $(filter-out reference/RECIPES.md reference/PICTURES.md,$(wildcard $(patsubst %,reference/*.%,md json png)))
+FAMILY_PAGES := $(wildcard reference/methods/*.md)
 COMMANDS := $(shell sed -nE 's/^\t\{"([a-z]+)",.*/\1/p' src/cli/commands.c)
 install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(ALL_PTX) $(PYTHON_PACKAGE)/made
-	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/cmake/touchstone $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DATA)/examples $(DOC)/reference $(MAN) \
+	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/cmake/touchstone $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DATA)/examples $(DOC)/reference/methods $(MAN) \
 		$(BASH_COMPLETION) $(ZSH_COMPLETION) $(PYTHON)
 	install -m 755 $(BUILD)/installed/touchstone $(BIN)/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(LIB)/libtouchstone.a
@@ -606,13 +607,14 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	rm $(DOC)/kernels/made
 	chmod -R u=rwX,go=rX $(DOC)/kernels
 	install -m 644 $(REFERENCE) $(DOC)/reference
+	install -m 644 $(FAMILY_PAGES) $(DOC)/reference/methods
 uninstall:
 	rm -f $(BIN)/touchstone $(LIB)/pkgconfig/touchstone.pc $(MAN)/touchstone.1 $(COMMANDS:%=$(MAN)/touchstone-%.1)
 	rm -f $(BASH_COMPLETION)/touchstone $(ZSH_COMPLETION)/_touchstone
 	rm -f $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.$(ABI) .so.$(VERSION))
 	rm -rf $(LIB)/touchstone $(LIB)/cmake/touchstone $(INCLUDE) $(DATA) $(DOC)/kernels $(PYTHON)
-	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE $(REFERENCE))
-	for folder in $(DOC)/reference $(DOC); do [ ! -d $$folder ] || rmdir --ignore-fail-on-non-empty $$folder; done
+	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE $(REFERENCE) $(FAMILY_PAGES))
+	for folder in $(DOC)/reference/methods $(DOC)/reference $(DOC); do [ ! -d $$folder ] || rmdir --ignore-fail-on-non-empty $$folder; done
 
 ##   installcheck       judges what is installed there: command, libraries, pkg-config, manual, completion; and uninstall
 installcheck: | $(filter install,$(MAKECMDGOALS))

@@ -1,12 +1,20 @@
-"""The template of reference/METHODS.md. A stage has a heading of its own, "### `stage`", below it the generated block, and then
+"""The template of METHODS: reference/METHODS.md, which has what all methods share, and a page of reference/methods for the stages
+of each family. A stage has a heading of its own, "### `stage`", below it the generated block, and then
 PARTS in this order: each begins a paragraph with its name in bold. The first is always there; an empty one is left out.
-A departure is an item of DEPARTURE's form. Headings of other texts name no stage alone."""
+A departure is an item of DEPARTURE's form. Sections, "## 11. Title", are numbered through all pages. Measurements belong in
+reference/FIGURES.md: a page of a family has no other headings below its sections."""
 import re
+
+COMMON = "METHODS.md"
+FAMILIES = tuple(f"methods/{name}.md" for name in ("points", "shadows", "hulls", "views", "surfels"))
+PAGES = (COMMON, *FAMILIES)
 
 PARTS = ("Formula", "Edge cases", "Departures")
 
 HEADING = re.compile(r"^(##|###) (.*)$", re.M)
 STAGE = re.compile(r"^### `([\w.]+)`\n(.*?)(?=^##|\Z)", re.M | re.S)
+NUMBER = re.compile(r"(\d+)\. ")
+STAGE_HEADING = re.compile(r"`[\w.]+`")
 PART = re.compile(r"^\*\*([^*\n]+)\.\*\*[ \n]", re.M)
 BLOCK = "<!-- generated: stage {} -->\n"
 END = "<!-- end -->\n"
@@ -18,8 +26,8 @@ def anchor(heading):
 	return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
 
 
-def link(heading):
-	return f"[{heading.replace('`', '')}](#{anchor(heading)})"
+def link(heading, page=""):
+	return f"[{heading.replace('`', '')}]({page}#{anchor(heading)})"
 
 
 def contents(text, wrapped):
@@ -33,6 +41,29 @@ def contents(text, wrapped):
 		elif heading:
 			within.append(link(heading))
 	return out
+
+
+def sections(texts, wrapped):
+	"""A list of links to the sections of all pages, as seen from the common one, in the order of their numbers."""
+	found = []
+	for page, text in texts.items():
+		there = "" if page == COMMON else page
+		for level, heading in HEADING.findall(text):
+			if level == "##":
+				found.append((heading, there, []))
+			elif found:
+				found[-1][2].append(link(heading, there))
+	out = ""
+	for heading, there, within in sorted(found, key=lambda section: number(section[0])):
+		out += wrapped(f"- {link(heading, there)}", "  ") + "\n"
+		out += wrapped(f"  - {', '.join(within)}", "    ") + "\n" if within else ""
+	return out
+
+
+def number(heading):
+	"""That of a section; 0: it has none."""
+	found = NUMBER.match(heading)
+	return int(found[1]) if found else 0
 
 
 def items(part):
@@ -53,14 +84,14 @@ def stages(text):
 	return [(match.start(), match[1], match[2]) for match in STAGE.finditer(text)]
 
 
-def departures(text):
-	"""(stage, paper, here, switch) of all departures."""
-	found = []
-	for _, name, body in stages(text):
-		for item in items(dict(parts(body)).get("Departures", "")):
-			match = DEPARTURE.fullmatch(item)
-			found += [(name, *match.groups())] if match else []
-	return found
+def departures(texts):
+	"""(link to the stage, how many departures it has, the switches that go back to the paper) of all stages with any."""
+	for page, text in texts.items():
+		for _, name, body in stages(text):
+			found = [DEPARTURE.fullmatch(item) for item in items(dict(parts(body)).get("Departures", ""))]
+			switches = [match[3] for match in found if match and match[3] != "none"]
+			if found:
+				yield f"[`{name}`]({'' if page == COMMON else page}#{anchor(name)})", len(found), "; ".join(switches)
 
 
 def stage_faults(name, body):
@@ -89,8 +120,30 @@ def faults(text, names):
 		for reason in reasons + ([f"{name} is described twice"] if name in seen else []):
 			yield offset, reason
 		seen.add(name)
-	for name in sorted(set(names) - seen):
-		yield 0, f"stage {name} is not described"
 	headings = [anchor(heading) for _, heading in HEADING.findall(text)]
 	for heading in sorted({heading for heading in headings if headings.count(heading) > 1}):
 		yield 0, f"two headings have the anchor {heading}"
+
+
+def family_faults(text, names):
+	"""The same of a page of a family, whose headings below sections are stages."""
+	yield from faults(text, names)
+	for match in HEADING.finditer(text):
+		if match[1] == "###" and not STAGE_HEADING.fullmatch(match[2]):
+			yield match.start(), f"\"{match[2]}\" names no stage: measurements belong in FIGURES"
+		if match[1] == "##" and not number(match[2]):
+			yield match.start(), f"section \"{match[2]}\" has no number"
+
+
+def unique_faults(texts, names):
+	"""Reasons why the pages together depart from the template: stages and sections that are missing or stand twice."""
+	found = [name for text in texts.values() for _, name, _ in stages(text)]
+	for name in sorted(set(names) - set(found)):
+		yield f"stage {name} is not described"
+	on_pages = [name for text in texts.values() for name in {name for _, name, _ in stages(text)}]
+	for name in sorted({name for name in on_pages if on_pages.count(name) > 1}):
+		yield f"{name} is described on two pages"
+	numbers = sorted(number(heading) for text in texts.values() for level, heading in HEADING.findall(text)
+	                 if level == "##" and number(heading))
+	if numbers != list(range(1, len(numbers) + 1)):
+		yield f"the sections of all pages are not numbered 1, 2, 3 ...: {numbers}"

@@ -30,7 +30,7 @@ answered() {
 	python3 - "$1/QUESTIONS.md" <<'PY'
 import re, sys
 text = open(sys.argv[1], encoding="utf-8").read()
-answers = re.findall(r"\*Answered\* (\w+\.md): ([^\n]+(?:\n   (?!\*)[^\n]+)*)", text)
+answers = re.findall(r"\*Answered\* ([\w/]+\.md): ([^\n]+(?:\n   (?!\*)[^\n]+)*)", text)
 assert len(answers) == len(re.findall(r"^\d+\. ", text, re.M)) > 5, len(answers)
 for document, words in answers:
 	held = " ".join(open("reference/" + document, encoding="utf-8").read().split())

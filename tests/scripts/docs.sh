@@ -23,10 +23,10 @@ export TOUCHSTONE=$folder/lists
 scripts/docs-check | sed 's/^/# /'
 result "${PIPESTATUS[0]}" "the documents"
 
-# plant REASON FILE SED-SCRIPT: damages a copy of the documents.
+# plant REASON FILE SED-SCRIPT [PAGE]: damages a copy of the documents; PAGE is where that is said, else FILE.
 plant() {
 	sed -i "$3" "$folder/$2"
-	reasons+=("$1") files+=("$2")
+	reasons+=("$1") files+=("${4:-$2}")
 }
 # planted: one check names each damage; then the copies are whole again.
 planted() {
@@ -41,17 +41,17 @@ planted() {
 }
 whole() {
 	reasons=() files=()
-	cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md reference/VERDICTS.md reference/PERFORMANCE.md \
-		reference/PICTURES.md reference/RENDERING.md README.md CONTRIBUTING.md "$folder/"
+	cp -r reference/{CONTRACT,METHODS,TABLES,FIGURES,VERDICTS,PERFORMANCE,PICTURES,RENDERING}.md reference/methods \
+		README.md CONTRIBUTING.md "$folder/"
 }
 whole
-plant "there is no ts_k_spalt_item" METHODS.md '/^### `eye`/s/$/ `ts_k_spalt_item`/'
+plant "there is no ts_k_spalt_item" methods/points.md '/^### `eye`/s/$/ `ts_k_spalt_item`/'
 plant "there is no file tests/kernels/nil.c" METHODS.md 's,tests/kernels/points/cull.c,tests/kernels/nil.c,'
-plant "there is no stage, buffer or parameter splat.nil" METHODS.md 's/`splat.depth_index`/`splat.nil`/'
-plant "visibility.test is one of" METHODS.md 's/`visibility.test=vertex`/`visibility.test=nil`/'
-plant "no stage, parameter, field or kernel knows rho_scael" METHODS.md 's/`density.scale`/`rho_scael`/'
-plant "parameter eye.fov is not described" METHODS.md 's,`eye.fov`/720,eye.fov/720,'
-plant "epr: the sections are" METHODS.md 's/^### `cull`/### `align`/'
+plant "there is no stage, buffer or parameter splat.nil" methods/points.md 's/`splat.depth_index`/`splat.nil`/'
+plant "visibility.test is one of" methods/points.md 's/`visibility.test=vertex`/`visibility.test=nil`/'
+plant "no stage, parameter, field or kernel knows rho_scael" methods/points.md 's/`density.scale`/`rho_scael`/'
+plant "parameter eye.fov is not described" methods/points.md 's,`eye.fov`/720,eye.fov/720,' METHODS.md
+plant "epr: the sections are" methods/points.md 's/^### `cull`/### `align`/' METHODS.md
 plant "columns, at most 120" METHODS.md '/^Whole pictures/s/.*/& &/'
 plant "no kernel has the constant 0x1.94aa36p-4" CONTRACT.md 's/`0x1.0001p-16`/`0x1.94aa36p-4`/'
 plant "ts_log2: its coefficients" CONTRACT.md 's/1.709a16p-3/1.8b4f7ap-3/'
@@ -73,47 +73,59 @@ plant ".ci/run does not run make test-long" CONTRIBUTING.md 's/, the second, `ma
 plant ".ci/run runs make golden" CONTRIBUTING.md 's/`make faults-short`, `make golden`/`make faults-short`/'
 planted
 plant "tests/kernels/points/cull.c has no test_nil" METHODS.md 's/test_survivors/test_nil/'
-plant "stale" METHODS.md 's/^- \*\*Kind:\*\* scatter/- **Kind:** map/'
+plant "stale" methods/points.md 's/^- \*\*Kind:\*\* scatter/- **Kind:** map/'
 plant "stale" CONTRACT.md '/^| `brdf` |/d'
 planted
-plant "stale" METHODS.md '/generated: stage view_map.margin/,/end -->/s/^- \*\*Out:\*\* .*/- **Out:** nothing/'
+plant "stale" methods/views.md '/generated: stage view_map.margin/,/end -->/s/^- \*\*Out:\*\* .*/- **Out:** nothing/'
 planted
-plant "stale" METHODS.md '/^| `seed` |/d'
+plant "stale" TABLES.md '/^| `seed` |/d'
 planted
 plant "stale" METHODS.md '/^## 5\. /s/$/ and more/'
 planted
-plant "stale" METHODS.md '/^  - \[eye.view\]/s/\[eye.view\](#eyeview), //'
+plant "stale" methods/points.md '/^  - \[eye.view\]/s/\[eye.view\](#eyeview), //'
 planted
 
 # The template of a stage.
-plant "pose: its heading is not followed by its generated block" METHODS.md '/generated: stage pose /d'
-plant "cull: its parts are Edge cases;" METHODS.md '/^### `cull`$/,/^### /s/^\*\*Formula\.\*\* //'
-plant "cull: there is text before its first part" METHODS.md ''
-plant "align: its parts are Remarks" METHODS.md '/^### `align`$/,/^### /s/^\*\*Formula\.\*\*/**Remarks.**/'
-plant "visibility: its parts are Formula, Departures, Edge cases" METHODS.md \
+plant "pose: its heading is not followed by its generated block" methods/points.md '/generated: stage pose /d'
+plant "cull: its parts are Edge cases;" methods/points.md '/^### `cull`$/,/^### /s/^\*\*Formula\.\*\* //'
+plant "cull: there is text before its first part" methods/points.md ''
+plant "align: its parts are Remarks" methods/points.md '/^### `align`$/,/^### /s/^\*\*Formula\.\*\*/**Remarks.**/'
+plant "visibility: its parts are Formula, Departures, Edge cases" methods/points.md \
 	'/^### `visibility`$/,/^### /{s/^\*\*Edge cases\.\*\*/**X.**/; s/^\*\*Departures\.\*\*/**Edge cases.**/; s/^\*\*X\.\*\*/**Departures.**/}'
-plant "visibility: a departure is" METHODS.md ''
-plant "splat: a departure is .*found - .Paper:. " METHODS.md '/^### `splat`$/,/^### /s/\*Here:\*/Here:/'
-plant "splat.tie: Edge cases is empty" METHODS.md '/^### `lookup`$/i **Edge cases.**\n'
-plant "stage shade.third is not described" METHODS.md 's/^### `shade.third`/### About `shade.third`/'
-plant "there is no stage shade.fourth" METHODS.md 's/^### `shade.second`/### `shade.fourth`/'
-plant "mirror is described twice" METHODS.md 's/^### `illuminate`/### `mirror`/'
-plant "two headings have the anchor mirror" METHODS.md ''
+plant "visibility: a departure is" methods/points.md ''
+plant "splat: a departure is .*found - .Paper:. " methods/points.md '/^### `splat`$/,/^### /s/\*Here:\*/Here:/'
+plant "splat.tie: Edge cases is empty" methods/points.md '/^### `lookup`$/i **Edge cases.**\n'
+plant "stage shade.third is not described" methods/points.md 's/^### `shade.third`/### About `shade.third`/' METHODS.md
+plant "there is no stage shade.fourth" methods/points.md 's/^### `shade.second`/### `shade.fourth`/'
+plant "mirror is described twice" methods/points.md 's/^### `illuminate`/### `mirror`/'
+plant "two headings have the anchor mirror" methods/points.md ''
+plant "\"Errors of hulls\" names no stage" methods/hulls.md '$a ### Errors of hulls'
+plant "section \"More hulls\" has no number" methods/hulls.md '$a ## More hulls'
+plant "hull.margin is described on two pages" methods/shadows.md '$a ### `hull.margin`' METHODS.md
+plant "the sections of all pages are not numbered" methods/surfels.md 's/^## 16\./## 19./' METHODS.md
+planted
+plant "stale" METHODS.md '/^| \[`hull`\](methods/s/| 3 |/| 2 |/'
+planted
+plant "stale" METHODS.md 's,\[pose\](methods/points.md#pose),[pose](methods/views.md#pose),'
 planted
 
-rm "$folder"/*.md
+rm -r "$folder"/*.md "$folder"/methods
 cp reference/VERDICTS.md "$folder/"
 sed -i "s/not in general: one Gaussian errs more/one Gaussian errs more/" "$folder/list.json"
-scripts/docs-check "$folder" | grep -q "SSAGH, figure 3: a reason has no class"
+scripts/docs-check "$folder" > "$folder/out"
+grep -q "SSAGH, figure 3: a reason has no class" "$folder/out"
 result $? "the check sees: a reason that no class explains"
 sed -i "s/: one Gaussian errs more/: not in general&/" "$folder/list.json"
 cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md "$folder/"
 sed -i 's/"EPR 3.3"/"NIL 3.3"/' "$folder/stages.json"
-scripts/docs-check "$folder" | grep -q "points.count: its paper, NIL 3.3"
+scripts/docs-check "$folder" > "$folder/out"
+grep -q "points.count: its paper, NIL 3.3" "$folder/out"
 result $? "the check sees: a paper that is none"
 sed -i 's/"NIL 3.3"/"EPR 3.3"/' "$folder/stages.json"
 
-sed '/^| `seed` |/d' reference/METHODS.md > "$folder/METHODS.md"
-scripts/docs-check --write "$folder" > /dev/null && cmp -s reference/METHODS.md "$folder/METHODS.md"
+sed '/^| `seed` |/d' reference/TABLES.md > "$folder/TABLES.md"
+sed '/methods\/hulls.md#corner)/d' reference/METHODS.md > "$folder/METHODS.md"
+scripts/docs-check --write "$folder" > /dev/null && cmp -s reference/METHODS.md "$folder/METHODS.md" &&
+	cmp -s reference/TABLES.md "$folder/TABLES.md"
 result $? "--write makes the tables again"
 echo "1..$n"

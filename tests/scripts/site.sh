@@ -18,7 +18,7 @@ site=$scratch/site
 scripts/manual "$touchstone" "$scratch/manual" && scripts/site "$scratch/manual" "$site"
 verdict $? 'the pages are written'
 [ -d "$site" ] || finish
-for source in README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md reference/*.md include/touchstone/*.h; do
+for source in README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md reference/*.md reference/methods/*.md include/touchstone/*.h; do
 	page=${source%.*}.html
 	[ -s "$site/${page/#README/index}" ] || echo "# no page of $source"
 done > "$scratch/missing"

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Stages corner and corner.lobes of screen-space approximate Gaussian hulls (METHODS.md, section 11), in numpy.
+"""Stages corner and corner.lobes of screen-space approximate Gaussian hulls (METHODS, section 11), in numpy.
 
 	port.py REF OUT    REF: a trace of indirect or area-light by hulls; OUT: a candidate (TRACES.md, section 6)"""
 import ast

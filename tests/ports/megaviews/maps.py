@@ -1,4 +1,4 @@
-"""Dual paraboloids and what of one a ball covers: METHODS.md section 13, "Maps", and `view_map`."""
+"""Dual paraboloids and what of one a ball covers: METHODS section 13, "Maps", and `view_map`."""
 
 import numpy as np
 from num import f32, flush, length

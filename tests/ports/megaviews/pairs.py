@@ -1,4 +1,4 @@
-"""Pairs of a node of the scene and one of views (`traverse`): METHODS.md section 13, culling to subdivision."""
+"""Pairs of a node of the scene and one of views (`traverse`): METHODS section 13, culling to subdivision."""
 
 import numpy as np
 from num import cross, dot, f32, flush, length

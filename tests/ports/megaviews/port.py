@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Two stages of MegaViews (effect indirect, method megaviews), METHODS.md section 13: `traverse` and `view_map`.
+"""Two stages of MegaViews (effect indirect, method megaviews), METHODS section 13: `traverse` and `view_map`.
 
 usage: port.py TRACE OUT
 

@@ -1,4 +1,4 @@
-"""The six views of a reflector's cube: rule 36 of CONTRACT.md, section 1 of METHODS.md."""
+"""The six views of a reflector's cube: rule 36 of CONTRACT.md, section 1 of METHODS."""
 from typing import NamedTuple
 
 import numpy as np

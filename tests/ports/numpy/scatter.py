@@ -1,4 +1,4 @@
-"""Stage `scatter` of METHODS.md, section 10: stored points into depth maps; rules 11, 14 and 15 of CONTRACT.md."""
+"""Stage `scatter` of METHODS, section 10: stored points into depth maps; rules 11, 14 and 15 of CONTRACT.md."""
 import numpy as np
 
 from contract import components, dot, floor_i32, flush

@@ -1,4 +1,4 @@
-"""Stage `splat` of METHODS.md, section 2: points into cube faces; rules 15 to 19, 24 and 25 of CONTRACT.md."""
+"""Stage `splat` of METHODS, section 2: points into cube faces; rules 15 to 19, 24 and 25 of CONTRACT.md."""
 import numpy as np
 
 from contract import EMPTY, contracted_length, floor_i32, key, length

@@ -1,4 +1,4 @@
-"""Stage `visibility` of METHODS.md, section 2: one bit a triangle and cube face; rules 35 and 36 of CONTRACT.md."""
+"""Stage `visibility` of METHODS, section 2: one bit a triangle and cube face; rules 35 and 36 of CONTRACT.md."""
 import numpy as np
 
 from contract import components, cross, dot, flush

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Port of touchstone's stages surfel_setup and surfel_depth to numpy, from METHODS.md section 16 (FIGURES.md 12
+"""Port of touchstone's stages surfel_setup and surfel_depth to numpy, from METHODS section 16 (FIGURES.md 12
 for the boxes) and CONTRACT.md rules 4 to 6 (one rounded f32 operation each, left to right), 11, 12, 14, 24, 34.
 
 	port.py TRACE OUT     writes both stages' buffers, made from scene.surfel and eye.view of TRACE, as a candidate

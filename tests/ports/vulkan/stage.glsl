@@ -1,5 +1,5 @@
 // What the four stages share. The records, the arithmetic and the rules of CONTRACT.md come from the installed headers
-// (share/touchstone/glsl); the stages are written from METHODS.md, section 2.
+// (share/touchstone/glsl); the stages are written from METHODS, section 2.
 #include "raster/cube.glsl"
 #include "raster/clip.glsl"
 #include "raster/cover.glsl"

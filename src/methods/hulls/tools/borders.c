@@ -1,4 +1,4 @@
-/* Seams of hulls (METHODS 11). */
+/* Seams of hulls (FIGURES 24). */
 #include "borders.h"
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* Seams of hulls (METHODS 11): the change of the irradiance of hulls from pixel to pixel, against that of `direct`, and
+/* Seams of hulls (FIGURES 24): the change of the irradiance of hulls from pixel to pixel, against that of `direct`, and
  * the number of triangles of light that count at the corners of boxes that they face. */
 #ifndef TS_HULLS_TOOLS_BORDERS_H
 #define TS_HULLS_TOOLS_BORDERS_H

@@ -17,7 +17,7 @@
 #define TS_IVIR_SMALL \
 	TS_NOT_ALWAYS \
 	"points of pieces that are small enough to be culled count at their own place; see points.cull=off"
-#define TS_IVIR_VIR TS_OURS "VIR's worst case is a reconstruction; see METHODS 9, Readings of VIR"
+#define TS_IVIR_VIR TS_OURS "VIR's worst case is a reconstruction; see FIGURES 17, Readings of VIR"
 #define TS_IVIR_FEWER TS_NOT_ALWAYS "iVIR has fewer points than VIR; see density.rate=exact"
 
 /* Where pieces are tiny, culling leaves ten of them a texel on average, so that none is left with a chance of

@@ -1,5 +1,5 @@
 /* `bench nv40-crumbs`: pixels along edges that no surface explains, with the backs of two-sided triangles among the
- * surfels and without (METHODS 16). */
+ * surfels and without (FIGURES 38). */
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
