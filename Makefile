@@ -261,7 +261,7 @@ $(call object,src/backends/c/run.c src/backends/fast.c): $(FAST_PATHS)
 $(call object,src/backends/fast.c): OWN := -I$(BUILD)/gen
 # And what a trace says of its maker.
 $(call object,src/backends/c/run.c): OWN := -I$(BUILD)/gen -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
-##   golden             runs the cases of reference/cases.txt again and compares; writes nothing
+##   golden             runs the cases of reference/goldens/cases.txt again and compares; writes nothing
 golden:
 	$(Q)$(MAKE) --no-print-directory $(BUILD)/touchstone-core
 	$(Q)$(BUILD)/touchstone-core golden check $(T)

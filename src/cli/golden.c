@@ -105,7 +105,7 @@ ts_status ts_golden_command(ts_cli *cli)
 	if (nearest.distance != 0) return ts_fail("golden: no action \"%.60s\"%s", typed, ts_nearest_hint(&nearest, help));
 	if (check_options(cli, action) != TS_OK || ts_judging_check(cli) != TS_OK) return TS_ERROR;
 	goldens.cli = cli;
-	const char *dir = cli->golden.dir != NULL ? cli->golden.dir : "reference";
+	const char *dir = cli->golden.dir != NULL ? cli->golden.dir : "reference/goldens";
 	if (ts_selftest_require() != TS_OK || ts_golden_dir_open(&goldens.dir, NULL, dir) != TS_OK) return TS_ERROR;
 	ts_status status = ts_cases_read(&goldens);
 	if (status == TS_OK) status = read_lists(&goldens, cli);

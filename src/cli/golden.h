@@ -1,4 +1,4 @@
-/* The command `golden`: reference/cases.txt lists the runs, reference/<case>/ holds their results. Part of the core. */
+/* The command `golden`: reference/goldens/cases.txt lists the runs, reference/goldens/<case>/ holds their results. Part of the core. */
 #ifndef TS_CLI_GOLDEN_H
 #define TS_CLI_GOLDEN_H
 #include <touchstone/image.h>

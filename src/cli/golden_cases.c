@@ -1,4 +1,4 @@
-/* reference/cases.txt: NAME: [EFFECT/]METHOD SCENE [OPTION...] a line; without an effect, reflections; a file's path
+/* reference/goldens/cases.txt: NAME: [EFFECT/]METHOD SCENE [OPTION...] a line; without an effect, reflections; a file's path
  * goes from reference/. The file is untrusted. */
 #include <stdio.h>
 #include <stdlib.h>

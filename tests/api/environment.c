@@ -94,7 +94,7 @@ static void test_answers(void **state)
 	KEEPS(ts_probe_triangle(context, &answer, reference, 5), ts_tree_free(answer));
 	KEEPS(ts_truth_render(context, &image, scene, params, "reflections", "A"), ts_truth_image_free(image));
 	KEEPS(ts_vector_words(context, NULL, NULL, ts_vector_at(0)->name), (void)0);
-	KEEPS(ts_golden_check(context, &judged, "reference/small-epr"), (void)0);
+	KEEPS(ts_golden_check(context, &judged, "reference/goldens/small-epr"), (void)0);
 	ts_trace_close(candidate);
 }
 

@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define GOLDEN "reference/small-epr"
+#define GOLDEN "reference/goldens/small-epr"
 
 static ts_context *context;
 static char folder[FOLDER];

@@ -17,7 +17,7 @@ run "${small[@]}"
 verdict $? 'the same digests'
 
 # Shards that it judges are merged as by the large one.
-goldens=$(realpath reference) && cd "$scratch" || exit
+goldens=$(realpath reference/goldens) && cd "$scratch" || exit
 for i in 1 2; do
 	run golden check 'small-e*' small-mvr --goldens "$goldens" --shard $i/2 -o $i --tap
 	[ "$status" -eq 0 ] && [ "$(cat stdout)" = $'ok 1 - small-'"$([ $i = 1 ] && echo epr || echo mvr)"$'\n1..1' ]

@@ -4,6 +4,6 @@
 . "$(dirname "$0")/cuda.bash"
 "$touchstone" golden check --backend cuda > "$scratch/stdout" 2>&1
 grep -v '^same' "$scratch/stdout" | sed 's/^/# /'
-tail -n 1 "$scratch/stdout" | grep -q "^$(grep -c '^[a-z]' reference/cases.txt) passed, 0 failed, 0 skipped"
+tail -n 1 "$scratch/stdout" | grep -q "^$(grep -c '^[a-z]' reference/goldens/cases.txt) passed, 0 failed, 0 skipped"
 verdict $? 'every golden case'
 finish

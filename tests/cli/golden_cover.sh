@@ -12,12 +12,12 @@ import glob, json, os, re, subprocess, sys
 what, scratch = sys.argv[1:]
 table = {k: json.load(open(f"{scratch}/{k}.json"))[k] for k in ("params", "stages", "methods", "scenes")}
 cases = {}
-for path in glob.glob("reference/*/params.txt"):
+for path in glob.glob("reference/goldens/*/params.txt"):
 	folder = os.path.dirname(path)
 	case = dict(line.rstrip("\n").split("=", 1) for line in open(path))
 	case["files"] = {re.sub(r"^\d\d-|\.npy$", "", line.split()[1]) for line in open(folder + "/SHA256SUMS")}
 	cases[os.path.basename(folder)] = case
-names = {m.group(1) for m in re.finditer(r"^([a-z0-9-]+):", open("reference/cases.txt").read(), re.M)}
+names = {m.group(1) for m in re.finditer(r"^([a-z0-9-]+):", open("reference/goldens/cases.txt").read(), re.M)}
 methods = [(m["effect"], m["name"]) for m in table["methods"]]
 of = lambda *methods: [case for case in cases.values() if (case["effect"], case["method"]) in methods]
 # Who must take every choice of a parameter, if not whom takers_of says.
@@ -98,7 +98,7 @@ for what in folders choices stages scenes; do
 done
 cover matrix
 verdict $? "the cases of scripts/matrix take every method of every effect"
-for folder in reference/*/; do
+for folder in reference/goldens/*/; do
 	[ -f "$folder/preview.png" ] && [ -f "$folder/SHA256SUMS" ] && { [ ! -d "$folder/small" ] ||
 		(cd "$folder/small" && sha256sum -c --ignore-missing --status ../SHA256SUMS); }
 	verdict $? "$folder holds what its digests say"
@@ -111,7 +111,7 @@ import base64, glob, hashlib, re, sys
 sys.path.insert(0, "tests/cli")
 from report import pixels_of
 others = []
-for path in glob.glob("reference/*/preview.png"):
+for path in glob.glob("reference/goldens/*/preview.png"):
 	width, height, n, pixels = pixels_of(base64.b64encode(open(path, "rb").read()))
 	head = f"{{'descr': '|u1', 'fortran_order': False, 'shape': ({height}, {width}, {n}), }}"
 	file = b"\x93NUMPY\x01\x00\x76\x00" + head.ljust(117).encode() + b"\n" + pixels

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/images.bash"
-ending=$(realpath tests/cli/preload/end.c) goldens=$(realpath reference)
+ending=$(realpath tests/cli/preload/end.c) goldens=$(realpath reference/goldens)
 cd "$scratch" || exit 2
 writes_two
 run "${frame[@]:0:${#frame[@]}-1}" --method epr --trace-only scene,eye,image -o r

@@ -21,14 +21,14 @@ judged() {
 	rm -rf shards golden.xml
 }
 
-mkdir reference
+mkdir -p reference/goldens
 for i in 1 2 3; do
 	echo "case-$i: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --set seed=$i"
-done > reference/cases.txt
+done > reference/goldens/cases.txt
 touchstone golden new > made
-accepts reference case-{1,2,3}
-sed -i '3s/^./g/;3s/^g/0/' reference/case-2/SHA256SUMS
-sed -i '3{s/^0/1/;t;s/^./0/}' reference/case-2/SHA256SUMS
+accepts reference/goldens case-{1,2,3}
+sed -i '3s/^./g/;3s/^g/0/' reference/goldens/case-2/SHA256SUMS
+sed -i '3{s/^0/1/;t;s/^./0/}' reference/goldens/case-2/SHA256SUMS
 touchstone golden check --junit whole.xml > whole
 [ $? -eq 1 ] && grep -q 'failures="1"' whole.xml
 verdict $? 'one of three goldens differs'

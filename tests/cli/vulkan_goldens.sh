@@ -5,7 +5,7 @@
 . "$(dirname "$0")/vulkan.bash"
 need_device vulkan
 make_lift
-n=$(grep -c '^[a-z]' reference/cases.txt)
+n=$(grep -c '^[a-z]' reference/goldens/cases.txt)
 "$touchstone" golden check --backend vulkan > "$scratch/all" 2> "$scratch/stderr"
 grep -v '^same' "$scratch/all" | sed 's/^/# /'
 mapfile -t cut < <(sed -nE 's/^unusable +([^ ]+) .* the driver ended a loop of .*/\1/p' "$scratch/all")

@@ -168,7 +168,7 @@ def test_folders(context, scene, reference, tmp_path):
 	cropped = context.open(os.environ["CROPPED"])
 	cropped.save(tmp_path / "again")
 	assert context.compare(cropped, context.open(tmp_path / "again"))
-	golden = pathlib.Path("reference/small-mvr").absolute()
+	golden = pathlib.Path("reference/goldens/small-mvr").absolute()
 	judged = context.golden(golden)
 	assert judged.same and judged.method == "mvr" and judged.text == ""
 	with pytest.raises(touchstone.Error, match="No such file"):
