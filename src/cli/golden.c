@@ -1,4 +1,4 @@
-/* `golden check|new|bless [CASE...]`: digests under reference/. */
+/* `golden check|new|bless [CASE...]`: digests under reference/goldens/. */
 #include <fnmatch.h>
 #include <stdio.h>
 #include <string.h>

@@ -20,7 +20,7 @@ typedef struct {
 /* The cases and goldens of a `golden` command. */
 typedef struct {
 	ts_cli *cli;
-	ts_golden_dir dir; /* reference/ */
+	ts_golden_dir dir; /* reference/goldens/ */
 	ts_case cases[TS_MAX_CASES];
 	u32 n_cases;
 	ts_baseline known, skips;

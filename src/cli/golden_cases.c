@@ -1,5 +1,5 @@
-/* reference/goldens/cases.txt: NAME: [EFFECT/]METHOD SCENE [OPTION...] a line; without an effect, reflections; a file's path
- * goes from reference/. The file is untrusted. */
+/* reference/goldens/cases.txt: NAME: [EFFECT/]METHOD SCENE [OPTION...] a line; without an effect, reflections; a file's
+ * path goes from reference/goldens/. The file is untrusted. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
