@@ -115,7 +115,7 @@ const ts_command ts_command_table[] = {
      .run = ts_digest_command},
 	{"golden",
      "ACTION [CASE...]",
-     "check, new or bless: the goldens of reference/goldens/",
+     "check, new or bless: goldens",
      1,
      TS_MAX_ARGUMENTS,
      HOW,

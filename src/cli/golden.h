@@ -1,4 +1,5 @@
-/* The command `golden`: reference/goldens/cases.txt lists the runs, reference/goldens/<case>/ holds their results. Part of the core. */
+/* The command `golden`: cases.txt in reference/goldens lists the runs, and a folder for each holds its results. Part of
+ * the core. */
 #ifndef TS_CLI_GOLDEN_H
 #define TS_CLI_GOLDEN_H
 #include <touchstone/image.h>
