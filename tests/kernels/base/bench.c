@@ -26,7 +26,7 @@ static int by_texel_and_key(const void *a, const void *b)
 }
 
 /* Against all offers, sorted. */
-static void test_least(void **state)
+static void each_texel_keeps_its_least_key(void **state)
 {
 	(void)state;
 	enum { N = 5000 };
@@ -53,7 +53,7 @@ static void test_least(void **state)
 
 /* As many offers as texels: 1 - 1/e of these met, and of the offers Ein(1) = 0.7966 lower their texel, in every
  * launch. */
-static void test_spread(void **state)
+static void offers_spread_as_a_uniform_draw_does(void **state)
 {
 	(void)state;
 	empty();
@@ -73,6 +73,7 @@ static void test_spread(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_least), seeded_test(test_spread)};
+	const struct CMUnitTest tests[] = {seeded_test(each_texel_keeps_its_least_key),
+	                                   seeded_test(offers_spread_as_a_uniform_draw_does)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

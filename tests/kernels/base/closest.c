@@ -34,7 +34,7 @@ static double fatness(double3 a, double3 b, double3 c)
 	return d3_length(d3_cross(d3_sub(b, a), d3_sub(c, a))) / (l * l);
 }
 
-static void test_triangle(void **state)
+static void closest_points_of_triangles_match_double_precision(void **state)
 {
 	(void)state;
 	u32 n_regions[2] = {0};
@@ -50,8 +50,7 @@ static void test_triangle(void **state)
 	assert_true(n_regions[0] > N / 2 && n_regions[1] > N / 20);
 }
 
-/* Brute force: no sample of the triangle is nearer. */
-static void test_samples(void **state)
+static void no_sample_of_the_triangle_is_nearer(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N / 50; i++) {
@@ -67,7 +66,7 @@ static void test_samples(void **state)
 }
 
 /* Corners answer with their own bits; small integers are exact in each of the seven regions. */
-static void test_regions(void **state)
+static void small_integers_are_exact_in_every_region(void **state)
 {
 	(void)state;
 	ts_v3 a = {0, 0, 0}, b = {8, 0, 0}, c = {0, 8, 0};
@@ -89,7 +88,7 @@ static void test_regions(void **state)
 }
 
 /* Triangles without area are dropped before; asked all the same, the answer is one of their points. */
-static void test_degenerate(void **state)
+static void triangles_without_area_answer_with_a_point(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -103,7 +102,7 @@ static void test_degenerate(void **state)
 	}
 }
 
-static void test_segment(void **state)
+static void closest_points_of_segments_match_double_precision(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -115,7 +114,7 @@ static void test_segment(void **state)
 }
 
 /* Equally far from the three corners, in their plane; without a circle, the first corner. */
-static void test_circumcentre(void **state)
+static void circumcentre_is_equally_far_from_the_corners(void **state)
 {
 	(void)state;
 	u32 n_judged = 0;
@@ -139,8 +138,12 @@ static void test_circumcentre(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_triangle),   seeded_test(test_samples), seeded_test(test_regions),
-		seeded_test(test_degenerate), seeded_test(test_segment), seeded_test(test_circumcentre),
+		seeded_test(closest_points_of_triangles_match_double_precision),
+		seeded_test(no_sample_of_the_triangle_is_nearer),
+		seeded_test(small_integers_are_exact_in_every_region),
+		seeded_test(triangles_without_area_answer_with_a_point),
+		seeded_test(closest_points_of_segments_match_double_precision),
+		seeded_test(circumcentre_is_equally_far_from_the_corners),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,7 +4,7 @@
 enum { N = 200000, N_SLOTS = 64 };
 
 /* The least value and the sum do not depend on who came first. */
-static void test_atomics(void **state)
+static void atomics_do_not_depend_on_the_order(void **state)
 {
 	(void)state;
 	u64 least[N_SLOTS], expected_least[N_SLOTS];
@@ -31,7 +31,7 @@ static void test_atomics(void **state)
 }
 
 /* Nothing lies above the empty key, and depths order keys as they order themselves. */
-static void test_keys(void **state)
+static void depths_order_keys_below_the_empty_one(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -42,7 +42,7 @@ static void test_keys(void **state)
 	}
 }
 
-static void test_bits(void **state)
+static void casts_keep_every_bit_of_a_number(void **state)
 {
 	(void)state;
 	for (u64 u = 0; u <= 0xffffffffu; u += 8191) {
@@ -55,6 +55,8 @@ static void test_bits(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_atomics), seeded_test(test_keys), seeded_test(test_bits)};
+	const struct CMUnitTest tests[] = {seeded_test(atomics_do_not_depend_on_the_order),
+	                                   seeded_test(depths_order_keys_below_the_empty_one),
+	                                   seeded_test(casts_keep_every_bit_of_a_number)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@ static void assert_half(u32 bits)
 	if (ts_f2u(found) != ts_f2u(expected)) fail_msg("%a: %a instead of %a", (double)x, (double)found, (double)expected);
 }
 
-static void test_every_tail(void **state)
+static void every_tail_rounds_as_double_does(void **state)
 {
 	(void)state;
 	static const u32 tails[] = {0, 1, 0x100, 0x1ff};
@@ -20,7 +20,7 @@ static void test_every_tail(void **state)
 	}
 }
 
-static void test_halves_stay(void **state)
+static void halves_stay_what_they_are(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -39,6 +39,7 @@ static void test_halves_stay(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_tail), cmocka_unit_test(test_halves_stay)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(every_tail_rounds_as_double_does),
+	                                   cmocka_unit_test(halves_stay_what_they_are)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

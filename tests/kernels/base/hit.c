@@ -43,7 +43,7 @@ static ts_v3 random_weights(void)
 static f32 slope(ts_v3 n, ts_v3 d) { return ts_abs(ts_dot(ts_normalize(n), ts_normalize(d))); }
 
 /* A ray towards a point of the triangle finds its weights and its distance. */
-static void test_round_trip(void **state)
+static void rays_towards_a_point_find_its_weights(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -63,7 +63,7 @@ static void test_round_trip(void **state)
 }
 
 /* Small integers are exact: t and weights in all three projections. */
-static void test_exact(void **state)
+static void hits_of_small_integers_are_exact(void **state)
 {
 	(void)state;
 	for (u32 axis = 0; axis < 3; axis++) {
@@ -83,7 +83,7 @@ static void test_exact(void **state)
 }
 
 /* Outside, the weights are those of the clamped areas; at a corner, the corner's alone. */
-static void test_outside(void **state)
+static void outside_hits_weigh_the_clamped_areas(void **state)
 {
 	(void)state;
 	ts_corners t = corners(ts_v3_make(0, 0, 0), ts_v3_make(1, 0, 0), ts_v3_make(0, 1, 0));
@@ -97,7 +97,7 @@ static void test_outside(void **state)
 }
 
 /* A ray within the plane, a ray without direction and a triangle without area still give numbers. */
-static void test_edge_on(void **state)
+static void hits_edge_on_still_give_numbers(void **state)
 {
 	(void)state;
 	ts_corners t = corners(ts_v3_make(3, 0, 0), ts_v3_make(3, 3, 0), ts_v3_make(3, 0, 3));
@@ -112,7 +112,7 @@ static void test_edge_on(void **state)
 }
 
 /* Anything up to the greatest coordinate, at every scale: no NaN, infinity, denormal or -0. */
-static void test_extremes(void **state)
+static void extreme_coordinates_give_sound_hits(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -133,8 +133,9 @@ static void test_extremes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_round_trip), cmocka_unit_test(test_exact),    cmocka_unit_test(test_outside),
-		cmocka_unit_test(test_edge_on),    cmocka_unit_test(test_extremes),
+		cmocka_unit_test(rays_towards_a_point_find_its_weights), cmocka_unit_test(hits_of_small_integers_are_exact),
+		cmocka_unit_test(outside_hits_weigh_the_clamped_areas),  cmocka_unit_test(hits_edge_on_still_give_numbers),
+		cmocka_unit_test(extreme_coordinates_give_sound_hits),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

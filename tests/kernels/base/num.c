@@ -27,7 +27,7 @@ static void judge_fix(u32 u, i32 frac, i32 width)
 static const i32 format[][2] = {{8, 23}, {8, 30}, {8, 12}, {24, 25}, {0, 23}, {16, 31}};
 enum { N_FORMATS = sizeof format / sizeof format[0] };
 
-static void test_fix(void **state)
+static void fixed_point_rounds_to_the_nearest(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < N_FORMATS; k++) {
@@ -36,7 +36,7 @@ static void test_fix(void **state)
 }
 
 /* Both signs of every exponent with the mantissas at which rounding turns; the last exponent holds infinity and NaN. */
-static void test_fix_exponents(void **state)
+static void fixed_point_is_right_at_every_exponent(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 512; i++) {
@@ -52,7 +52,7 @@ static void test_fix_exponents(void **state)
 	}
 }
 
-static void test_fix_ties(void **state)
+static void fixed_point_ties_go_to_even(void **state)
 {
 	(void)state;
 	for (i32 k = -100000; k < 100000; k++) {
@@ -87,7 +87,7 @@ static void judge_san(u32 u)
 	assert_true(same_bits(ts_put(x), isinf(x) ? copysignf(FLT_MAX, x) : flushed(x)));
 }
 
-static void test_san(void **state)
+static void sanitizing_follows_its_definition(void **state)
 {
 	(void)state;
 	for (u64 u = 0; u <= 0xffffffffu; u += 8191) judge_san((u32)u);
@@ -99,7 +99,7 @@ static void test_san(void **state)
 	}
 }
 
-static void test_integers(void **state)
+static void conversions_to_integers_match_libm(void **state)
 {
 	(void)state;
 	for (u64 u = 0; u <= 0xffffffffu; u += 8191) {
@@ -112,7 +112,7 @@ static void test_integers(void **state)
 	for (i32 k = -8388607; k < 8388607; k += 2) assert_true(ts_rint((f32)k / 2) == rintf((f32)k / 2));
 }
 
-static void test_order(void **state)
+static void min_max_and_clamp_match_libm(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 100000; i++) {
@@ -126,7 +126,7 @@ static void test_order(void **state)
 /* From a float near y to the next one. */
 static double ulp(double y) { return y == 0 ? ldexp(1, -149) : ldexp(1, ilogb(y) - 23); }
 
-static void test_log2(void **state)
+static void logarithm_keeps_its_bound(void **state)
 {
 	(void)state;
 	double worst = 0;
@@ -141,7 +141,7 @@ static void test_log2(void **state)
 	for (u32 i = 0; i < sizeof outside / sizeof outside[0]; i++) assert_true(ts_log2(outside[i]) == -126);
 }
 
-static void test_sincos(void **state)
+static void sine_and_cosine_keep_their_bound(void **state)
 {
 	(void)state;
 	double turn = 2 * acos(-1), worst = 0;
@@ -159,7 +159,7 @@ static void test_sincos(void **state)
 	}
 }
 
-static void test_exp(void **state)
+static void exponential_keeps_its_bound(void **state)
 {
 	(void)state;
 	double worst = 0;
@@ -180,7 +180,7 @@ static void test_exp(void **state)
 }
 
 /* All quadrants; the shorter coordinate from as long as the other down to 2^-60 of it. */
-static void test_atan2(void **state)
+static void arc_tangent_keeps_its_bound(void **state)
 {
 	(void)state;
 	double worst = 0;
@@ -218,14 +218,14 @@ static u32 unpcg(u32 h)
 	return (s - 2891336453u) * inverse(747796405u);
 }
 
-static void test_pcg(void **state)
+static void each_step_of_the_hash_is_undone(void **state)
 {
 	(void)state;
 	for (u64 v = 0; v <= 0xffffffffu; v += MANY) assert_int_equal(unpcg(ts_pcg((u32)v)), (u32)v);
 }
 
 /* Uniform numbers fill [0, 1) evenly, in every stream, and streams and seeds differ. */
-static void test_random(void **state)
+static void random_numbers_fill_the_unit_evenly(void **state)
 {
 	(void)state;
 	enum { N = 1 << 16, N_BINS = 256 };
@@ -249,9 +249,12 @@ static void test_random(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_fix),   seeded_test(test_fix_exponents), seeded_test(test_fix_ties), seeded_test(test_san),
-		seeded_test(test_order), seeded_test(test_integers),      seeded_test(test_log2),     seeded_test(test_sincos),
-		seeded_test(test_exp),   seeded_test(test_atan2),         seeded_test(test_pcg),      seeded_test(test_random),
+		seeded_test(fixed_point_rounds_to_the_nearest), seeded_test(fixed_point_is_right_at_every_exponent),
+		seeded_test(fixed_point_ties_go_to_even),       seeded_test(sanitizing_follows_its_definition),
+		seeded_test(min_max_and_clamp_match_libm),      seeded_test(conversions_to_integers_match_libm),
+		seeded_test(logarithm_keeps_its_bound),         seeded_test(sine_and_cosine_keep_their_bound),
+		seeded_test(exponential_keeps_its_bound),       seeded_test(arc_tangent_keeps_its_bound),
+		seeded_test(each_step_of_the_hash_is_undone),   seeded_test(random_numbers_fill_the_unit_evenly),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -36,7 +36,7 @@ static double3 turned(ts_v3 p, double cosine, double sine)
 	return (double3){cosine * p.x + sine * p.z, p.y, cosine * p.z - sine * p.x};
 }
 
-static void test_path(void **state)
+static void moving_objects_follow_their_ellipse(void **state)
 {
 	(void)state;
 	double turn = 2 * acos(-1);
@@ -58,7 +58,7 @@ static void test_path(void **state)
 }
 
 /* A turn later everything is where it was, bit for bit, however many turns. */
-static void test_period(void **state)
+static void a_turn_later_nothing_has_changed(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -71,7 +71,7 @@ static void test_period(void **state)
 }
 
 /* What stands still keeps its bits, -0 and all. */
-static void test_static(void **state)
+static void what_stands_still_keeps_its_bits(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -85,7 +85,7 @@ static void test_static(void **state)
 }
 
 /* Four frames a turn: the ends of the two axes, and quarter turns, without rounding. */
-static void test_quarters(void **state)
+static void quarter_turns_are_exact(void **state)
 {
 	(void)state;
 	ts_object o = {.period = 4, .axis = {2, 3}, .spin = 1, .centre = {10, 20, 30}};
@@ -99,8 +99,7 @@ static void test_quarters(void **state)
 	assert_true(quarter.cos == 0 && quarter.sin == 1 && quarter.moves == 1);
 }
 
-/* Each vertex follows its own object. */
-static void test_objects(void **state)
+static void each_vertex_follows_its_own_object(void **state)
 {
 	(void)state;
 	ts_object objects[2] = {{.period = 0}, {.period = 10, .centre = {0, 7, 0}}};
@@ -140,7 +139,7 @@ static void assert_along(const f32 *found, double3 right)
 
 /* The motion of the frame and of the object is taken, again after the last; a record that does not move leaves the
  * object as it is, on its ellipse or still. */
-static void test_motion(void **state)
+static void objects_of_files_follow_their_matrices(void **state)
 {
 	(void)state;
 	enum { FRAMES = 5, OBJECTS = 3 };
@@ -182,8 +181,9 @@ static void test_motion(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_path),     seeded_test(test_period),  seeded_test(test_static),
-		seeded_test(test_quarters), seeded_test(test_objects), seeded_test(test_motion),
+		seeded_test(moving_objects_follow_their_ellipse), seeded_test(a_turn_later_nothing_has_changed),
+		seeded_test(what_stands_still_keeps_its_bits),    seeded_test(quarter_turns_are_exact),
+		seeded_test(each_vertex_follows_its_own_object),  seeded_test(objects_of_files_follow_their_matrices),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

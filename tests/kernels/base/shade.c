@@ -49,7 +49,7 @@ static double brdf(double base, double metallic, double roughness, double3 n, do
 	return nl * (f * specular + (1 - f) * (1 - metallic) * base / pi);
 }
 
-static void test_brdf(void **state)
+static void brdf_matches_the_textbook_form(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -65,7 +65,7 @@ static void test_brdf(void **state)
 	}
 }
 
-static void test_reciprocity(void **state)
+static void light_and_view_may_change_places(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -93,8 +93,8 @@ static double albedo(const ts_surface *s, ts_v3 v, u32 steps)
 
 /* White metal never returns more than it receives, a white dielectric nearly everything, black metal nearly nothing.
  * glTF weighs Lambert's part by the Fresnel term of the half-vector: seen along the surface a white one returns up to a
- * quarter too much. That is the model's; the textbook form agrees (test_brdf). */
-static void test_energy(void **state)
+ * quarter too much. That is the model's; the textbook form agrees (brdf_matches_the_textbook_form). */
+static void white_never_returns_more_than_it_receives(void **state)
 {
 	(void)state;
 	ts_v3 white = {1, 1, 1}, black = {0, 0, 0};
@@ -113,7 +113,7 @@ static void test_energy(void **state)
 }
 
 /* A mirror-like lobe: integrated over half-vectors, where D is smooth, roughness 0.1 still returns what it receives. */
-static void test_lobe(void **state)
+static void a_narrow_lobe_returns_what_it_receives(void **state)
 {
 	(void)state;
 	enum { STEPS = 2000 };
@@ -138,7 +138,7 @@ static bool is_sound(ts_v3 a)
 }
 
 /* Grazing, opposite, along the normal, at roughness 0: finite and not negative. */
-static void test_extremes(void **state)
+static void extreme_directions_shade_finite(void **state)
 {
 	(void)state;
 	const f32 roughness[] = {0, 1e-3f, 0.01f, 1};
@@ -157,7 +157,7 @@ static ts_light point_light(u32 kind)
 	return (ts_light){.kind = kind, .position = {1, 2, 3}, .direction = {0, -1, 0}, .intensity = {1, 1, 1}};
 }
 
-static void test_directional(void **state)
+static void directional_light_is_not_weakened(void **state)
 {
 	(void)state;
 	ts_light light = point_light(TS_LIGHT_KIND_DIRECTIONAL);
@@ -167,7 +167,7 @@ static void test_directional(void **state)
 }
 
 /* Inverse square, times the window that closes at the range. */
-static void test_point(void **state)
+static void point_light_falls_by_the_inverse_square(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -190,7 +190,7 @@ static void test_point(void **state)
 }
 
 /* Full inside the inner cone, none outside the outer, the square of the linear ramp of cosines between. */
-static void test_spot(void **state)
+static void spot_light_fades_between_its_cones(void **state)
 {
 	(void)state;
 	double inner = cos(0.4), outer = cos(0.9);
@@ -219,7 +219,7 @@ static ts_v3 shaded(const ts_surface *s, ts_v3 v)
 }
 
 /* Without lights: emission and ambient light on what is not metal; unlit shows its base colour. */
-static void test_ambient(void **state)
+static void without_lights_ambient_and_emission_remain(void **state)
 {
 	(void)state;
 	small_clear(&scene);
@@ -235,7 +235,7 @@ static void test_ambient(void **state)
 }
 
 /* Lights add, and twice the intensity is twice the light; one behind the surface gives nothing. */
-static void test_lights(void **state)
+static void lights_add_and_scale_with_intensity(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N / 10; i++) {
@@ -268,7 +268,7 @@ static void test_lights(void **state)
 }
 
 /* Seen from behind, a double-sided surface is lit as its mirror image is from the front; a single-sided one is not. */
-static void test_two_sides(void **state)
+static void a_back_is_lit_as_its_mirror(void **state)
 {
 	(void)state;
 	small_clear(&scene);
@@ -287,9 +287,17 @@ int main(void)
 {
 	pi = acos(-1);
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_brdf),     seeded_test(test_reciprocity), seeded_test(test_energy),    seeded_test(test_lobe),
-		seeded_test(test_extremes), seeded_test(test_directional), seeded_test(test_point),     seeded_test(test_spot),
-		seeded_test(test_ambient),  seeded_test(test_lights),      seeded_test(test_two_sides),
+		seeded_test(brdf_matches_the_textbook_form),
+		seeded_test(light_and_view_may_change_places),
+		seeded_test(white_never_returns_more_than_it_receives),
+		seeded_test(a_narrow_lobe_returns_what_it_receives),
+		seeded_test(extreme_directions_shade_finite),
+		seeded_test(directional_light_is_not_weakened),
+		seeded_test(point_light_falls_by_the_inverse_square),
+		seeded_test(spot_light_fades_between_its_cones),
+		seeded_test(without_lights_ambient_and_emission_remain),
+		seeded_test(lights_add_and_scale_with_intensity),
+		seeded_test(a_back_is_lit_as_its_mirror),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

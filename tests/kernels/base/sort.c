@@ -10,7 +10,7 @@ static int by_number(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-static void test_sort(void **state)
+static void lists_are_sorted_whatever_came_first(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 3000; i++) {
@@ -25,6 +25,6 @@ static void test_sort(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_sort)};
+	const struct CMUnitTest tests[] = {seeded_test(lists_are_sorted_whatever_came_first)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

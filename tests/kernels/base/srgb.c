@@ -7,7 +7,7 @@
 #include <cmocka.h>
 
 /* The least float not below the exact boundary between two codes. */
-static void test_thresholds(void **state)
+static void thresholds_are_the_least_floats(void **state)
 {
 	(void)state;
 	for (u32 k = 1; k < 256; k++) {
@@ -18,7 +18,7 @@ static void test_thresholds(void **state)
 	}
 }
 
-static void test_search(void **state)
+static void the_search_counts_thresholds_below(void **state)
 {
 	(void)state;
 	for (u32 k = 1; k < 256; k++) {
@@ -35,13 +35,13 @@ static void test_search(void **state)
 }
 
 /* Each code's own linear value displays as that code. */
-static void test_round_trip(void **state)
+static void each_code_displays_as_itself(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 256; k++) assert_int_equal(ts_srgb_byte((f32)srgb_decoded(k / 255.0L)), k);
 }
 
-static void test_extremes(void **state)
+static void extremes_and_nan_display_as_end_codes(void **state)
 {
 	(void)state;
 	assert_int_equal(ts_srgb_byte(0.0f), 0);
@@ -54,10 +54,10 @@ static void test_extremes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_thresholds),
-		cmocka_unit_test(test_search),
-		cmocka_unit_test(test_round_trip),
-		cmocka_unit_test(test_extremes),
+		cmocka_unit_test(thresholds_are_the_least_floats),
+		cmocka_unit_test(the_search_counts_thresholds_below),
+		cmocka_unit_test(each_code_displays_as_itself),
+		cmocka_unit_test(extremes_and_nan_display_as_end_codes),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

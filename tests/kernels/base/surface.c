@@ -37,7 +37,7 @@ static ts_surface surface(ts_v3 w, f32 footprint)
 	return ts_k_surface(&arrays, 0, w, footprint);
 }
 
-static void test_corners(void **state)
+static void weights_of_a_corner_give_its_data(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -55,7 +55,7 @@ static void test_corners(void **state)
 	}
 }
 
-static void test_weights(void **state)
+static void points_and_normals_blend_by_weights(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -70,7 +70,7 @@ static void test_weights(void **state)
 	}
 }
 
-static void test_no_normals(void **state)
+static void without_normals_the_face_gives_one(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -107,7 +107,7 @@ static double3 slope(u32 axis)
 	return d3_scale(d, (axis == 0 ? 1 : -1) / uv_area());
 }
 
-static void test_flat_map(void **state)
+static void a_flat_normal_map_changes_nothing(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -123,7 +123,7 @@ static void test_flat_map(void **state)
 }
 
 /* Red leans towards growing u; green upward in the image, where v falls; mirrored coordinates included. */
-static void test_map_direction(void **state)
+static void a_normal_map_leans_along_its_coordinates(void **state)
 {
 	(void)state;
 	u32 n_mirrored = 0, n_judged = 0;
@@ -145,7 +145,7 @@ static void test_map_direction(void **state)
 }
 
 /* A given tangent, made orthogonal to the normal; its w turns the bitangent. */
-static void test_tangent(void **state)
+static void a_given_tangent_turns_the_normal_map(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -167,7 +167,7 @@ static void test_tangent(void **state)
 }
 
 /* Coordinates without area, or a tangent along the normal: the map is not used. */
-static void test_no_frame(void **state)
+static void without_a_frame_no_map_is_used(void **state)
 {
 	(void)state;
 	random_triangle();
@@ -180,7 +180,7 @@ static void test_no_frame(void **state)
 }
 
 /* Each texture multiplies its factors from its own channels; occlusion is 1 + strength (t - 1). */
-static void test_material(void **state)
+static void each_texture_multiplies_its_factors(void **state)
 {
 	(void)state;
 	random_triangle();
@@ -208,7 +208,7 @@ static void test_material(void **state)
 }
 
 /* The slot's own set of coordinates and its transform decide where it reads; the footprint decides the level. */
-static void test_slot(void **state)
+static void a_slot_decides_what_is_read(void **state)
 {
 	(void)state;
 	random_triangle();
@@ -240,7 +240,7 @@ static void test_slot(void **state)
 }
 
 /* Only masked materials cut, where texture x factor x vertex alpha is below the cutoff. */
-static void test_cut(void **state)
+static void only_masked_materials_below_the_cutoff_cut(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -265,8 +265,7 @@ static void test_cut(void **state)
 	}
 }
 
-/* A mirror that is not followed is diffuse. */
-static void test_mirror(void **state)
+static void mirrors_not_followed_are_diffuse(void **state)
 {
 	(void)state;
 	random_triangle();
@@ -278,7 +277,7 @@ static void test_mirror(void **state)
 }
 
 /* width / sqrt |cos|, at most eight widths. */
-static void test_footprint(void **state)
+static void the_footprint_grows_with_the_slant(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -294,10 +293,18 @@ static void test_footprint(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_corners),  seeded_test(test_weights),       seeded_test(test_no_normals),
-		seeded_test(test_flat_map), seeded_test(test_map_direction), seeded_test(test_tangent),
-		seeded_test(test_no_frame), seeded_test(test_material),      seeded_test(test_slot),
-		seeded_test(test_cut),      seeded_test(test_mirror),        seeded_test(test_footprint),
+		seeded_test(weights_of_a_corner_give_its_data),
+		seeded_test(points_and_normals_blend_by_weights),
+		seeded_test(without_normals_the_face_gives_one),
+		seeded_test(a_flat_normal_map_changes_nothing),
+		seeded_test(a_normal_map_leans_along_its_coordinates),
+		seeded_test(a_given_tangent_turns_the_normal_map),
+		seeded_test(without_a_frame_no_map_is_used),
+		seeded_test(each_texture_multiplies_its_factors),
+		seeded_test(a_slot_decides_what_is_read),
+		seeded_test(only_masked_materials_below_the_cutoff_cut),
+		seeded_test(mirrors_not_followed_are_diffuse),
+		seeded_test(the_footprint_grows_with_the_slant),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,7 +72,7 @@ static double bilinear(u32 l, double u, double v)
 static const u32 sizes[][2] = {{16, 16}, {16, 4}, {5, 3}, {1, 1}, {1, 7}, {13, 2}};
 enum { N_SIZES = sizeof sizes / sizeof sizes[0] };
 
-static void test_constant(void **state)
+static void a_constant_image_reads_constant(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -86,7 +86,7 @@ static void test_constant(void **state)
 }
 
 /* Nothing but the image is read, whatever the coordinates. */
-static void test_inside(void **state)
+static void nothing_but_the_image_is_read(void **state)
 {
 	(void)state;
 	const f32 special[] = {0,         -0.0f, 1,      -1,      0.5f,   NAN,        INFINITY,
@@ -100,7 +100,7 @@ static void test_inside(void **state)
 	}
 }
 
-static void test_centres(void **state)
+static void texel_centres_read_their_texel(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < N_SIZES * 9; k++) {
@@ -120,7 +120,7 @@ static void test_centres(void **state)
 }
 
 /* Fractions of a texel are kept to 1/256, so a result may be off by half of that along each axis. */
-static void test_bilinear(void **state)
+static void bilinear_reads_match_double_precision(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -133,7 +133,7 @@ static void test_bilinear(void **state)
 }
 
 /* Between two levels in proportion; beyond the last, the last. */
-static void test_trilinear(void **state)
+static void reads_between_levels_are_in_proportion(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -150,7 +150,7 @@ static void test_trilinear(void **state)
 
 /* All 256 x 256 fractions between four texels, and all between two levels, in integers as specified: equal texels keep
  * their value, greatest ones do not overflow. */
-static void test_fractions(void **state)
+static void every_fraction_blends_as_specified(void **state)
 {
 	(void)state;
 	set_wrap(TS_CLAMP, TS_CLAMP);
@@ -169,7 +169,7 @@ static void test_fractions(void **state)
 }
 
 /* A footprint of 2^k texels reads level k; the level grows with the footprint and stops at its greatest value. */
-static void test_lod(void **state)
+static void level_follows_the_footprint(void **state)
 {
 	(void)state;
 	for (i32 k = -20; k <= 15; k++) {
@@ -194,8 +194,13 @@ static void test_lod(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_constant),  seeded_test(test_inside),    seeded_test(test_centres), seeded_test(test_bilinear),
-		seeded_test(test_trilinear), seeded_test(test_fractions), seeded_test(test_lod),
+		seeded_test(a_constant_image_reads_constant),
+		seeded_test(nothing_but_the_image_is_read),
+		seeded_test(texel_centres_read_their_texel),
+		seeded_test(bilinear_reads_match_double_precision),
+		seeded_test(reads_between_levels_are_in_proportion),
+		seeded_test(every_fraction_blends_as_specified),
+		seeded_test(level_follows_the_footprint),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static ts_v3 wide3(void)
 
 static bool equal(ts_v3 a, double3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-static void test_exact(void **state)
+static void vectors_of_small_integers_are_exact(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -36,7 +36,7 @@ static void test_exact(void **state)
 	}
 }
 
-static void test_dot_and_cross(void **state)
+static void dot_and_cross_are_near_double_precision(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -51,7 +51,7 @@ static void test_dot_and_cross(void **state)
 }
 
 /* A fused multiply-add would leave the rounding error of one product; another order would keep the 1. */
-static void test_order(void **state)
+static void products_add_in_the_written_order(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -64,7 +64,7 @@ static void test_order(void **state)
 	assert_true(ts_dot(ts_v3_make(big.x, big.z, 1), one) == 1);
 }
 
-static void test_normalize(void **state)
+static void normalized_vectors_have_length_one(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -79,7 +79,7 @@ static void test_normalize(void **state)
 }
 
 /* Same length, same angle on the other side, in the plane of the two; and back again. */
-static void test_reflect(void **state)
+static void reflection_keeps_length_and_angle(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -92,7 +92,7 @@ static void test_reflect(void **state)
 	}
 }
 
-static void test_blend(void **state)
+static void blends_match_double_precision(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -103,7 +103,7 @@ static void test_blend(void **state)
 	}
 }
 
-static void test_store(void **state)
+static void storing_flushes_the_least_numbers(void **state)
 {
 	(void)state;
 	f32 p[3] = {1, 2, 3};
@@ -115,9 +115,10 @@ static void test_store(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_exact),     seeded_test(test_dot_and_cross), seeded_test(test_order),
-		seeded_test(test_normalize), seeded_test(test_reflect),       seeded_test(test_blend),
-		seeded_test(test_store),
+		seeded_test(vectors_of_small_integers_are_exact), seeded_test(dot_and_cross_are_near_double_precision),
+		seeded_test(products_add_in_the_written_order),   seeded_test(normalized_vectors_have_length_one),
+		seeded_test(reflection_keeps_length_and_angle),   seeded_test(blends_match_double_precision),
+		seeded_test(storing_flushes_the_least_numbers),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,7 +45,7 @@ static void check_pixels(u32 width, u32 height, u32 rectangle)
 	}
 }
 
-static void test_pixels(void **state)
+static void corners_stand_at_their_pixels(void **state)
 {
 	(void)state;
 	static const u32 sizes[][2] = {{1, 1}, {32, 32}, {33, 31}, {7, 90}, {100, 54}};
@@ -153,7 +153,7 @@ static void check_light(const ts_patch *patches, u32 n_patches, const ts_moment 
 }
 
 /* Random worlds, one in four all sky. */
-static void test_gather(void **state)
+static void corners_gather_what_faces_them(void **state)
 {
 	(void)state;
 	static world w;
@@ -182,7 +182,7 @@ static void test_gather(void **state)
 }
 
 /* A box holds its least and its greatest depth, and not the next number beyond. */
-static void test_range(void **state)
+static void a_box_holds_its_extreme_depths(void **state)
 {
 	(void)state;
 	ts_view view = {.focal = 100, .width = 1, .height = 1, .near = 0.25f, .back = {0, 0, 1}};
@@ -200,7 +200,7 @@ static void test_range(void **state)
 }
 
 /* Boxes of the last depths before the sky, some of which end at the sky: the middle has a point, in the box. */
-static void test_deepest(void **state)
+static void the_deepest_boxes_have_a_point_inside(void **state)
 {
 	(void)state;
 	const ts_view view = {.focal = 100, .width = 1, .height = 1, .near = 0.25f, .back = {0, 0, 1}};
@@ -231,7 +231,7 @@ static ts_moment gather(const ts_patch *patches, u64 n_patches, ts_v3 p) { retur
 
 /* Heights above the plane in 64ths of a side: none up to 4, then more and more, all from 20 on. By the paper all above
  * 0. */
-static void test_facing(void **state)
+static void corners_count_what_faces_them_enough(void **state)
 {
 	(void)state;
 	for (i32 step = -64; step <= 64; step++) {
@@ -254,7 +254,7 @@ static void test_facing(void **state)
 }
 
 /* In a room that shines on all sides a corner sees it under 4 pi, and from the middle none of its directions more. */
-static void test_room(void **state)
+static void corners_see_all_of_a_lit_room(void **state)
 {
 	(void)state;
 	ts_patch walls[12 * PARTS * PARTS];
@@ -271,7 +271,7 @@ static void test_room(void **state)
 }
 
 /* Sums are those of what each triangle sends alone, in their order and in no other. */
-static void test_order(void **state)
+static void sums_add_in_order_of_the_triangles(void **state)
 {
 	(void)state;
 	u32 n_others = 0;
@@ -302,7 +302,7 @@ static void test_order(void **state)
 }
 
 /* The lobe holds all of the light; by vmf its mean direction is that of the light. Nothing lights with nothing. */
-static void test_fit(void **state)
+static void the_lobe_holds_all_of_the_light(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -329,7 +329,7 @@ static void test_fit(void **state)
 }
 
 /* A lobe for each colour, of that one's light alone, for each corner. */
-static void test_lobes(void **state)
+static void each_colour_has_its_own_lobe(void **state)
 {
 	(void)state;
 	enum { CORNERS = 8 };
@@ -371,9 +371,11 @@ static void test_lobes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_pixels),  seeded_test(test_gather), seeded_test(test_range),
-		seeded_test(test_deepest), seeded_test(test_facing), seeded_test(test_room),
-		seeded_test(test_order),   seeded_test(test_fit),    seeded_test(test_lobes),
+		seeded_test(corners_stand_at_their_pixels),        seeded_test(corners_gather_what_faces_them),
+		seeded_test(a_box_holds_its_extreme_depths),       seeded_test(the_deepest_boxes_have_a_point_inside),
+		seeded_test(corners_count_what_faces_them_enough), seeded_test(corners_see_all_of_a_lit_room),
+		seeded_test(sums_add_in_order_of_the_triangles),   seeded_test(the_lobe_holds_all_of_the_light),
+		seeded_test(each_colour_has_its_own_lobe),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,7 +5,7 @@
 #include "../seeded.h"
 
 /* floor((i + 1/2) to / from) in rational numbers; a pixel that the grid has texels enough for is shown by its own. */
-static void test_resample(void **state)
+static void texels_are_those_of_rational_numbers(void **state)
 {
 	(void)state;
 	for (u32 n = 0; n < 20000; n++) {
@@ -43,7 +43,7 @@ static void check_grid(u32 grid, u32 width, u32 height)
 	assert_true(depths[grid * grid] == -1);
 }
 
-static void test_nearest(void **state)
+static void the_grid_shows_the_nearest_pixels(void **state)
 {
 	(void)state;
 	static const u32 sizes[][2] = {{130, 50}, {96, 96}, {32, 160}, {7, 150}, {200, 3}, {1, 1}};
@@ -53,7 +53,7 @@ static void test_nearest(void **state)
 }
 
 /* Blocks are numbered by rows, and so are texels within them. */
-static void test_blocks(void **state)
+static void blocks_hold_each_texel_once(void **state)
 {
 	(void)state;
 	for (u32 side = 1; side <= 5; side++) {
@@ -69,9 +69,9 @@ static void test_blocks(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_resample),
-		seeded_test(test_nearest),
-		seeded_test(test_blocks),
+		seeded_test(texels_are_those_of_rational_numbers),
+		seeded_test(the_grid_shows_the_nearest_pixels),
+		seeded_test(blocks_hold_each_texel_once),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,7 +54,7 @@ static share share_of(const ts_patch *patch, double3 p, double3 n)
 	return (share){front < 0 ? 0 : ff_factor(n, corner), 1e-7 * d3_length(corner[0]) / fabs(front)};
 }
 
-static void test_factors(void **state)
+static void light_follows_the_form_factors(void **state)
 {
 	(void)state;
 	double worst = 0;
@@ -82,7 +82,7 @@ static void test_factors(void **state)
 }
 
 /* In a room that shines on all sides every surface gets what a wall sends out, wherever it faces. */
-static void test_room(void **state)
+static void a_lit_room_lights_every_side_alike(void **state)
 {
 	(void)state;
 	ts_patch walls[12 * PARTS * PARTS];
@@ -98,7 +98,7 @@ static void test_room(void **state)
 }
 
 /* None in the sky, wherever it is said to be; there is no other depth that is the sky's. */
-static void test_sky(void **state)
+static void the_sky_gathers_no_light(void **state)
 {
 	(void)state;
 	ts_patch walls[12];
@@ -115,7 +115,7 @@ static void test_sky(void **state)
 }
 
 /* Below the pixel's horizon, or turned away from it, a triangle gives nothing at all; and no triangles give nothing. */
-static void test_behind(void **state)
+static void light_from_behind_gives_nothing(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 4000; i++) {
@@ -136,7 +136,7 @@ static void test_behind(void **state)
 }
 
 /* The sum is that of what each triangle gives alone, in their order and in no other. */
-static void test_order(void **state)
+static void light_adds_in_order_of_the_triangles(void **state)
 {
 	(void)state;
 	u32 n_others = 0;
@@ -158,8 +158,11 @@ static void test_order(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_factors), seeded_test(test_room),  seeded_test(test_sky),
-		seeded_test(test_behind),  seeded_test(test_order),
+		seeded_test(light_follows_the_form_factors),
+		seeded_test(a_lit_room_lights_every_side_alike),
+		seeded_test(the_sky_gathers_no_light),
+		seeded_test(light_from_behind_gives_nothing),
+		seeded_test(light_adds_in_order_of_the_triangles),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,7 +43,7 @@ static integrals integrate(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 }
 
 /* Triangles about the point, half of them seen from behind. */
-static void test_quadrature(void **state)
+static void form_factors_match_quadrature(void **state)
 {
 	(void)state;
 	u32 n_cut = 0, n_behind = 0;
@@ -64,7 +64,7 @@ static void test_quadrature(void **state)
 
 /* Rounding, of all sizes and distances: the solid angle loses as much as the triangle is turned away; the form factor's
  * edges cancel, so that its error is absolute. */
-static void test_precision(void **state)
+static void rounding_stays_within_its_bound(void **state)
 {
 	(void)state;
 	double worst_solid = 0, worst = 0;
@@ -91,7 +91,7 @@ static void test_precision(void **state)
 
 /* No light of a surface's own triangle, nor of one on the other side of a thin wall, wherever the scene is: rounding
  * puts places of the plane in front of it or behind. A thousandth of its size in front the surface sees the light. */
-static void test_own_plane(void **state)
+static void no_triangle_lights_its_own_plane(void **state)
 {
 	(void)state;
 	u32 n_front = 0, n_behind = 0;
@@ -113,7 +113,7 @@ static void test_own_plane(void **state)
 
 /* A rectangle a by b at distance 1, parallel, p facing one of its corners; and the same seen at right angles: tables of
  * any textbook of heat transfer. */
-static void test_rectangle(void **state)
+static void rectangles_match_the_textbook(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -134,7 +134,7 @@ static void test_rectangle(void **state)
 }
 
 /* Far away A / (pi d^2). */
-static void test_far(void **state)
+static void far_triangles_shine_by_their_area(void **state)
 {
 	(void)state;
 	ts_v3 o = ts_v3_make(0, 0, 0), up = ts_v3_make(0, 0, 1);
@@ -146,7 +146,7 @@ static void test_far(void **state)
 }
 
 /* Around a point inside, all directions and all that a surface emits: a cube of twelve triangles. */
-static void test_closed(void **state)
+static void a_closed_box_is_all_directions(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N / 20; i++) {
@@ -170,7 +170,7 @@ static void test_closed(void **state)
 }
 
 /* Rays by the cosine, from the surface, and which of them meet the triangle. */
-static void test_rays(void **state)
+static void form_factors_match_rays(void **state)
 {
 	(void)state;
 	enum { RAYS = 200000 };
@@ -200,7 +200,7 @@ static void judge_range(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 }
 
 /* Corners, edges, the plane; needles, points; large and small. */
-static void test_robust(void **state)
+static void any_place_gives_a_number_in_range(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -230,9 +230,10 @@ static void test_robust(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_quadrature), seeded_test(test_precision), seeded_test(test_own_plane),
-		seeded_test(test_rectangle),  seeded_test(test_far),       seeded_test(test_closed),
-		seeded_test(test_rays),       seeded_test(test_robust),
+		seeded_test(form_factors_match_quadrature),     seeded_test(rounding_stays_within_its_bound),
+		seeded_test(no_triangle_lights_its_own_plane),  seeded_test(rectangles_match_the_textbook),
+		seeded_test(far_triangles_shine_by_their_area), seeded_test(a_closed_box_is_all_directions),
+		seeded_test(form_factors_match_rays),           seeded_test(any_place_gives_a_number_in_range),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

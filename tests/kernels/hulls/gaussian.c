@@ -13,7 +13,7 @@ static f32 cosine(u32 k) { return ts_cos_turn((f32)k / (2 * (N_BETA - 1))); }
 static double relative(double found, double right) { return fabs(found - right) / right; }
 
 /* FIGURES 9: numbers worked out apart from this project. */
-static void test_numbers(void **state)
+static void integrals_are_those_of_the_figures(void **state)
 {
 	(void)state;
 	const double upper[][2] = {{1, 2.31145}, {10, 0.56549}, {100, 0.0622035}};
@@ -30,7 +30,7 @@ static void test_numbers(void **state)
 }
 
 /* Eqs 2, 9 and 10. */
-static void test_stable(void **state)
+static void stable_forms_match_the_integrals(void **state)
 {
 	(void)state;
 	double sphere = 0, upper = 0, lower = 0, lower_absolute = 0;
@@ -52,7 +52,7 @@ static void test_stable(void **state)
 }
 
 /* What the printed forms lose: digits where they cancel, and with the C library's exponential, which overflows, all. */
-static void test_printed(void **state)
+static void printed_forms_lose_digits(void **state)
 {
 	(void)state;
 	const f32 lambda = 1e-3f;
@@ -98,7 +98,7 @@ static errors errors_of(f32 lambda, u32 method)
 }
 
 /* Eq 12: the nodes are enough, at every sharpness and angle. */
-static void test_quadrature(void **state)
+static void nodes_suffice_at_every_sharpness(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_LAMBDA; i++) {
@@ -114,7 +114,7 @@ static void test_quadrature(void **state)
 }
 
 /* Eqs 15 to 18: as near as FIGURES 9 says, and nearer than the rivals. */
-static void test_ours(void **state)
+static void our_cosine_is_nearer_than_its_rivals(void **state)
 {
 	(void)state;
 	double most = 0, rmse = 0, relative_rmse = 0;
@@ -138,7 +138,7 @@ static void test_ours(void **state)
 
 /* Rounding; where n is phi or -phi the closed form is that of eqs 9 and 10, and it never is more or less than they
  * are. */
-static void test_closed(void **state)
+static void the_closed_form_stays_within_its_ends(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_LAMBDA; i++) {
@@ -159,7 +159,7 @@ static void test_closed(void **state)
 }
 
 /* The rivals by their own definitions, and figures of FIGURES 9. */
-static void test_rivals(void **state)
+static void rivals_match_their_definitions(void **state)
 {
 	(void)state;
 	const double rows[][3] = {
@@ -181,7 +181,7 @@ static void test_rivals(void **state)
 }
 
 /* Eq 3: in every direction the product of the values. */
-static void test_product(void **state)
+static void products_have_the_product_of_values(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 20000; i++) {
@@ -201,7 +201,7 @@ static void test_product(void **state)
 }
 
 /* Eq 4, and the inverse of coth k - 1 / k; FIGURES 8 has the table. */
-static void test_sharpness(void **state)
+static void sharpness_inverts_the_mean_length(void **state)
 {
 	(void)state;
 	const double rows[][3] = {
@@ -227,7 +227,7 @@ static void test_sharpness(void **state)
 }
 
 /* Products with the lobes of smooth surfaces: hardly wider than a direction, 2 pi cos / lambda. */
-static void test_sharp(void **state)
+static void sharp_lobes_act_as_directions(void **state)
 {
 	(void)state;
 	for (f32 lambda = 1e6f; lambda < 2e8f; lambda *= 10) {
@@ -244,9 +244,16 @@ static void test_sharp(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_numbers),   seeded_test(test_stable), seeded_test(test_printed), seeded_test(test_quadrature),
-		seeded_test(test_ours),      seeded_test(test_closed), seeded_test(test_rivals),  seeded_test(test_product),
-		seeded_test(test_sharpness), seeded_test(test_sharp),
+		seeded_test(integrals_are_those_of_the_figures),
+		seeded_test(stable_forms_match_the_integrals),
+		seeded_test(printed_forms_lose_digits),
+		seeded_test(nodes_suffice_at_every_sharpness),
+		seeded_test(our_cosine_is_nearer_than_its_rivals),
+		seeded_test(the_closed_form_stays_within_its_ends),
+		seeded_test(rivals_match_their_definitions),
+		seeded_test(products_have_the_product_of_values),
+		seeded_test(sharpness_inverts_the_mean_length),
+		seeded_test(sharp_lobes_act_as_directions),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -24,7 +24,7 @@ static ts_v3 about(ts_v3 n, f32 cosine)
 	return ts_normalize(ts_mad(ts_scale(n, cosine), across, ts_sqrt(1.0f - cosine * cosine)));
 }
 
-static void test_lobe(void **state)
+static void lobes_have_the_peak_of_ggx(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i <= 512; i++) {
@@ -41,7 +41,7 @@ static void test_lobe(void **state)
 }
 
 /* Light from one direction: D V F cos there, D of the lobe, V and F by Smith and Schlick in double precision. */
-static void test_narrow(void **state)
+static void narrow_light_is_reflected_by_the_lobe(void **state)
 {
 	(void)state;
 	u32 n_bright = 0;
@@ -78,7 +78,7 @@ static double returned(const ts_glossy *at, f32 a2)
 	return sum;
 }
 
-static void test_uniform(void **state)
+static void uniform_light_returns_nearly_as_the_brdf(void **state)
 {
 	(void)state;
 	static const f32 alphas[] = {1, 0.7f, 0.4f, 0.2f}, cosines[] = {1, 0.7f, 0.4f};
@@ -96,7 +96,7 @@ static void test_uniform(void **state)
 	assert_true(worst < 0.3);
 }
 
-static void test_numbers(void **state)
+static void any_input_reflects_to_a_number(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 20 * N; i++) {
@@ -114,7 +114,7 @@ static void test_numbers(void **state)
 }
 
 /* A triangle before the eye, of each material. */
-static void test_surfaces(void **state)
+static void each_material_has_its_reflectance(void **state)
 {
 	(void)state;
 	static const struct {
@@ -152,7 +152,7 @@ static void test_surfaces(void **state)
 }
 
 /* In a room of light: triangle by triangle in order, none from behind, none in the sky. */
-static void test_direct(void **state)
+static void gloss_adds_triangles_in_their_order(void **state)
 {
 	(void)state;
 	enum { PARTS = 4, N_PATCHES = 12 * PARTS * PARTS };
@@ -185,7 +185,7 @@ static void test_direct(void **state)
 
 /* Of a triangle the part above the horizon, by many places of it; all of one that is above, to the bit; nothing of one
  * in the pixel's own plane. */
-static void test_horizon(void **state)
+static void only_the_part_above_the_horizon_counts(void **state)
 {
 	(void)state;
 	double worst = 0;
@@ -226,8 +226,13 @@ static void test_horizon(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_lobe),     seeded_test(test_narrow), seeded_test(test_uniform), seeded_test(test_numbers),
-		seeded_test(test_surfaces), seeded_test(test_direct), seeded_test(test_horizon),
+		seeded_test(lobes_have_the_peak_of_ggx),
+		seeded_test(narrow_light_is_reflected_by_the_lobe),
+		seeded_test(uniform_light_returns_nearly_as_the_brdf),
+		seeded_test(any_input_reflects_to_a_number),
+		seeded_test(each_material_has_its_reflectance),
+		seeded_test(gloss_adds_triangles_in_their_order),
+		seeded_test(only_the_part_above_the_horizon_counts),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

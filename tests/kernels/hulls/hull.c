@@ -10,7 +10,7 @@
 enum { N = 3000, GRID = 96, TEXELS = GRID * GRID, BLOCKS = 9, MOST_BOXES = 400, WIDTH = 150, HEIGHT = 70 };
 
 /* Area, place, plane, sides and winding of random patches. */
-static void test_patch(void **state)
+static void patches_have_their_area_place_and_plane(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -46,7 +46,7 @@ static ts_camera_k random_camera(u32 orthographic)
 }
 
 /* What a texel sees of a plane fills the texel: corners of its square, projected along its rays onto the plane. */
-static void test_texel_area(void **state)
+static void a_texels_area_is_what_it_sees(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -138,7 +138,7 @@ static u32 choose(const hulls *h, ts_grid_place at, bool robust, f32 step)
 	return best;
 }
 
-static void test_choice(void **state)
+static void the_choice_of_boxes_follows_its_reasons(void **state)
 {
 	(void)state;
 	static hulls h;
@@ -166,7 +166,7 @@ static void test_choice(void **state)
 /* On a plane a number that is linear in space is interpolated exactly: corners where the plane meets the rays of the
  * pixels that show the texels at the corners, at a pixel the plane's point on its ray. Beyond the corners nothing
  * changes. */
-static void test_shares(void **state)
+static void interpolation_is_exact_on_planes(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -217,7 +217,7 @@ static void test_shares(void **state)
 
 /* Light falls off towards corners without light by their share, and no faster or slower: a corner without light has no
  * sharpness of its own. */
-static void test_dark_corners(void **state)
+static void a_dark_corner_has_no_sharpness(void **state)
 {
 	(void)state;
 	u32 n_lit = 0;
@@ -242,7 +242,7 @@ static void test_dark_corners(void **state)
 }
 
 /* One small light far away: four corners at one place, and a pixel there. Every way to integrate but SG's gives M F. */
-static void test_one_light(void **state)
+static void one_far_light_is_as_direct(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -270,7 +270,7 @@ static void test_one_light(void **state)
 }
 
 /* Whatever is printed, what is stored is a number from +0 on. */
-static void test_numbers(void **state)
+static void whatever_is_stored_is_a_number(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 20000; i++) {
@@ -290,9 +290,10 @@ static void test_numbers(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_patch),   seeded_test(test_texel_area),   seeded_test(test_choice),
-		seeded_test(test_shares),  seeded_test(test_dark_corners), seeded_test(test_one_light),
-		seeded_test(test_numbers),
+		seeded_test(patches_have_their_area_place_and_plane), seeded_test(a_texels_area_is_what_it_sees),
+		seeded_test(the_choice_of_boxes_follows_its_reasons), seeded_test(interpolation_is_exact_on_planes),
+		seeded_test(a_dark_corner_has_no_sharpness),          seeded_test(one_far_light_is_as_direct),
+		seeded_test(whatever_is_stored_is_a_number),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

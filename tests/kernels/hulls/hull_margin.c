@@ -84,7 +84,7 @@ static u32 count_others(const world *w, const f32 *margin, const u32 *labels, u3
 	return n;
 }
 
-static void test_segments(void **state)
+static void segments_that_differ_are_undecided(void **state)
 {
 	(void)state;
 	static world w;
@@ -112,7 +112,7 @@ static void test_segments(void **state)
 }
 
 /* Columns of a tie with the step, and of one 64 ulps from it: what hangs together has the least of its tests. */
-static void test_figures(void **state)
+static void segments_have_their_least_margin(void **state)
 {
 	(void)state;
 	static f32 depth[TEXELS], margin[TEXELS];
@@ -187,7 +187,7 @@ static u32 choose(const hulls *h, ts_grid_place at, bool robust, f32 step)
 	return best;
 }
 
-static void test_choice(void **state)
+static void choices_that_differ_are_undecided(void **state)
 {
 	(void)state;
 	static hulls h;
@@ -213,6 +213,8 @@ static void test_choice(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_segments), seeded_test(test_figures), seeded_test(test_choice)};
+	const struct CMUnitTest tests[] = {seeded_test(segments_that_differ_are_undecided),
+	                                   seeded_test(segments_have_their_least_margin),
+	                                   seeded_test(choices_that_differ_are_undecided)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -90,7 +90,7 @@ static void check_surface(const lamp *l, double right)
 }
 
 /* A disc's triangles stand around its middle, one after the other, and shine along the light. */
-static void test_disc(void **state)
+static void triangles_of_a_disc_stand_around_it(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -106,7 +106,7 @@ static void test_disc(void **state)
 }
 
 /* Near its axis it is a disc's, M r^2 / (r^2 + d^2); far off, aside, I cos / d^2, but for its extent. */
-static void test_disc_light(void **state)
+static void a_disc_shines_as_its_closed_form(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -124,7 +124,7 @@ static void test_disc_light(void **state)
 }
 
 /* A sun gives what it says, across a scene as in its middle. */
-static void test_sun_light(void **state)
+static void a_sun_lights_a_scene_alike(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -137,7 +137,7 @@ static void test_sun_light(void **state)
 }
 
 /* Far off a ball's triangles send I on average, and about that each way; their normals look out. */
-static void test_ball(void **state)
+static void a_ball_sends_its_intensity_on_average(void **state)
 {
 	(void)state;
 	double sum = 0, least = 2, most = 0;
@@ -185,7 +185,7 @@ static ts_moment gather(const lamp *l, ts_v3 p)
 }
 
 /* Pixels gather form factors, corners solid angles of all that faces them, however low above the plane they are. */
-static void test_gathered(void **state)
+static void pixels_gather_factors_and_corners_angles(void **state)
 {
 	(void)state;
 	static const u32 kinds[] = {TS_LIGHT_KIND_SPOT, TS_LIGHT_KIND_POINT};
@@ -215,7 +215,7 @@ static void test_gathered(void **state)
 
 /* Without extent there are no triangles. A light is one direction, its lobe the narrowest, which gives a surface what
  * the light does: I cos / d^2. */
-static void test_point(void **state)
+static void without_extent_a_light_is_one_direction(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 10 * N; i++) {
@@ -242,7 +242,7 @@ static void test_point(void **state)
 }
 
 /* A spot light without extent has its cone, one with extent none. */
-static void test_cone(void **state)
+static void only_spots_without_extent_have_their_cone(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -260,8 +260,13 @@ static void test_cone(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_disc),     seeded_test(test_disc_light), seeded_test(test_sun_light), seeded_test(test_ball),
-		seeded_test(test_gathered), seeded_test(test_point),      seeded_test(test_cone),
+		seeded_test(triangles_of_a_disc_stand_around_it),
+		seeded_test(a_disc_shines_as_its_closed_form),
+		seeded_test(a_sun_lights_a_scene_alike),
+		seeded_test(a_ball_sends_its_intensity_on_average),
+		seeded_test(pixels_gather_factors_and_corners_angles),
+		seeded_test(without_extent_a_light_is_one_direction),
+		seeded_test(only_spots_without_extent_have_their_cone),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -141,7 +141,7 @@ static void check_block(const world *w, const u32 *swept, const u32 *exact, u32 
 	assert_true(count_labels(swept, block) >= count_labels(exact, block));
 }
 
-static void test_labels(void **state)
+static void segments_are_those_of_the_paper(void **state)
 {
 	(void)state;
 	static world w;
@@ -163,7 +163,7 @@ static void test_labels(void **state)
 }
 
 /* Every depth its own segment: no list of labels is longer. */
-static void test_most(void **state)
+static void every_depth_may_be_its_own_segment(void **state)
 {
 	(void)state;
 	static world w = {.step = 0.01f};
@@ -174,7 +174,7 @@ static void test_most(void **state)
 }
 
 /* |d_c - d_n| = t (1 - d_c) joins, the next float does not; and only this way round. */
-static void test_step(void **state)
+static void depths_join_up_to_the_step(void **state)
 {
 	(void)state;
 	f32 more = ts_u2f(ts_f2u(0.75f) + 1);
@@ -228,7 +228,7 @@ static void check_boxes(const world *w, const u32 *labels)
 	assert_int_equal(n_labels, n_used);
 }
 
-static void test_boxes(void **state)
+static void boxes_hold_all_texels_of_their_label(void **state)
 {
 	(void)state;
 	static world w;
@@ -246,10 +246,10 @@ static void test_boxes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_labels),
-		seeded_test(test_most),
-		seeded_test(test_step),
-		seeded_test(test_boxes),
+		seeded_test(segments_are_those_of_the_paper),
+		seeded_test(every_depth_may_be_its_own_segment),
+		seeded_test(depths_join_up_to_the_step),
+		seeded_test(boxes_hold_all_texels_of_their_label),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,7 +26,7 @@ static double slack(const ts_v3 corner[3])
 	return 1e-6 + 1e-7 * length / height;
 }
 
-static void test_orthonormal(void **state)
+static void frames_are_orthonormal_about_the_centroid(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -48,7 +48,7 @@ static void test_orthonormal(void **state)
 }
 
 /* The longest edge runs along +x and the third corner lies above it. */
-static void test_longest_along_x(void **state)
+static void the_longest_edge_runs_along_x(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -75,7 +75,7 @@ static void test_longest_along_x(void **state)
 }
 
 /* The centroid maps to the middle of sample 0, 0; each snapped corner maps back to within half a 256th of a sample. */
-static void test_corners_map_back(void **state)
+static void corners_map_back_to_half_a_step(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -98,7 +98,7 @@ static void test_corners_map_back(void **state)
 }
 
 /* Its area in samples is A s^2; counter-clockwise like the triangle. */
-static void test_area(void **state)
+static void frames_keep_the_area_in_samples(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -117,7 +117,7 @@ static void test_area(void **state)
 }
 
 /* Dropped: no density, but the same frame. Padding is zero. */
-static void test_dropped(void **state)
+static void dropped_pieces_keep_their_frame(void **state)
 {
 	(void)state;
 	mesh m;
@@ -141,9 +141,9 @@ static void test_dropped(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_orthonormal),      cmocka_unit_test(test_longest_along_x),
-		cmocka_unit_test(test_corners_map_back), cmocka_unit_test(test_area),
-		cmocka_unit_test(test_dropped),
+		cmocka_unit_test(frames_are_orthonormal_about_the_centroid), cmocka_unit_test(the_longest_edge_runs_along_x),
+		cmocka_unit_test(corners_map_back_to_half_a_step),           cmocka_unit_test(frames_keep_the_area_in_samples),
+		cmocka_unit_test(dropped_pieces_keep_their_frame),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -61,7 +61,7 @@ static void box(double3 *lo, double3 *hi)
 }
 
 /* Box, centre, radius and near plane of this frame's vertices, and of no others. */
-static void test_ball(void **state)
+static void box_and_ball_hold_the_reflector_alone(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -112,7 +112,7 @@ static extent project(double3 lo, double3 hi)
 }
 
 /* The larger side of the projected box, rounded up, in [16, n_max]; nothing where it is off the screen. */
-static void test_size(void **state)
+static void sides_are_those_of_the_projected_box(void **state)
 {
 	(void)state;
 	u32 n_cut = 0, n_off = 0, n_between = 0;
@@ -143,7 +143,7 @@ static void test_size(void **state)
 }
 
 /* A change below the cube.hysteresis keeps the size; one as large takes the new one. */
-static void test_hysteresis(void **state)
+static void small_changes_keep_the_size(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -167,7 +167,7 @@ static void test_hysteresis(void **state)
 }
 
 /* A fixed size is everyone's on the screen; off it only where all are wanted. */
-static void test_fixed(void **state)
+static void a_fixed_size_is_everyones(void **state)
 {
 	(void)state;
 	ts_cube_size_args args = plain();
@@ -186,8 +186,7 @@ static void test_fixed(void **state)
 	assert_int_equal(resized(&args), 64);
 }
 
-/* The frame moves the reflector before it is measured. */
-static void test_frame(void **state)
+static void the_reflector_moves_before_it_is_measured(void **state)
 {
 	(void)state;
 	make_object(ts_v3_make(0, 0, 0), 1);
@@ -207,8 +206,11 @@ static void test_frame(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_ball),  seeded_test(test_size),  seeded_test(test_hysteresis),
-		seeded_test(test_fixed), seeded_test(test_frame),
+		seeded_test(box_and_ball_hold_the_reflector_alone),
+		seeded_test(sides_are_those_of_the_projected_box),
+		seeded_test(small_changes_keep_the_size),
+		seeded_test(a_fixed_size_is_everyones),
+		seeded_test(the_reflector_moves_before_it_is_measured),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -25,7 +25,7 @@ static u32 cull(u32 **keep, f32 pixels, f32 s, f32 unit, u32 seed, u32 enabled)
 }
 
 /* Of triangles of A pixels 10 A stay: ten a pixel whatever A, within four standard deviations. */
-static void test_survivors(void **state)
+static void ten_survivors_a_pixel_whatever_the_area(void **state)
 {
 	(void)state;
 	static const f32 areas[] = {0.09f, 0.05f, 0.02f, 0.01f, 0.001f};
@@ -40,7 +40,7 @@ static void test_survivors(void **state)
 }
 
 /* A tenth of a pixel and more always stays; less, with the switch off, too; no density never does. */
-static void test_never(void **state)
+static void large_triangles_always_stay(void **state)
 {
 	(void)state;
 	static const f32 areas[] = {0.1001f, 0.2f, 1, 100};
@@ -62,7 +62,7 @@ static void test_never(void **state)
 }
 
 /* The eye's pixels are 1 / density.scale^2 of the raster's: a quarter of a pixel there is a whole one here. */
-static void test_unit(void **state)
+static void areas_count_in_pixels_of_the_eye(void **state)
 {
 	(void)state;
 	u32 *eye, *raster;
@@ -73,7 +73,7 @@ static void test_unit(void **state)
 }
 
 /* The same in every frame; others with another seed; and a larger triangle stays where a smaller one does. */
-static void test_stable(void **state)
+static void the_same_triangles_stay_in_every_frame(void **state)
 {
 	(void)state;
 	u32 *one, *two, *other, *larger;
@@ -95,7 +95,7 @@ static void test_stable(void **state)
 }
 
 /* Neighbouring triangles and the pieces of one are dropped independently. */
-static void test_independent(void **state)
+static void neighbours_are_dropped_independently(void **state)
 {
 	(void)state;
 	u32 *keep;
@@ -120,7 +120,7 @@ static void test_independent(void **state)
 }
 
 /* 1 - 10 A in 2^-24, within the rounding of the product; from 2^24 down to 0, never rising. */
-static void test_threshold(void **state)
+static void thresholds_fall_as_areas_grow(void **state)
 {
 	(void)state;
 	assert_int_equal(ts_k_cull_threshold(0), 1 << 24);
@@ -139,8 +139,12 @@ static void test_threshold(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_survivors), cmocka_unit_test(test_never),       cmocka_unit_test(test_unit),
-		cmocka_unit_test(test_stable),    cmocka_unit_test(test_independent), cmocka_unit_test(test_threshold),
+		cmocka_unit_test(ten_survivors_a_pixel_whatever_the_area),
+		cmocka_unit_test(large_triangles_always_stay),
+		cmocka_unit_test(areas_count_in_pixels_of_the_eye),
+		cmocka_unit_test(the_same_triangles_stay_in_every_frame),
+		cmocka_unit_test(neighbours_are_dropped_independently),
+		cmocka_unit_test(thresholds_fall_as_areas_grow),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

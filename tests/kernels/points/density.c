@@ -89,7 +89,7 @@ static int by_value(const void *a, const void *b)
 
 /* FIGURES 5: never below the safe bound or the true way; for small triangles 0.45 % above it on average and 2.9 % at
  * the 99th percentile. For points and eyes no nearer than here 9.3 % is the most there is. */
-static void test_path_of_small(void **state)
+static void paths_to_small_triangles_are_nearly_shortest(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -117,7 +117,7 @@ static void test_path_of_small(void **state)
 }
 
 /* Of a larger triangle the best point is found in two steps only: a way that exists, seldom much too long. */
-static void test_path_of_large(void **state)
+static void paths_to_large_triangles_are_seldom_long(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -135,8 +135,7 @@ static void test_path_of_large(void **state)
 	assert_true(sum / N_PATHS < 0.01);
 }
 
-/* An eye within the ball sees the triangle itself. */
-static void test_path_from_inside(void **state)
+static void an_inner_eye_sees_the_triangle_itself(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -154,7 +153,7 @@ static void test_path_from_inside(void **state)
 }
 
 /* The paper's way goes through the circumcentre: the one point as far from all corners. */
-static void test_path_of_paper(void **state)
+static void the_paper_goes_through_the_circumcentre(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -197,7 +196,7 @@ static ts_eye_density eye_density(const mesh *m, const ts_density_args *args)
 static f32 density(const mesh *m, const ts_density_args *args) { return eye_density(m, args).s; }
 
 /* s = min(rho f_e / min d_r, max f_r / d_rt), from its parts; the cap holds, and below it s is proportional to rho. */
-static void test_scale(void **state)
+static void the_scale_follows_its_formula(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -236,7 +235,7 @@ static void test_scale(void **state)
 }
 
 /* With a greatest side the limit is that of cubes which all have this side, whatever their own. */
-static void test_greatest_side(void **state)
+static void a_greatest_side_limits_all_cubes(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -285,7 +284,7 @@ static double mirrored_area(double radius, double to_ball, double cosine, double
 }
 
 /* density.mirror=ball: head on the width is that of rays, elsewhere their area is no less than its square. */
-static void test_ball(void **state)
+static void a_ball_spreads_rays_as_mirrors_do(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -301,7 +300,7 @@ static void test_ball(void **state)
 
 /* density.mirror=ball asks for fewer, the fewer the smaller the ball; the cap limits none of what the eye sees in a
  * cube of its own size at one sample a pixel. */
-static void test_ball_scale(void **state)
+static void a_small_ball_asks_for_fewer_samples(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -326,7 +325,7 @@ static void test_ball_scale(void **state)
 }
 
 /* A world twice as large needs half as many samples a unit, to the bit. */
-static void test_scale_of_world(void **state)
+static void a_world_twice_as_large_needs_half(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -348,7 +347,7 @@ static void test_scale_of_world(void **state)
 
 /* density.off_axis divides the way by the cosine of the reflector's angle to the eye's axis; on the axis it changes
  * nothing. */
-static void test_offaxis(void **state)
+static void off_axis_reflectors_ask_by_their_cosine(void **state)
 {
 	(void)state;
 	mesh m;
@@ -436,7 +435,7 @@ static void assert_pieces_by_path(const mesh *m, const ts_v3 corner[3], double s
 	}
 }
 
-static void test_split(void **state)
+static void pieces_tile_their_triangle_within_limits(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -462,7 +461,7 @@ static void test_split(void **state)
 }
 
 /* An eye on the triangle wants more than can be had: the last pieces are lowered to the limit, and counted. */
-static void test_limit(void **state)
+static void the_last_pieces_keep_the_limit(void **state)
 {
 	(void)state;
 	for (u32 split = 0; split < 2; split++) {
@@ -483,7 +482,7 @@ static void test_limit(void **state)
 }
 
 /* Few samples, no bisection; nobody looking, no piece; and points.split=off never bisects. */
-static void test_one_piece(void **state)
+static void few_samples_need_one_piece(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -509,7 +508,7 @@ static void test_one_piece(void **state)
 }
 
 /* Both neighbours of an edge find the same midpoint bits, whichever way they go along it. */
-static void test_shared_midpoint(void **state)
+static void neighbours_find_the_same_midpoint(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -533,7 +532,7 @@ static void test_shared_midpoint(void **state)
 }
 
 /* A midpoint on the longest edge; on ties the lowest. */
-static void test_longest_edge(void **state)
+static void the_lowest_of_the_longest_edges_counts(void **state)
 {
 	(void)state;
 	f32 length;
@@ -552,21 +551,21 @@ static void test_longest_edge(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_path_of_small),
-		cmocka_unit_test(test_path_of_large),
-		cmocka_unit_test(test_path_from_inside),
-		cmocka_unit_test(test_path_of_paper),
-		cmocka_unit_test(test_scale),
-		cmocka_unit_test(test_greatest_side),
-		cmocka_unit_test(test_scale_of_world),
-		cmocka_unit_test(test_offaxis),
-		cmocka_unit_test(test_ball),
-		cmocka_unit_test(test_ball_scale),
-		cmocka_unit_test(test_split),
-		cmocka_unit_test(test_limit),
-		cmocka_unit_test(test_one_piece),
-		cmocka_unit_test(test_shared_midpoint),
-		cmocka_unit_test(test_longest_edge),
+		cmocka_unit_test(paths_to_small_triangles_are_nearly_shortest),
+		cmocka_unit_test(paths_to_large_triangles_are_seldom_long),
+		cmocka_unit_test(an_inner_eye_sees_the_triangle_itself),
+		cmocka_unit_test(the_paper_goes_through_the_circumcentre),
+		cmocka_unit_test(the_scale_follows_its_formula),
+		cmocka_unit_test(a_greatest_side_limits_all_cubes),
+		cmocka_unit_test(a_world_twice_as_large_needs_half),
+		cmocka_unit_test(off_axis_reflectors_ask_by_their_cosine),
+		cmocka_unit_test(a_ball_spreads_rays_as_mirrors_do),
+		cmocka_unit_test(a_small_ball_asks_for_fewer_samples),
+		cmocka_unit_test(pieces_tile_their_triangle_within_limits),
+		cmocka_unit_test(the_last_pieces_keep_the_limit),
+		cmocka_unit_test(few_samples_need_one_piece),
+		cmocka_unit_test(neighbours_find_the_same_midpoint),
+		cmocka_unit_test(the_lowest_of_the_longest_edges_counts),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,7 +15,7 @@ static const ts_face cubes[1 + N_CUBES] = {
 /* Texels of a cube's chain, level by level. */
 static u64 chain_of(u32 n) { return n == 0 ? 0 : 6 * (u64)n * n + chain_of(n / 2); }
 
-static void test_copy(void **state)
+static void colours_of_codes_fill_level_zero(void **state)
 {
 	(void)state;
 	static u32 colours[BEFORE + N_TEXELS];
@@ -55,6 +55,6 @@ static void test_copy(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_copy)};
+	const struct CMUnitTest tests[] = {seeded_test(colours_of_codes_fill_level_zero)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static void assert_rows(const ts_cover *cover)
 	}
 }
 
-static void test_rows(void **state)
+static void rows_hold_the_samples_that_touch(void **state)
 {
 	(void)state;
 	static const i32 half_sizes[] = {129, 128, 0};
@@ -40,7 +40,7 @@ static void test_rows(void **state)
 }
 
 /* A row whose lines cross far beyond all numbers of 32 bits. */
-static void test_far_rows(void **state)
+static void rows_of_far_crossings_are_right(void **state)
 {
 	(void)state;
 	const ts_box box = {.x0 = -5, .y0 = 0, .x1 = 5, .y1 = 0};
@@ -75,7 +75,7 @@ static void assert_point(const mesh *m, const ts_points_args *from, u32 index)
 }
 
 /* Triangles of all materials, masked ones among them, some without points. */
-static void test_again(void **state)
+static void points_made_again_are_those_stored(void **state)
 {
 	(void)state;
 	static const i32 half_sizes[] = {129, 128, 0};
@@ -112,9 +112,9 @@ static void test_again(void **state)
 int main(void)
 {
 	const struct CMUnitTest flight[] = {
-		cmocka_unit_test(test_rows),
-		cmocka_unit_test(test_far_rows),
-		cmocka_unit_test(test_again),
+		cmocka_unit_test(rows_hold_the_samples_that_touch),
+		cmocka_unit_test(rows_of_far_crossings_are_right),
+		cmocka_unit_test(points_made_again_are_those_stored),
 	};
 	return cmocka_run_group_tests(flight, NULL, NULL);
 }

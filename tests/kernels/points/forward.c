@@ -16,7 +16,7 @@ static u32 defined_code(const double c[3])
 
 static double clamped(f32 x) { return fmin(fmax((double)x, 0), (double)TS_MOST_SHARED); }
 
-static void test_codes(void **state)
+static void shared_codes_follow_their_definition(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -37,7 +37,7 @@ static void test_codes(void **state)
 	}
 }
 
-static void test_ends(void **state)
+static void black_and_the_most_have_their_codes(void **state)
 {
 	(void)state;
 	assert_int_equal(ts_k_shared_code(ts_v3_make(0, 0, 0)), 0);
@@ -111,7 +111,7 @@ static ts_v3 viewer_of(const world *w, const ts_point *point)
 	return best;
 }
 
-static void test_viewers(void **state)
+static void points_are_lit_for_their_viewer(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -139,9 +139,9 @@ static void test_viewers(void **state)
 int main(void)
 {
 	const struct CMUnitTest forward[] = {
-		cmocka_unit_test(test_codes),
-		cmocka_unit_test(test_ends),
-		cmocka_unit_test(test_viewers),
+		cmocka_unit_test(shared_codes_follow_their_definition),
+		cmocka_unit_test(black_and_the_most_have_their_codes),
+		cmocka_unit_test(points_are_lit_for_their_viewer),
 	};
 	return cmocka_run_group_tests(forward, NULL, NULL);
 }

@@ -86,7 +86,7 @@ static bool is_clear(d3 d)
 	return true;
 }
 
-static void test_directions(void **state)
+static void directions_lead_to_their_texels(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -120,7 +120,7 @@ static ts_pixel random_pixel(f32 change)
 }
 
 /* Sample k reflects at the position and normal moved by its offset (METHODS 2). */
-static void test_samples(void **state)
+static void samples_reflect_at_their_own_offset(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -152,7 +152,7 @@ static void test_samples(void **state)
 
 /* A sample goes on where its point lies on a mirror; the queue holds those, in order, and whose cubes they read and
  * ask. */
-static void test_queue(void **state)
+static void samples_on_mirrors_queue_in_order(void **state)
 {
 	(void)state;
 	enum { ENTRIES = 50, SAMPLES = ENTRIES * TS_N_SAMPLES };
@@ -192,7 +192,7 @@ static void test_queue(void **state)
 }
 
 /* A later bounce reflects the ray from the cube just read at the normal, spread by the tile's width over the radius. */
-static void test_bounce(void **state)
+static void later_bounces_reflect_the_ray_just_read(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -240,7 +240,7 @@ static double colour_of(const world *w, u32 sample)
 }
 
 /* The mean of all samples, tinted; mirrors show the next bounce only if there is one. */
-static void test_mean(void **state)
+static void the_mean_is_of_all_samples_tinted(void **state)
 {
 	(void)state;
 	enum { ENTRIES = 60, SAMPLES = ENTRIES * TS_N_SAMPLES };
@@ -295,7 +295,7 @@ static u32 batches(const world *w, double *mean)
 	return TS_N_SAMPLES;
 }
 
-static void test_adaptive(void **state)
+static void sampling_stops_when_the_variance_stays(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -331,8 +331,7 @@ static void test_adaptive(void **state)
 	world_end(&w);
 }
 
-/* A later bounce's mean is tinted by the mirror it left. */
-static void test_later_tint(void **state)
+static void the_mirror_left_tints_a_later_bounce(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -355,9 +354,13 @@ static void test_later_tint(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_directions), cmocka_unit_test(test_samples), cmocka_unit_test(test_queue),
-		cmocka_unit_test(test_bounce),     cmocka_unit_test(test_mean),    cmocka_unit_test(test_adaptive),
-		cmocka_unit_test(test_later_tint),
+		cmocka_unit_test(directions_lead_to_their_texels),
+		cmocka_unit_test(samples_reflect_at_their_own_offset),
+		cmocka_unit_test(samples_on_mirrors_queue_in_order),
+		cmocka_unit_test(later_bounces_reflect_the_ray_just_read),
+		cmocka_unit_test(the_mean_is_of_all_samples_tinted),
+		cmocka_unit_test(sampling_stops_when_the_variance_stays),
+		cmocka_unit_test(the_mirror_left_tints_a_later_bounce),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -61,7 +61,7 @@ static ts_pixel random_pixel(ts_v3 *d, f32 change)
 }
 
 /* A cube of one colour shows that colour in every direction, at every level, with every filter. */
-static void test_constant(void **state)
+static void constant_cubes_show_their_colour(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -79,7 +79,7 @@ static void test_constant(void **state)
 }
 
 /* Never darker or brighter than the texels. */
-static void test_bounded(void **state)
+static void no_look_up_is_beyond_the_texels(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -96,8 +96,7 @@ static void test_bounded(void **state)
 	}
 }
 
-/* The middle of a texel shows that texel. */
-static void test_texel_centres(void **state)
+static void the_middle_of_a_texel_shows_it(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -130,7 +129,7 @@ static ts_cube_place across(u32 face, f32 s, f32 t)
 }
 
 /* Both faces of an edge agree along it, up to the texel before the corner, whatever the texels are. */
-static void test_seams(void **state)
+static void both_faces_of_an_edge_agree(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -153,7 +152,7 @@ static void test_seams(void **state)
 }
 
 /* The level is log2 of the change of direction in texels, from 0 to the last. */
-static void test_level(void **state)
+static void levels_follow_the_change_of_direction(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -184,7 +183,7 @@ static void test_level(void **state)
 }
 
 /* A flat, still mirror shows the texel it sees: with 25 samples, and unfiltered at the texel's middle. */
-static void test_flat(void **state)
+static void flat_mirrors_show_the_texel_they_see(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -204,7 +203,7 @@ static void test_flat(void **state)
 
 /* A batch answers the pixels of its cubes and leaves the others; a cube out of sight shows the background; all
  * tinted. */
-static void test_batch(void **state)
+static void a_batch_answers_its_cubes_pixels(void **state)
 {
 	(void)state;
 	enum { N = 40 };
@@ -239,9 +238,10 @@ static void test_batch(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_constant), cmocka_unit_test(test_bounded), cmocka_unit_test(test_texel_centres),
-		cmocka_unit_test(test_seams),    cmocka_unit_test(test_level),   cmocka_unit_test(test_flat),
-		cmocka_unit_test(test_batch),
+		cmocka_unit_test(constant_cubes_show_their_colour),      cmocka_unit_test(no_look_up_is_beyond_the_texels),
+		cmocka_unit_test(the_middle_of_a_texel_shows_it),        cmocka_unit_test(both_faces_of_an_edge_agree),
+		cmocka_unit_test(levels_follow_the_change_of_direction), cmocka_unit_test(flat_mirrors_show_the_texel_they_see),
+		cmocka_unit_test(a_batch_answers_its_cubes_pixels),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,7 +87,7 @@ static double3 meet(u32 i, double *cosine)
 }
 
 /* One record a pixel that shows a reflector, in order, with the surface there turned to the viewer. */
-static void test_records(void **state)
+static void each_reflective_pixel_has_a_record(void **state)
 {
 	(void)state;
 	for (u32 n = 0; n < N_SCENES; n++) {
@@ -133,7 +133,7 @@ static void judge_gradient(const f32 *gradient, const f32 *before, const f32 *he
 }
 
 /* Central differences of the records beside it; one-sided at the object's border; else 0. */
-static void test_gradients(void **state)
+static void gradients_are_differences_of_neighbours(void **state)
 {
 	(void)state;
 	u32 n_of[3] = {0};
@@ -155,7 +155,7 @@ static void test_gradients(void **state)
 
 /* A wall across the view at depth 4: a pixel is a tenth wide, its normal faces the eye, from either side, and nothing
  * bends; the picture's border has one-sided differences of the same size. */
-static void test_wall(void **state)
+static void a_wall_ahead_does_not_bend(void **state)
 {
 	(void)state;
 	for (u32 turned = 0; turned < 2; turned++) {
@@ -179,8 +179,7 @@ static void test_wall(void **state)
 	}
 }
 
-/* A pixel alone has no gradients. */
-static void test_alone(void **state)
+static void a_pixel_alone_has_no_gradients(void **state)
 {
 	(void)state;
 	small_clear(&scene);
@@ -196,10 +195,10 @@ static void test_alone(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_records),
-		seeded_test(test_gradients),
-		seeded_test(test_wall),
-		seeded_test(test_alone),
+		seeded_test(each_reflective_pixel_has_a_record),
+		seeded_test(gradients_are_differences_of_neighbours),
+		seeded_test(a_wall_ahead_does_not_bend),
+		seeded_test(a_pixel_alone_has_no_gradients),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -98,7 +98,7 @@ static double border(const world *w) { return w->view.orthographic != 0 ? w->edg
 static double texel(const world *w) { return (w->view.orthographic != 0 ? 1 : w->floor) / w->view.focal; }
 
 /* From shadow to light as the disc comes out behind the edge. */
-static void test_penumbra(void **state)
+static void light_grows_as_the_disc_comes_out(void **state)
 {
 	(void)state;
 	static world w;
@@ -120,7 +120,7 @@ static void test_penumbra(void **state)
 }
 
 /* Where thing and shadow touch the border is sharp, whatever the light's size. */
-static void test_contact(void **state)
+static void shadows_are_sharp_where_they_touch(void **state)
 {
 	(void)state;
 	static world w;
@@ -143,7 +143,7 @@ static void test_contact(void **state)
 
 /* A plane alone is lit all over, however slanted, with a bias of a hundredth of a texel; what stands before it is
  * seen. */
-static void test_slanted(void **state)
+static void a_slanted_plane_alone_is_lit(void **state)
 {
 	(void)state;
 	static world w;
@@ -167,7 +167,7 @@ static void test_slanted(void **state)
 }
 
 /* Nothing is known outside the map and in empty texels: there is light. */
-static void test_outside(void **state)
+static void outside_the_map_there_is_light(void **state)
 {
 	(void)state;
 	static world w;
@@ -182,8 +182,7 @@ static void test_outside(void **state)
 	assert_int_equal(lit(&w, receiver(&w, 0, 0), 1, 1.5f), 64);
 }
 
-/* A point without extent has no penumbra. */
-static void test_point(void **state)
+static void a_point_light_has_no_penumbra(void **state)
 {
 	(void)state;
 	static world w;
@@ -220,7 +219,7 @@ static void assert_sunflower(const i32 tap[][2], u32 n, double most)
 }
 
 /* Past an edge of any direction lies nearly the share of the disc that should. */
-static void test_taps(void **state)
+static void taps_fill_the_disc_evenly(void **state)
 {
 	(void)state;
 	assert_sunflower(ts_pcss_search, TS_N_SEARCH, 0.08);
@@ -230,8 +229,9 @@ static void test_taps(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_penumbra), seeded_test(test_contact), seeded_test(test_slanted),
-		seeded_test(test_outside),  seeded_test(test_point),   seeded_test(test_taps),
+		seeded_test(light_grows_as_the_disc_comes_out), seeded_test(shadows_are_sharp_where_they_touch),
+		seeded_test(a_slanted_plane_alone_is_lit),      seeded_test(outside_the_map_there_is_light),
+		seeded_test(a_point_light_has_no_penumbra),     seeded_test(taps_fill_the_disc_evenly),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,7 +54,7 @@ static bool square_meets(const flat *t, i32 x, i32 y, double h)
 }
 
 /* Keys ascend, so each is unique; offsets count them; records say which piece. */
-static void test_keys(void **state)
+static void keys_ascend_and_offsets_count_them(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -83,7 +83,7 @@ static void test_keys(void **state)
 
 /* Every sample whose square the unsnapped triangle meets is a point, and none whose square it misses by 1/64. With the
  * exact half size a miss of the snapping is allowed. */
-static void test_conservative(void **state)
+static void every_touched_sample_is_a_point(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -117,7 +117,7 @@ static void test_conservative(void **state)
 }
 
 /* A point lies at integer steps of l = 1/s from the centroid along u and v. */
-static void test_places(void **state)
+static void points_lie_at_steps_from_the_centroid(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -139,7 +139,7 @@ static void test_places(void **state)
 }
 
 /* The paper gives a sub-pixel triangle a square of its own area; others keep l = 1/s. */
-static void test_paper_length(void **state)
+static void the_papers_tiny_squares_keep_their_area(void **state)
 {
 	(void)state;
 	for (f32 side = 0.125f; side <= 64; side *= 2) {
@@ -159,7 +159,7 @@ static void test_paper_length(void **state)
 }
 
 /* Not negative, of sum 1; inside the triangle they give the sample's own place. */
-static void test_weights(void **state)
+static void weights_give_the_place_of_the_sample(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -186,7 +186,7 @@ static void test_weights(void **state)
 
 /* Mean points of a random triangle of A samples: the figures of FIGURES 1, which 800 triangles gave, within four
  * standard errors of both samples; and exactly as many as the definition counts, but for squares that just touch. */
-static void test_mean_count(void **state)
+static void mean_counts_are_those_of_the_figures(void **state)
 {
 	(void)state;
 	static const double table[][2] = {{0.001, 1.000}, {0.01, 1.016}, {0.1, 1.781}, {0.3, 2.898},
@@ -242,7 +242,7 @@ static u32 n_points_of(u32 material, f32 s)
 }
 
 /* Masked away: none. Masked but opaque: all. Half of the texture clear: those of the other half. */
-static void test_masked(void **state)
+static void masked_samples_are_no_points(void **state)
 {
 	(void)state;
 	for (f32 s = 0.25f; s <= 8; s *= 2) {
@@ -257,9 +257,13 @@ static void test_masked(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_keys),         cmocka_unit_test(test_conservative), cmocka_unit_test(test_places),
-		cmocka_unit_test(test_paper_length), cmocka_unit_test(test_weights),      cmocka_unit_test(test_mean_count),
-		cmocka_unit_test(test_masked),
+		cmocka_unit_test(keys_ascend_and_offsets_count_them),
+		cmocka_unit_test(every_touched_sample_is_a_point),
+		cmocka_unit_test(points_lie_at_steps_from_the_centroid),
+		cmocka_unit_test(the_papers_tiny_squares_keep_their_area),
+		cmocka_unit_test(weights_give_the_place_of_the_sample),
+		cmocka_unit_test(mean_counts_are_those_of_the_figures),
+		cmocka_unit_test(masked_samples_are_no_points),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,7 +9,7 @@ static const i32 specified[] = {
 	-26, -56, -64, 23, -4, -21, 38,  13, 54, -35, -47, 7,  -49, 47, -59, 21, -25, 7,   10,  -10, -4, 32,  -43, -14, -46,
 };
 
-static void test_offsets(void **state)
+static void offsets_are_those_of_the_contract(void **state)
 {
 	(void)state;
 	assert_int_equal(sizeof specified / sizeof specified[0], 2 * TS_N_SAMPLES);
@@ -21,7 +21,7 @@ static void test_offsets(void **state)
 }
 
 /* Around the torus no two are nearer than 21/128, and some pair is as near as another dart would not have been. */
-static void test_distance(void **state)
+static void no_two_offsets_are_too_near(void **state)
 {
 	(void)state;
 	double nearest = 1;
@@ -38,7 +38,7 @@ static void test_distance(void **state)
 static void put(f32 *to, ts_v3 from) { ts_store3(to, from); }
 
 /* A plane mirror: the ray's line passes through the eye's image behind the mirror. */
-static void test_plane(void **state)
+static void plane_mirrors_show_the_eyes_image(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -61,7 +61,7 @@ static void test_plane(void **state)
 }
 
 /* A curved mirror: angle in and angle out are equal at the normal of the sample. */
-static void test_curved(void **state)
+static void curved_mirrors_obey_the_law_of_reflection(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -84,7 +84,7 @@ static void test_curved(void **state)
 }
 
 /* Later bounces: spread 0 is a plane mirror; else the normal leans by the offset, and the same law holds. */
-static void test_bounce(void **state)
+static void later_bounces_obey_the_law_of_reflection(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -104,8 +104,9 @@ static void test_bounce(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_offsets), seeded_test(test_distance), seeded_test(test_plane),
-		seeded_test(test_curved),  seeded_test(test_bounce),
+		seeded_test(offsets_are_those_of_the_contract),        seeded_test(no_two_offsets_are_too_near),
+		seeded_test(plane_mirrors_show_the_eyes_image),        seeded_test(curved_mirrors_obey_the_law_of_reflection),
+		seeded_test(later_bounces_obey_the_law_of_reflection),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

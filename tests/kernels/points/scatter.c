@@ -56,7 +56,7 @@ static i64 land(const ts_offscreen *view, ts_v3 p, u32 *depth)
 static bool is_near_whole(double x) { return fabs(x - rint(x)) < 1e-4; }
 
 /* One texel, the floor of the projection, with its axial depth; before the near plane and beside the image none. */
-static void test_one_texel(void **state)
+static void a_point_lands_in_one_texel(void **state)
 {
 	(void)state;
 	u32 n_landed = 0, n_before = 0, n_beside = 0;
@@ -80,7 +80,7 @@ static void test_one_texel(void **state)
 }
 
 /* Left and upper borders belong to a texel, right and lower ones to the next; the near plane is in sight. */
-static void test_borders(void **state)
+static void left_and_upper_borders_belong_to_texels(void **state)
 {
 	(void)state;
 	u32 depth;
@@ -143,7 +143,7 @@ static u32 n_filled(const u32 *of)
 }
 
 /* Depths or colours: the same bits and counts from stored points in any order, and from points made on the spot. */
-static void test_buffered(void **state)
+static void stored_points_scatter_as_fresh_ones_do(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -178,7 +178,7 @@ static void test_buffered(void **state)
 }
 
 /* A batch of views alone gives what they give among all; views without a triangle's bit get nothing of it. */
-static void test_batches(void **state)
+static void batches_give_what_all_views_give(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -211,7 +211,7 @@ static void test_batches(void **state)
 }
 
 /* A depth map holds the least depth of the points that fall into each texel, found again in double precision. */
-static void test_minimum(void **state)
+static void depth_maps_hold_the_least_depth(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -252,7 +252,7 @@ static void test_minimum(void **state)
 static double code_begins(double near, double q) { return near * exp2(20 * q / 8191); }
 
 /* Every code's range is that of the formula, 0.17 per cent wide, but for the rounding of the logarithm. */
-static void test_depth_code(void **state)
+static void depth_codes_have_the_formulas_ranges(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -275,7 +275,7 @@ static void test_depth_code(void **state)
 }
 
 /* Never falling from one float to the next, about every step. */
-static void test_depth_code_rises(void **state)
+static void depth_codes_rise_with_depth(void **state)
 {
 	(void)state;
 	for (u32 q = 1; q <= 8190; q++) {
@@ -291,7 +291,7 @@ static void test_depth_code_rises(void **state)
 
 /* There and back: half a step of the square root, 6-7-6; white and more is white, and the code is never that of
  * empty. */
-static void test_colour_code(void **state)
+static void colour_codes_read_back_within_half_steps(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -318,7 +318,7 @@ static void test_colour_code(void **state)
 }
 
 /* Of two triangles the nearer one's colour stays, whatever it is: depth counts before colour. */
-static void test_nearer_colour(void **state)
+static void the_nearer_colour_stays(void **state)
 {
 	(void)state;
 	for (u32 order = 0; order < 2; order++) {
@@ -358,7 +358,7 @@ static void test_nearer_colour(void **state)
 /* How many points. */
 
 /* With the centroid on a sample a triangle much smaller than a texel makes one point (FIGURES 1). */
-static void test_tiny(void **state)
+static void a_tiny_triangle_makes_one_point(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -384,7 +384,7 @@ static void test_tiny(void **state)
 }
 
 /* Without conservative sampling the centroid is still a sample: no piece is without a point. */
-static void test_no_piece_without(void **state)
+static void no_piece_is_without_a_point(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -410,12 +410,17 @@ static void test_no_piece_without(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_one_texel),        cmocka_unit_test(test_borders),
-		cmocka_unit_test(test_buffered),         cmocka_unit_test(test_batches),
-		cmocka_unit_test(test_minimum),          cmocka_unit_test(test_depth_code),
-		cmocka_unit_test(test_depth_code_rises), cmocka_unit_test(test_colour_code),
-		cmocka_unit_test(test_nearer_colour),    cmocka_unit_test(test_tiny),
-		cmocka_unit_test(test_no_piece_without),
+		cmocka_unit_test(a_point_lands_in_one_texel),
+		cmocka_unit_test(left_and_upper_borders_belong_to_texels),
+		cmocka_unit_test(stored_points_scatter_as_fresh_ones_do),
+		cmocka_unit_test(batches_give_what_all_views_give),
+		cmocka_unit_test(depth_maps_hold_the_least_depth),
+		cmocka_unit_test(depth_codes_have_the_formulas_ranges),
+		cmocka_unit_test(depth_codes_rise_with_depth),
+		cmocka_unit_test(colour_codes_read_back_within_half_steps),
+		cmocka_unit_test(the_nearer_colour_stays),
+		cmocka_unit_test(a_tiny_triangle_makes_one_point),
+		cmocka_unit_test(no_piece_is_without_a_point),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,7 +87,7 @@ static bool begin_one(mesh *m, ts_v3 corner[3], f32 reach, f32 least, f32 most)
 
 /* A triangle alone: its plane's depth where it covers the centre, and nothing elsewhere. By their own place its points
  * fill more texels, and no fewer. */
-static void test_depth(void **state)
+static void covered_centres_have_the_planes_depth(void **state)
 {
 	(void)state;
 	u32 n_inside = 0, n_outside = 0, n_beside = 0;
@@ -139,7 +139,7 @@ static void draw(const mesh *m, u32 *to)
 }
 
 /* What MVR draws, bit for bit: all that covers a centre has a point in the texel, and no other point counts. */
-static void test_mvr(void **state)
+static void scattered_centres_are_what_mvr_draws(void **state)
 {
 	(void)state;
 	u32 n_seen = 0, n_wrong = 0;
@@ -162,7 +162,7 @@ static void test_mvr(void **state)
 }
 
 /* One triangle in front of all texels. */
-static void test_wall(void **state)
+static void a_wall_fills_all_texels(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -206,7 +206,7 @@ static u32 colour_at(const mesh *m, const ts_scatter_args *args, u32 k)
 	return r;
 }
 
-static void test_colour(void **state)
+static void centres_have_the_least_colour_drawn(void **state)
 {
 	(void)state;
 	u32 n_seen = 0, n_wrong = 0;
@@ -229,7 +229,7 @@ static void test_colour(void **state)
 }
 
 /* Masks cut at the centre: of a triangle that its texture's clear half cuts, no texel has that half. */
-static void test_mask(void **state)
+static void masks_cut_at_the_centre(void **state)
 {
 	(void)state;
 	u32 n_wrong[2] = {0}, n_seen = 0;
@@ -260,7 +260,7 @@ static void test_mask(void **state)
 
 /* Triangles of less than a tenth of a sample, which culling thins out, stay where they are; without culling they are
  * asked like all others. */
-static void test_culled(void **state)
+static void triangles_that_culling_thins_stay(void **state)
 {
 	(void)state;
 	u32 n_own = 0, n_centre = 0;
@@ -289,8 +289,12 @@ static void test_culled(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_depth),  cmocka_unit_test(test_mvr),  cmocka_unit_test(test_wall),
-		cmocka_unit_test(test_colour), cmocka_unit_test(test_mask), cmocka_unit_test(test_culled),
+		cmocka_unit_test(covered_centres_have_the_planes_depth),
+		cmocka_unit_test(scattered_centres_are_what_mvr_draws),
+		cmocka_unit_test(a_wall_fills_all_texels),
+		cmocka_unit_test(centres_have_the_least_colour_drawn),
+		cmocka_unit_test(masks_cut_at_the_centre),
+		cmocka_unit_test(triangles_that_culling_thins_stay),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -29,7 +29,7 @@ static void random_world(mesh *m, u64 *keys)
 }
 
 /* The least d_er / max_l d_lt, in whatever order pixels come; nothing where nothing is in sight. */
-static void test_least(void **state)
+static void the_least_ratio_in_sight_counts(void **state)
 {
 	(void)state;
 	static mesh m;
@@ -63,6 +63,6 @@ static void test_least(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_least)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(the_least_ratio_in_sight_counts)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,7 +72,7 @@ static f32 shadow_distance(const volume *v, const ts_v3 at[4], ts_v3 eye)
 }
 
 /* Never beyond any point of the volume, and not far below the nearest that is found. */
-static void test_distance(void **state)
+static void distances_never_pass_the_shadow_volume(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -92,7 +92,7 @@ static void test_distance(void **state)
 }
 
 /* 0 in the shadow; between light and triangle, and beside, not. */
-static void test_inside(void **state)
+static void inside_the_shadow_the_distance_is_zero(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -144,7 +144,7 @@ static double need_behind(d3 light, d3 occluder, d3 eye, double focal)
 
 /* FIGURES 6: of 3000 set-ups the paper's rate is below the need in 85.8 %, on average 0.56 of iVIR's; the one in pixels
  * in 53.6 %, 0.80 of it; the safe one never. */
-static void test_rates(void **state)
+static void rates_fall_short_as_figured(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -177,7 +177,7 @@ static void test_rates(void **state)
 
 /* Of triangles of any size and two lights, of whose views they see any: no detail of an occluder that a receiver shows
  * the eye needs more than the safe rate, but for what iVIR gives at most; and none of the rates is more than that. */
-static void test_safe(void **state)
+static void no_detail_exceeds_the_safe_rate(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -215,7 +215,7 @@ static void test_safe(void **state)
 }
 
 /* Who is seen by nobody needs nothing; a sharp eye needs what iVIR gives, to the bit, and through the dispatch. */
-static void test_limits(void **state)
+static void a_sharp_eye_needs_what_ivir_gives(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -240,8 +240,11 @@ static void test_limits(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_distance), cmocka_unit_test(test_inside), cmocka_unit_test(test_rates),
-		cmocka_unit_test(test_safe),     cmocka_unit_test(test_limits),
+		cmocka_unit_test(distances_never_pass_the_shadow_volume),
+		cmocka_unit_test(inside_the_shadow_the_distance_is_zero),
+		cmocka_unit_test(rates_fall_short_as_figured),
+		cmocka_unit_test(no_detail_exceeds_the_safe_rate),
+		cmocka_unit_test(a_sharp_eye_needs_what_ivir_gives),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,7 +49,7 @@ static void random_mesh(mesh *m, ts_offscreen *views)
 }
 
 /* The same bits and counts from stored points in any order, and from points made on the spot; also in batches. */
-static void test_buffered(void **state)
+static void stored_points_splat_as_fresh_ones_do(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -148,7 +148,7 @@ static double seen(const single *w, u32 texel)
 
 /* From one sample to one a texel: every texel that sees the triangle has a depth, of splats alone the plane's; and none
  * is nearer or farther than the triangle. */
-static void test_no_holes(void **state)
+static void no_seen_texel_is_a_hole(void **state)
 {
 	(void)state;
 	static single w;
@@ -181,7 +181,7 @@ static void test_no_holes(void **state)
 }
 
 /* At iVIR's rate and above the nearest splats are points, and the map is that of scattering, to the bit. */
-static void test_dense(void **state)
+static void dense_points_give_the_map_of_scattering(void **state)
 {
 	(void)state;
 	static single w;
@@ -208,7 +208,7 @@ static void test_dense(void **state)
 }
 
 /* The paper's depth: a splat has that of its point everywhere; of one sample the centroid's. */
-static void test_point_depth(void **state)
+static void the_papers_splats_have_their_points_depth(void **state)
 {
 	(void)state;
 	static single w;
@@ -287,7 +287,7 @@ static u32 count_holes(u32 n)
 
 /* A diagonal within a texel by 1/128 leaves no texel without its nearest point from 64 texels on; of smaller faces,
  * down to the least, some where the image is stretched most. */
-static void test_written_alone(void **state)
+static void lone_points_leave_large_faces_whole(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -332,7 +332,7 @@ static i64 count_offers(const ts_shadow_splat_args *args, bool *misses)
 }
 
 /* A piece that misses a view leaves nothing there, whatever its points; few others leave nothing. */
-static void test_misses(void **state)
+static void what_misses_a_view_leaves_nothing(void **state)
 {
 	(void)state;
 	static single w;
@@ -357,8 +357,12 @@ static void test_misses(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_buffered),    cmocka_unit_test(test_no_holes),      cmocka_unit_test(test_dense),
-		cmocka_unit_test(test_point_depth), cmocka_unit_test(test_written_alone), cmocka_unit_test(test_misses),
+		cmocka_unit_test(stored_points_splat_as_fresh_ones_do),
+		cmocka_unit_test(no_seen_texel_is_a_hole),
+		cmocka_unit_test(dense_points_give_the_map_of_scattering),
+		cmocka_unit_test(the_papers_splats_have_their_points_depth),
+		cmocka_unit_test(lone_points_leave_large_faces_whole),
+		cmocka_unit_test(what_misses_a_view_leaves_nothing),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -109,7 +109,7 @@ static void assert_tiles(mesh *m, const splat_case *how, const ts_v3 corner[3], 
 }
 
 /* Triangles of every sort about a cube: slivers, through the near plane, tiny beside their tiles and much larger. */
-static void test_no_gaps(void **state)
+static void tiles_cover_every_texel_that_sees_them(void **state)
 {
 	(void)state;
 	static const splat_case cases[] = {
@@ -164,7 +164,7 @@ static double room_in_box(const mesh *m, u32 face, const ts_point *point, i32 i,
 }
 
 /* Without clip the texels whose centres lie in the boxes of points are written, and no others. */
-static void test_centres(void **state)
+static void texels_with_centres_in_boxes_are_written(void **state)
 {
 	(void)state;
 	static const splat_case how = {"centres", 0, 129, TS_SPLAT_INSET};
@@ -199,7 +199,7 @@ static void test_centres(void **state)
 
 /* All triangles on a grid of half texels before a face of 8 texels, so that squares meet at the centres of texels, here
  * and far from the origin, where coordinates are rounded by more than the margin of 1/256. */
-static void test_no_centre_between_squares(void **state)
+static void no_centre_falls_between_squares(void **state)
 {
 	(void)state;
 	static const f32 shifts[] = {0, 0.3125f, 131072}, densities[] = {0.5f, 1, 3, 5, 6, 7};
@@ -265,7 +265,7 @@ static seen_place random_place(void)
 
 /* Two squares of a lattice that meet at the centre of a texel, on faces up to the largest: one of them has the texel,
  * unless coordinates are so coarse that the lattice may stand elsewhere. */
-static void test_meeting_squares(void **state)
+static void one_of_two_squares_has_the_texel(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -296,7 +296,7 @@ static void test_meeting_squares(void **state)
 }
 
 /* Tiles of many texels, their edges along the texels': nothing hides a gap between them. */
-static void test_no_gaps_aligned(void **state)
+static void aligned_tiles_leave_no_gaps(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -323,7 +323,7 @@ static void test_no_gaps_aligned(void **state)
 }
 
 /* A triangle in pieces: no gap along the cuts either. */
-static void test_no_gaps_in_pieces(void **state)
+static void a_triangle_in_pieces_has_no_gaps(void **state)
 {
 	(void)state;
 	static const splat_case how = {"pieces", 1, 129, TS_SPLAT_INSET};
@@ -351,7 +351,7 @@ static void test_no_gaps_in_pieces(void **state)
 }
 
 /* One key a splat: the distance of the point's centre in its high half, the same in every face; the least one stays. */
-static void test_keys(void **state)
+static void the_least_key_of_a_splat_stays(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -386,7 +386,7 @@ static void test_keys(void **state)
 
 /* In any order of the points the same buffer, equal distances to the lowest; each point's texels beat or tie its
  * key. */
-static void test_order(void **state)
+static void any_order_gives_the_same_buffer(void **state)
 {
 	(void)state;
 	n_random = 7;
@@ -415,7 +415,7 @@ static void test_order(void **state)
 }
 
 /* Only faces whose bit is set are written, and empty cubes not at all. */
-static void test_bits(void **state)
+static void only_faces_with_their_bit_are_written(void **state)
 {
 	(void)state;
 	for (u32 face = 0; face < 6; face++) {
@@ -440,7 +440,7 @@ static void test_bits(void **state)
 
 /* Plane depth: where the texel's ray meets the plane, within a tile of the point's own distance; without it, on a
  * triangle seen at a slant, the nearest point's. */
-static void test_plane_depth(void **state)
+static void plane_depth_is_where_rays_meet_it(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -480,16 +480,16 @@ static void test_plane_depth(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_no_gaps),
-		cmocka_unit_test(test_centres),
-		cmocka_unit_test(test_no_centre_between_squares),
-		cmocka_unit_test(test_meeting_squares),
-		cmocka_unit_test(test_no_gaps_aligned),
-		cmocka_unit_test(test_no_gaps_in_pieces),
-		cmocka_unit_test(test_keys),
-		cmocka_unit_test(test_order),
-		cmocka_unit_test(test_bits),
-		cmocka_unit_test(test_plane_depth),
+		cmocka_unit_test(tiles_cover_every_texel_that_sees_them),
+		cmocka_unit_test(texels_with_centres_in_boxes_are_written),
+		cmocka_unit_test(no_centre_falls_between_squares),
+		cmocka_unit_test(one_of_two_squares_has_the_texel),
+		cmocka_unit_test(aligned_tiles_leave_no_gaps),
+		cmocka_unit_test(a_triangle_in_pieces_has_no_gaps),
+		cmocka_unit_test(the_least_key_of_a_splat_stays),
+		cmocka_unit_test(any_order_gives_the_same_buffer),
+		cmocka_unit_test(only_faces_with_their_bit_are_written),
+		cmocka_unit_test(plane_depth_is_where_rays_meet_it),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

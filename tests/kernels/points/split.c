@@ -35,7 +35,7 @@ static ts_need need_of(const mesh *m, const ts_density_args *args, u32 piece)
 /* Each piece has the density that it needs itself, or less if it is capped; watertight ones of more than 64 samples
  * need nowhere 1.5 times what they need elsewhere, or were bisected twelve times. Other rates are not split for
  * that. */
-static void test_uneven(void **state)
+static void watertight_pieces_are_even_enough(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -69,7 +69,7 @@ static void test_uneven(void **state)
 }
 
 /* The children keep two corners each and share the middle of the longest edge: together they are the parent. */
-static void test_children(void **state)
+static void two_children_make_up_the_parent(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -103,7 +103,7 @@ static bool is_dyadic(ts_v3 p, ts_v3 from, ts_v3 to, u32 depth)
 
 /* Whatever the two sides of an edge need, their corners on it are middles of the same bits: where one side is split
  * further the other's piece ends at ends of its pieces. */
-static void test_shared_edge(void **state)
+static void shared_edges_split_at_the_same_bits(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -130,7 +130,7 @@ static void test_shared_edge(void **state)
 
 /* The pieces hold every point of their triangle, and none outside: random points lie in just one of them, or on
  * borders. */
-static void test_cover(void **state)
+static void pieces_hold_every_point_of_their_triangle(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -160,10 +160,10 @@ static void test_cover(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_uneven),
-		cmocka_unit_test(test_children),
-		cmocka_unit_test(test_shared_edge),
-		cmocka_unit_test(test_cover),
+		cmocka_unit_test(watertight_pieces_are_even_enough),
+		cmocka_unit_test(two_children_make_up_the_parent),
+		cmocka_unit_test(shared_edges_split_at_the_same_bits),
+		cmocka_unit_test(pieces_hold_every_point_of_their_triangle),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

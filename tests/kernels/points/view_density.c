@@ -57,7 +57,7 @@ static double reprojected(const ts_offscreen *view, d3 p, d3 n)
 }
 
 /* s = sqrt(1 / A_P): z^3 / (f^2 h), of orthographic views 1 / (f^2 |cos|), are the areas of the construction. */
-static void test_area(void **state)
+static void densities_follow_the_areas_of_texels(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -92,7 +92,7 @@ static d3_polygon in_frustum(const ts_offscreen *view, const ts_v3 corner[3])
 
 /* `exact`: at the least depth in the frustum; `paper`: at the point closest to the view, if that is beside the
  * image as in its corner; `vir`: f / (d cos), at the middle of the image's border. */
-static void test_rates(void **state)
+static void each_rate_follows_its_formula(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -140,7 +140,7 @@ static double stretch(const ts_offscreen *view, d3 p, d3 n)
 
 /* The watertight rate is more than sqrt(2) times the stretch at any point in sight; for some hardly more than the
  * 1/64. */
-static void test_bound(void **state)
+static void the_watertight_rate_exceeds_every_stretch(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -167,7 +167,7 @@ static void test_bound(void **state)
 }
 
 /* Of several views the most demanding of those that see the triangle counts, in any order. */
-static void test_views(void **state)
+static void the_most_demanding_view_counts(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -295,7 +295,7 @@ static ts_offscreen hard_case(ts_v3 corner[3], u32 sort)
 }
 
 /* The theorem of view_density.h, attacked. */
-static void test_watertight(void **state)
+static void the_watertight_rate_leaves_no_hole(void **state)
 {
 	(void)state;
 	for (u32 sort = 0; sort < N_SORTS; sort++) {
@@ -347,7 +347,7 @@ static double holes_of_slant(double degrees, u32 n, double *error)
 
 /* FIGURES 2, of 2000 lattices each, counted
  * in double precision without the kernels. */
-static void test_slants(void **state)
+static void holes_of_slants_match_the_figures(void **state)
 {
 	(void)state;
 	static const double table[][2] = {{0, 0.0894}, {30, 0.0976}, {45, 0.1194}, {60, 0.1568}, {75, 0.2263}};
@@ -425,7 +425,7 @@ static tally holes_of_perspective(u32 rate, bool clipped, u32 n, double *error)
 
 /* FIGURES 2 has 0.72 % of some fifty triangles, an error of 0.3, at 6.2 points a texel; what lies beside the image
  * costs a clipped triangle no points, and makes it no denser. Watertight: none. */
-static void test_perspective(void **state)
+static void holes_in_perspective_match_the_figures(void **state)
 {
 	(void)state;
 	double error[3];
@@ -445,9 +445,13 @@ static void test_perspective(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_area),        cmocka_unit_test(test_rates),      cmocka_unit_test(test_bound),
-		cmocka_unit_test(test_views),       cmocka_unit_test(test_watertight), cmocka_unit_test(test_slants),
-		cmocka_unit_test(test_perspective),
+		cmocka_unit_test(densities_follow_the_areas_of_texels),
+		cmocka_unit_test(each_rate_follows_its_formula),
+		cmocka_unit_test(the_watertight_rate_exceeds_every_stretch),
+		cmocka_unit_test(the_most_demanding_view_counts),
+		cmocka_unit_test(the_watertight_rate_leaves_no_hole),
+		cmocka_unit_test(holes_of_slants_match_the_figures),
+		cmocka_unit_test(holes_in_perspective_match_the_figures),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

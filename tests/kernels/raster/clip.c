@@ -44,7 +44,7 @@ static double share_before(const double *z, double near)
 	return n_before == 0 ? 0 : n_before == 1 ? before : n_before == 2 ? 1 - behind : 1;
 }
 
-static void test_near(void **state)
+static void clipping_leaves_what_is_before_near(void **state)
 {
 	(void)state;
 	u32 n_cut = 0;
@@ -69,7 +69,7 @@ static void test_near(void **state)
 }
 
 /* Two triangles at an edge get its cuts with the same bits, whichever way round each runs (rule 16). */
-static void test_shared_edge(void **state)
+static void both_sides_cut_an_edge_alike(void **state)
 {
 	(void)state;
 	u32 n_shared = 0;
@@ -94,7 +94,7 @@ static void test_shared_edge(void **state)
 
 /* Whatever the triangle, at most eight corners, all within the range of snapping but for the rounding of cuts, and none
  * before the near plane. */
-static void test_range(void **state)
+static void clipped_corners_stay_within_snapping_range(void **state)
 {
 	(void)state;
 	u32 most = 0;
@@ -114,7 +114,7 @@ static void test_range(void **state)
 }
 
 /* A triangle with a point in the picture is never outside; one that keeps off it by a plane is. */
-static void test_outside(void **state)
+static void no_triangle_in_sight_is_outside(void **state)
 {
 	(void)state;
 	const f32 off[6][3] = {{9, 0, -4}, {-9, 0, -4}, {0, 9, -4}, {0, -9, -4}, {0, 0, 1}, {0, 0, -0.4f}};
@@ -176,7 +176,7 @@ static bool random_fragment(const drawn *d, i32 *i, i32 *j, ts_fragment *f)
 }
 
 /* The point a fragment names projects back to within the snap of its pixel's centre, at the depth it names. */
-static void test_reprojection(void **state)
+static void fragments_project_back_to_their_pixel(void **state)
 {
 	(void)state;
 	u32 n_judged = 0;
@@ -198,7 +198,7 @@ static void test_reprojection(void **state)
 }
 
 /* Weights of the ray through the pixel's centre, from the areas of the three triangles around its hit. */
-static void test_ray(void **state)
+static void fragments_see_what_the_ray_sees(void **state)
 {
 	(void)state;
 	u32 n_judged = 0;
@@ -223,7 +223,7 @@ static void test_ray(void **state)
 }
 
 /* A view from anywhere: the corner's coordinates along the view's own axes. */
-static void test_to_view(void **state)
+static void corners_stand_on_the_views_axes(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -248,7 +248,7 @@ static void test_to_view(void **state)
 
 /* Edge-on triangles in a plane of the snapping range change sides by rounding at every corner; the polygon stays
  * bounded. */
-static void test_edge_on(void **state)
+static void edge_on_triangles_stay_bounded(void **state)
 {
 	(void)state;
 	const ts_camera_k face = {
@@ -292,7 +292,7 @@ static void test_edge_on(void **state)
 }
 
 /* Rule 16: a side below 2^-100 counts as 0, which is inside; so a corner that close before a plane is not cut off. */
-static void test_tiny_sides(void **state)
+static void a_tiny_side_counts_as_inside(void **state)
 {
 	(void)state;
 	const ts_plane left = {1, 0, 0, 0};
@@ -308,9 +308,11 @@ static void test_tiny_sides(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_edge_on), seeded_test(test_near),    seeded_test(test_shared_edge),
-		seeded_test(test_range),        seeded_test(test_outside), seeded_test(test_reprojection),
-		seeded_test(test_ray),          seeded_test(test_to_view), cmocka_unit_test(test_tiny_sides),
+		cmocka_unit_test(edge_on_triangles_stay_bounded), seeded_test(clipping_leaves_what_is_before_near),
+		seeded_test(both_sides_cut_an_edge_alike),        seeded_test(clipped_corners_stay_within_snapping_range),
+		seeded_test(no_triangle_in_sight_is_outside),     seeded_test(fragments_project_back_to_their_pixel),
+		seeded_test(fragments_see_what_the_ray_sees),     seeded_test(corners_stand_on_the_views_axes),
+		cmocka_unit_test(a_tiny_side_counts_as_inside),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

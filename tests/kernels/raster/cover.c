@@ -58,7 +58,7 @@ static void judge_count(const ts_snapped *v, u32 n, i32 half_size)
 	assert_near(total / 65536.0, mean, (double)(border + 2) / 131072);
 }
 
-static void test_count(void **state)
+static void covers_count_what_the_area_says(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 12; i++) {
@@ -71,7 +71,7 @@ static void test_count(void **state)
 }
 
 /* Without area: a point, a segment; with more corners: a hexagon, both ways round. */
-static void test_count_of_others(void **state)
+static void points_segments_and_hexagons_count_right(void **state)
 {
 	(void)state;
 	const ts_snapped point_[3] = {{5, 7}, {5, 7}, {5, 7}};
@@ -113,7 +113,7 @@ static bool really_touches(const place *t, i32 i, i32 j)
 }
 
 /* With half size 129 nothing that the unsnapped triangle touches is missed; 128 does miss some, so this can see. */
-static void test_nothing_missed(void **state)
+static void nothing_touched_is_missed(void **state)
 {
 	(void)state;
 	u32 n_missed[2] = {0}, n_touched_really = 0;
@@ -147,9 +147,9 @@ static void test_nothing_missed(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_count),
-		seeded_test(test_count_of_others),
-		seeded_test(test_nothing_missed),
+		seeded_test(covers_count_what_the_area_says),
+		seeded_test(points_segments_and_hexagons_count_right),
+		seeded_test(nothing_touched_is_missed),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

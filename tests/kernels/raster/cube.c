@@ -18,7 +18,7 @@ static u32 look_up(double3 d, double *s, double *t)
 	return face;
 }
 
-static void test_place(void **state)
+static void directions_meet_the_face_of_the_table(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -33,7 +33,7 @@ static void test_place(void **state)
 }
 
 /* All 26 directions of a cube's faces, edges and corners: ties go to x, then y; the coordinates are exact. */
-static void test_ties(void **state)
+static void ties_go_to_x_and_then_y(void **state)
 {
 	(void)state;
 	for (i32 k = 0; k < 27; k++) {
@@ -48,7 +48,7 @@ static void test_ties(void **state)
 	assert_true(ts_k_cube_index(ts_k_cube_place(ts_v3_make(0, 0, 0)), 16) < 6 * 16 * 16);
 }
 
-static void test_round_trip(void **state)
+static void places_on_faces_lead_back_to_themselves(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -61,7 +61,7 @@ static void test_round_trip(void **state)
 }
 
 /* Each texel's middle finds the texel, in order: face, row, column. */
-static void test_texels(void **state)
+static void each_middle_finds_its_texel(void **state)
 {
 	(void)state;
 	const u32 sizes[] = {1, 2, 3, 16, 37};
@@ -90,7 +90,7 @@ static void test_texels(void **state)
 }
 
 /* A face drawn as a view puts a direction where the look-up finds it: x = N/2 + N/2 s, y = N/2 + N/2 t, depth ma. */
-static void test_views(void **state)
+static void drawn_faces_agree_with_look_ups(void **state)
 {
 	(void)state;
 	ts_face cube = {.centre = {3, -2, 5}, .n = 64, .near = 0.125f};
@@ -108,7 +108,7 @@ static void test_views(void **state)
 }
 
 /* Orthonormal rows of determinant -1: seen from inside, screen winding is mirrored. The view looks at its own face. */
-static void test_rows(void **state)
+static void faces_are_orthonormal_and_mirrored(void **state)
 {
 	(void)state;
 	ts_face cube = {.n = 10, .near = 0.25f};
@@ -130,7 +130,7 @@ static ts_v3 edge_direction(u32 face, u32 side, f32 along, f32 reach)
 
 /* A step across a side of a face lands on the border texel of one neighbour, never on the same or the opposite face;
  * twelve common edges, each seen from both sides. */
-static void test_neighbours(void **state)
+static void steps_off_a_face_reach_one_neighbour(void **state)
 {
 	(void)state;
 	enum { SIZE = 32 };
@@ -157,8 +157,10 @@ static void test_neighbours(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_place), seeded_test(test_ties), seeded_test(test_round_trip), seeded_test(test_texels),
-		seeded_test(test_views), seeded_test(test_rows), seeded_test(test_neighbours),
+		seeded_test(directions_meet_the_face_of_the_table),   seeded_test(ties_go_to_x_and_then_y),
+		seeded_test(places_on_faces_lead_back_to_themselves), seeded_test(each_middle_finds_its_texel),
+		seeded_test(drawn_faces_agree_with_look_ups),         seeded_test(faces_are_orthonormal_and_mirrored),
+		seeded_test(steps_off_a_face_reach_one_neighbour),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -33,7 +33,7 @@ static void check_cube(const ts_face *cube, const u64 *drawn, u32 *n_decided, u3
 }
 
 /* A batch of some of the cubes; nothing is drawn beside it. */
-static void test_soup(void **state)
+static void faces_show_what_rays_meet(void **state)
 {
 	(void)state;
 	static u64 buffer[N_BATCH * 6 * FACE];
@@ -75,7 +75,7 @@ static void add_box(ts_v3 lo, ts_v3 hi)
 
 /* A box around two cubes: every texel sees the wall that its direction meets, at the closed form's depth; a reflector's
  * own triangle hides the wall in the other's cube only; a cube of no size draws nothing. */
-static void test_faces(void **state)
+static void cubes_see_the_box_around_them(void **state)
 {
 	(void)state;
 	static u64 buffer[2 * 6 * FACE + 1];
@@ -120,6 +120,7 @@ static void test_faces(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_soup), seeded_test(test_faces)};
+	const struct CMUnitTest tests[] = {seeded_test(faces_show_what_rays_meet),
+	                                   seeded_test(cubes_see_the_box_around_them)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static void check_view(const ts_offscreen *view, u32 n_decided[2], u32 n_seen[2]
 	}
 }
 
-static void test_soup(void **state)
+static void depth_maps_hold_what_rays_meet(void **state)
 {
 	(void)state;
 	u32 n_texels[2] = {0}, n_decided[2] = {0}, n_seen[2] = {0};
@@ -62,7 +62,7 @@ static void test_soup(void **state)
 	for (u32 k = 0; k < 2; k++) assert_true(n_decided[k] > n_texels[k] * 8 / 10 && n_seen[k] > n_decided[k] / 4);
 }
 
-static void test_order(void **state)
+static void depth_maps_ignore_the_order(void **state)
 {
 	(void)state;
 	static u32 forward[N_BATCH * N_TEXELS];
@@ -80,7 +80,7 @@ static void test_order(void **state)
 }
 
 /* The footprint by which masks are read: its square is what a pixel would see of the plane if it faced its ray. */
-static void test_footprint(void **state)
+static void masks_are_read_at_pixel_width(void **state)
 {
 	(void)state;
 	u32 n_seen = 0;
@@ -108,7 +108,7 @@ static void test_footprint(void **state)
 }
 
 /* Neither a batch without views nor a triangle without area draws. */
-static void test_nothing(void **state)
+static void no_views_and_no_area_draw_nothing(void **state)
 {
 	(void)state;
 	ts_v3 a = ts_v3_make(-2, 0, 0), b = ts_v3_make(2, 0, 0);
@@ -129,10 +129,10 @@ static void test_nothing(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_soup),
-		seeded_test(test_order),
-		seeded_test(test_footprint),
-		seeded_test(test_nothing),
+		seeded_test(depth_maps_hold_what_rays_meet),
+		seeded_test(depth_maps_ignore_the_order),
+		seeded_test(masks_are_read_at_pixel_width),
+		seeded_test(no_views_and_no_area_draw_nothing),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -64,7 +64,7 @@ static void make_mesh(bool exact)
 	}
 }
 
-static void test_mesh(void **state)
+static void meshes_have_no_gaps_and_no_overlaps(void **state)
 {
 	(void)state;
 	static u8 n_drawn[N_PIXELS];
@@ -89,7 +89,7 @@ static void test_mesh(void **state)
 }
 
 /* A floor one unit below the eye, from far behind it to the horizon: depth focal / (y - H/2). */
-static void test_floor(void **state)
+static void a_floor_reaches_the_horizon(void **state)
 {
 	(void)state;
 	const f32 e = 4096;
@@ -118,7 +118,7 @@ static void make_soup(u32 n)
 	for (u32 i = 0; i < n; i++) small_add(&scene, anywhere(), anywhere(), anywhere(), bits() & 1, 0);
 }
 
-static void test_soup(void **state)
+static void pixels_show_what_rays_meet(void **state)
 {
 	(void)state;
 	ts_camera_k view = ts_k_view(&eye);
@@ -139,7 +139,7 @@ static void test_soup(void **state)
 }
 
 /* The buffer is the same in every order of drawing; of equal triangles the first is seen. */
-static void test_order(void **state)
+static void the_order_of_drawing_changes_nothing(void **state)
 {
 	(void)state;
 	static u64 forward[N_PIXELS];
@@ -161,7 +161,7 @@ static void test_order(void **state)
 }
 
 /* Depth is stored without -0, denormals or NaN, and computing the fragment again gives the same bits. */
-static void test_again(void **state)
+static void fragments_made_again_have_the_same_bits(void **state)
 {
 	(void)state;
 	for (u32 n = 0; n < 30; n++) {
@@ -188,7 +188,7 @@ static u32 n_drawn(void)
 }
 
 /* Seen from behind only if double-sided; not where the alpha is below the cutoff; never without area. */
-static void test_sides_and_masks(void **state)
+static void backs_and_masks_are_left_out(void **state)
 {
 	(void)state;
 	ts_v3 a = behind_pixel(10, 10, 2), b = behind_pixel(10, 40, 2), c = behind_pixel(50, 40, 2);
@@ -216,8 +216,12 @@ static void test_sides_and_masks(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_mesh),  seeded_test(test_floor), seeded_test(test_soup),
-		seeded_test(test_order), seeded_test(test_again), seeded_test(test_sides_and_masks),
+		seeded_test(meshes_have_no_gaps_and_no_overlaps),
+		seeded_test(a_floor_reaches_the_horizon),
+		seeded_test(pixels_show_what_rays_meet),
+		seeded_test(the_order_of_drawing_changes_nothing),
+		seeded_test(fragments_made_again_have_the_same_bits),
+		seeded_test(backs_and_masks_are_left_out),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -34,7 +34,7 @@ static u32 row(u32 sample) { return (u32)ts_eye_sample[sample][1] / 64; }
 
 /* In the middles of cells of 4 x 4, each row and each column once, and in the middle on the whole; the standard sample
  * locations of Vulkan in their order. */
-static void test_grid(void **state)
+static void the_grid_is_the_standard_rotated_one(void **state)
 {
 	(void)state;
 	static const double standard[SAMPLES][2] = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
@@ -51,7 +51,7 @@ static void test_grid(void **state)
 }
 
 /* Elements of the eye's buffers, and back: one sample's picture after another. */
-static void test_places(void **state)
+static void samples_have_their_places_in_the_buffers(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < SAMPLES * N_PIXELS; i++) {
@@ -106,7 +106,7 @@ static u32 n_different(bool depths)
 	return n;
 }
 
-static void test_finer_picture(void **state)
+static void samples_are_pixels_of_a_finer_picture(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -121,7 +121,7 @@ static void test_finer_picture(void **state)
 
 /* Of a mirror that faces the eye at depth 2: z / f from pixel to pixel, half of that over a sample's square; its
  * neighbours are those of the same sample. */
-static void test_gradients(void **state)
+static void gradients_span_the_square_of_a_sample(void **state)
 {
 	(void)state;
 	static u32 offset[SAMPLES * N_PIXELS + 1];
@@ -155,7 +155,7 @@ static void test_gradients(void **state)
 }
 
 /* The mean of a pixel's samples in linear light; shown by the gain of what is seen, and without it in the sky. */
-static void test_mean(void **state)
+static void pixels_show_the_mean_of_their_samples(void **state)
 {
 	(void)state;
 	enum { N = 7 };
@@ -188,8 +188,9 @@ static void test_mean(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_grid), seeded_test(test_places),
-	                                   seeded_test(test_finer_picture), seeded_test(test_gradients),
-	                                   seeded_test(test_mean)};
+	const struct CMUnitTest tests[] = {
+		seeded_test(the_grid_is_the_standard_rotated_one), seeded_test(samples_have_their_places_in_the_buffers),
+		seeded_test(samples_are_pixels_of_a_finer_picture), seeded_test(gradients_span_the_square_of_a_sample),
+		seeded_test(pixels_show_the_mean_of_their_samples)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

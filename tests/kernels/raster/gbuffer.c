@@ -67,7 +67,7 @@ static void check_pixel(const ts_gpixel *pixel, const sight *s)
 	}
 }
 
-static void test_soup(void **state)
+static void pixels_hold_what_rays_meet(void **state)
 {
 	(void)state;
 	const ts_gpixel sky = {.depth = 1};
@@ -96,7 +96,7 @@ static void test_soup(void **state)
 }
 
 /* 1 - near / z: within rounding, growing, 0 at the near plane, below 1 however far. */
-static void test_screen_depth(void **state)
+static void screen_depth_grows_from_the_near_plane(void **state)
 {
 	(void)state;
 	for (u32 n = 0; n < 1000; n++) {
@@ -131,7 +131,7 @@ static void make_wall(ts_v3 back)
 }
 
 /* Textures are read at the level of a pixel: at axial depth z it is z / (focal sqrt cos) wide. */
-static void test_footprint(void **state)
+static void textures_are_read_at_pixel_level(void **state)
 {
 	(void)state;
 	u32 n_seen = 0;
@@ -158,9 +158,9 @@ static void test_footprint(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_soup),
-		seeded_test(test_screen_depth),
-		seeded_test(test_footprint),
+		seeded_test(pixels_hold_what_rays_meet),
+		seeded_test(screen_depth_grows_from_the_near_plane),
+		seeded_test(textures_are_read_at_pixel_level),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

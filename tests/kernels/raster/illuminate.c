@@ -22,7 +22,7 @@ static void make_levels(f32 *mip, u32 n)
 	}
 }
 
-static void test_constant(void **state)
+static void a_constant_cube_stays_constant(void **state)
 {
 	(void)state;
 	static const f32 colour[4] = {0.1f, 0.7f, 3, 1};
@@ -37,7 +37,7 @@ static void test_constant(void **state)
 
 /* Each level is the mean of two by two texels of the one before; a last odd row or column has no part in it. Small
  * integers make every mean exact, so at powers of two each level's sum is a quarter of the one before. */
-static void test_means(void **state)
+static void each_level_averages_the_one_before(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -71,7 +71,7 @@ static void test_means(void **state)
 
 /* Three cubes in one batch of two, triangles of known colour: each texel shows its triangle's or the background, and
  * those that show a triangle are counted. */
-static void test_illuminate(void **state)
+static void texels_show_their_triangle_or_the_background(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -106,9 +106,9 @@ static void test_illuminate(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_constant),
-		cmocka_unit_test(test_means),
-		cmocka_unit_test(test_illuminate),
+		cmocka_unit_test(a_constant_cube_stays_constant),
+		cmocka_unit_test(each_level_averages_the_one_before),
+		cmocka_unit_test(texels_show_their_triangle_or_the_background),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static void picture_make(picture *p)
 static double curve(double l) { return 255 * fmin(fmax(srgb_encoded(l), 0), 1); }
 
 /* Display values never fall, reach both ends, and are the curve's to half a step. */
-static void test_bytes(void **state)
+static void display_values_follow_the_curve(void **state)
 {
 	(void)state;
 	u32 before = 0;
@@ -59,7 +59,7 @@ static void test_bytes(void **state)
 	assert_int_equal(ts_srgb_byte(ts_u2f(0x7f800000)), 255);
 }
 
-static void test_background(void **state)
+static void pixels_of_nothing_show_the_background(void **state)
 {
 	(void)state;
 	picture p;
@@ -73,7 +73,7 @@ static void test_background(void **state)
 }
 
 /* Reflective pixels take theirs of the queue, in order; the others stay. */
-static void test_mirrors(void **state)
+static void mirrors_take_their_colours_in_order(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -97,7 +97,7 @@ static void test_mirrors(void **state)
 }
 
 /* A wall without light of its own shows ambient times colour, without lights unlit shows its colour. */
-static void test_wall(void **state)
+static void a_wall_shows_its_ambient_light(void **state)
 {
 	(void)state;
 	for (u32 unlit = 0; unlit < 2; unlit++) {
@@ -123,7 +123,7 @@ static void test_wall(void **state)
 }
 
 /* Exposure scales what is displayed, not the radiance. */
-static void test_exposure(void **state)
+static void exposure_scales_only_what_is_displayed(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -145,8 +145,11 @@ static void test_exposure(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_bytes), cmocka_unit_test(test_background), cmocka_unit_test(test_mirrors),
-		cmocka_unit_test(test_wall),  cmocka_unit_test(test_exposure),
+		cmocka_unit_test(display_values_follow_the_curve),
+		cmocka_unit_test(pixels_of_nothing_show_the_background),
+		cmocka_unit_test(mirrors_take_their_colours_in_order),
+		cmocka_unit_test(a_wall_shows_its_ambient_light),
+		cmocka_unit_test(exposure_scales_only_what_is_displayed),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

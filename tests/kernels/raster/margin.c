@@ -117,7 +117,7 @@ static bool is_same(const shown *exact, u32 k, bool orthographic, double z)
 	return fabs(z - held) <= 2 * step_of(&exact[(u32)keys[k]], orthographic, x, y) + held * 1e-6;
 }
 
-static void test_depths(void **state)
+static void depths_that_differ_are_undecided(void **state)
 {
 	(void)state;
 	u32 n_different[2] = {0}, n_undecided = 0, n_drawn = 0;
@@ -152,7 +152,7 @@ static void test_depths(void **state)
 }
 
 /* A flat triangle and a slanted one behind it, by an orthographic view of 16 texels a unit. */
-static void test_figures(void **state)
+static void margins_are_the_figures_of_two_triangles(void **state)
 {
 	(void)state;
 	mesh m;
@@ -250,7 +250,7 @@ static void try_receiver(const ts_shadow_test_args *args, const ts_offscreen *vi
 	tried->n_undecided += !is_decided(of);
 }
 
-static void test_receivers(void **state)
+static void receivers_that_differ_are_undecided(void **state)
 {
 	(void)state;
 	tally tried[2] = {{0}};
@@ -278,9 +278,9 @@ static void test_receivers(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_depths),
-		cmocka_unit_test(test_figures),
-		cmocka_unit_test(test_receivers),
+		cmocka_unit_test(depths_that_differ_are_undecided),
+		cmocka_unit_test(margins_are_the_figures_of_two_triangles),
+		cmocka_unit_test(receivers_that_differ_are_undecided),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

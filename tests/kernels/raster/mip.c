@@ -9,7 +9,7 @@ static u64 chain_texels(u32 n)
 	return sum;
 }
 
-static void test_sizes(void **state)
+static void sizes_of_levels_are_sums_of_squares(void **state)
 {
 	(void)state;
 	for (u32 n = 1; n <= 4096; n++) {
@@ -33,6 +33,6 @@ static void test_sizes(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_sizes)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(sizes_of_levels_are_sums_of_squares)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

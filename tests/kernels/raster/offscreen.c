@@ -56,7 +56,7 @@ static bool shows(const ts_offscreen *view, d3 p)
 }
 
 /* `plane`: a triangle of which any point is in the image has its bit; most of those that have one do. */
-static void test_samples(void **state)
+static void what_an_image_shows_has_its_bit(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -81,7 +81,7 @@ static void test_samples(void **state)
 }
 
 /* `vertex`: a corner ahead, in the frustum enlarged by a fifth. */
-static void test_vertex(void **state)
+static void the_papers_test_is_of_corners_ahead(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -109,7 +109,7 @@ static void test_vertex(void **state)
 }
 
 /* The faces of cubes as views: bit for bit what the cubes' kernel finds, in both modes. */
-static void test_cubes(void **state)
+static void faces_of_cubes_find_the_same_bits(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -156,7 +156,7 @@ static void test_cubes(void **state)
 }
 
 /* Bit v is what view v finds alone; there are none beyond the last view. */
-static void test_words(void **state)
+static void each_view_finds_its_own_bit(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -179,7 +179,7 @@ static void test_words(void **state)
 
 /* One-sided backs are left out, judged from the eye or along the rays; so are the view's own object, triangles without
  * area, and everything if the view has no size. */
-static void test_left_out(void **state)
+static void backs_and_own_objects_are_left_out(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -218,8 +218,9 @@ static void test_left_out(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_samples), cmocka_unit_test(test_vertex),   cmocka_unit_test(test_cubes),
-		cmocka_unit_test(test_words),   cmocka_unit_test(test_left_out),
+		cmocka_unit_test(what_an_image_shows_has_its_bit),    cmocka_unit_test(the_papers_test_is_of_corners_ahead),
+		cmocka_unit_test(faces_of_cubes_find_the_same_bits),  cmocka_unit_test(each_view_finds_its_own_bit),
+		cmocka_unit_test(backs_and_own_objects_are_left_out),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static bool holds(ts_snapped a, ts_snapped b, ts_snapped c, i32 x, i32 y)
 }
 
 /* Every ordered triangle: coverage is the perturbed centre's, in every order and winding. */
-static void test_all_triangles(void **state)
+static void every_triangle_covers_its_perturbed_centres(void **state)
 {
 	(void)state;
 	u32 n_triangles = 0;
@@ -74,7 +74,7 @@ static u32 crossed(ts_snapped a, ts_snapped b)
 }
 
 /* Every pair on the two sides of every edge, run both ways: no pixel twice, and each centre on the edge once. */
-static void test_all_pairs(void **state)
+static void every_pair_covers_its_edge_once(void **state)
 {
 	(void)state;
 	u32 n_pairs = 0, n_twice = 0, n_never = 0, left[N_POINTS], right[N_POINTS];
@@ -107,7 +107,7 @@ static ts_snapped anywhere(void)
 }
 
 /* A turned triangle has positive area, its edges sum to it everywhere, and it knows where its corners came from. */
-static void test_setup(void **state)
+static void setup_turns_triangles_to_positive_area(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 100000; i++) {
@@ -128,7 +128,7 @@ static void test_setup(void **state)
 	}
 }
 
-static void test_snap(void **state)
+static void snapping_rounds_to_the_nearest_step(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 100000; i++) {
@@ -140,7 +140,7 @@ static void test_snap(void **state)
 }
 
 /* The box holds just the pixels whose centre is within the half size of the corners' box. */
-static void test_touched_box(void **state)
+static void boxes_hold_just_the_pixels_within_reach(void **state)
 {
 	(void)state;
 	const i32 half_sizes[] = {0, 128, 129};
@@ -168,7 +168,7 @@ static void test_touched_box(void **state)
 
 /* An orthographic view: the projection is a multiple of the place on its axes, whatever the depth; out of sight is what
  * its box does not reach; and a fragment shows what the ray through its pixel meets. */
-static void test_orthographic(void **state)
+static void orthographic_views_project_by_multiples(void **state)
 {
 	(void)state;
 	const ts_camera_k view = {.right = {1, 0, 0},
@@ -219,8 +219,9 @@ static void test_orthographic(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_all_triangles), seeded_test(test_all_pairs),   seeded_test(test_setup),
-		seeded_test(test_snap),          seeded_test(test_touched_box), seeded_test(test_orthographic),
+		seeded_test(every_triangle_covers_its_perturbed_centres), seeded_test(every_pair_covers_its_edge_once),
+		seeded_test(setup_turns_triangles_to_positive_area),      seeded_test(snapping_rounds_to_the_nearest_step),
+		seeded_test(boxes_hold_just_the_pixels_within_reach),     seeded_test(orthographic_views_project_by_multiples),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -159,7 +159,7 @@ static u32 check_view(const ts_offscreen *view)
 	return n_checked;
 }
 
-static void test_soup(void **state)
+static void patches_are_what_the_light_sees(void **state)
 {
 	(void)state;
 	u32 n_checked[N_VIEWS] = {0};
@@ -190,7 +190,7 @@ static double draw_wall(f32 cosine, f32 distance, double3 *p, double3 *n)
 }
 
 /* Of any normal, the axes among them, the triangle is as large, and its first corner is on the way of pole x normal. */
-static void test_every_normal(void **state)
+static void patches_of_every_normal_are_as_large(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 2000; i++) {
@@ -209,7 +209,7 @@ static void test_every_normal(void **state)
 }
 
 /* The areas of a wall that fills a view add up to what the view's four corners cut out of it. */
-static void test_wall(void **state)
+static void areas_of_a_wall_add_up(void **state)
 {
 	(void)state;
 	const double low[2] = {0, 0}, high[2] = {SIZE, SIZE * 3 / 4};
@@ -225,7 +225,7 @@ static void test_wall(void **state)
 }
 
 /* A wall at ever more grazing light: the area grows by 1 / cos theta, and no more beyond 2^6. */
-static void test_grazing(void **state)
+static void areas_grow_with_grazing_light(void **state)
 {
 	(void)state;
 	u32 n_seen = 0, n_clamped = 0;
@@ -246,7 +246,7 @@ static void test_grazing(void **state)
 }
 
 /* All sizes up to two texels of four views, against the range that each texel is in. */
-static void test_view_of_texel(void **state)
+static void each_texel_finds_its_view(void **state)
 {
 	(void)state;
 	for (u32 sizes = 0; sizes < 81; sizes++) {
@@ -262,8 +262,9 @@ static void test_view_of_texel(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_soup),    seeded_test(test_every_normal),  seeded_test(test_wall),
-		seeded_test(test_grazing), seeded_test(test_view_of_texel),
+		seeded_test(patches_are_what_the_light_sees), seeded_test(patches_of_every_normal_are_as_large),
+		seeded_test(areas_of_a_wall_add_up),          seeded_test(areas_grow_with_grazing_light),
+		seeded_test(each_texel_finds_its_view),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

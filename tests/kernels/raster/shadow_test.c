@@ -42,7 +42,7 @@ static double plane_depth(const ts_offscreen *view, const ts_receiver *at, doubl
 }
 
 /* Texels of width and of slope: z / f, or 1 / f; and the difference of the plane's depth from texel to texel. */
-static void test_bias(void **state)
+static void the_bias_follows_its_formula(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -89,7 +89,7 @@ static void draw_plane(const ts_offscreen *view, const ts_receiver *at)
 
 /* With the default bias no point of a plane is in its own shadow, up to the slope where the bias ends; without bias
  * about half of them are; what is far enough behind is, with the bias. */
-static void test_own_shadow(void **state)
+static void no_plane_shadows_itself(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -121,7 +121,7 @@ static void test_own_shadow(void **state)
 }
 
 /* Before the near plane, beside the map and in an empty texel; with cubes the map has no beside. */
-static void test_lit(void **state)
+static void unknown_places_of_the_map_are_lit(void **state)
 {
 	(void)state;
 	ts_offscreen view = {.right = {1, 0, 0},
@@ -196,7 +196,7 @@ static void cube_views(ts_offscreen views[6], ts_v3 centre, u64 offset, u32 ligh
 }
 
 /* Of a cube one face counts: darkening the faces one by one takes each pixel's light just once a cube. */
-static void test_one_face(void **state)
+static void one_face_of_a_cube_counts(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -233,7 +233,7 @@ static void test_one_face(void **state)
 }
 
 /* Every view adds to its own light's count; batches add up to the whole. */
-static void test_lights(void **state)
+static void each_view_counts_for_its_own_light(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -277,8 +277,9 @@ static void test_lights(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_bias),     cmocka_unit_test(test_own_shadow), cmocka_unit_test(test_lit),
-		cmocka_unit_test(test_one_face), cmocka_unit_test(test_lights),
+		cmocka_unit_test(the_bias_follows_its_formula),       cmocka_unit_test(no_plane_shadows_itself),
+		cmocka_unit_test(unknown_places_of_the_map_are_lit),  cmocka_unit_test(one_face_of_a_cube_counts),
+		cmocka_unit_test(each_view_counts_for_its_own_light),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

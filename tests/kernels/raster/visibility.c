@@ -53,7 +53,7 @@ static bool sees(double3 p, double reach, double near)
 }
 
 /* A triangle with any sampled point inside a face's frustum before the near plane has the face's bit. */
-static void test_samples(void **state)
+static void what_a_face_sees_has_its_bit(void **state)
 {
 	(void)state;
 	u32 n_seen = 0, n_set = 0;
@@ -91,7 +91,7 @@ static bool is_beyond_a_plane(const double3 *p, double near, double *margin)
 	return best > 0;
 }
 
-static void test_modes(void **state)
+static void both_modes_follow_their_words(void **state)
 {
 	(void)state;
 	u32 n_set[2] = {0};
@@ -118,7 +118,7 @@ static void test_modes(void **state)
 }
 
 /* Planes are closed: what just touches one is seen. */
-static void test_closed(void **state)
+static void what_touches_a_plane_is_seen(void **state)
 {
 	(void)state;
 	ts_frustum f = {.x = 1, .y = 1, .near = 0.125f};
@@ -131,7 +131,7 @@ static void test_closed(void **state)
 }
 
 /* A small triangle before one face is that face's alone, in both modes. */
-static void test_one_face(void **state)
+static void a_small_triangle_is_one_faces_alone(void **state)
 {
 	(void)state;
 	for (u32 face = 0; face < 6; face++) {
@@ -146,7 +146,7 @@ static void test_one_face(void **state)
 }
 
 /* The back of a single-sided triangle, its own cube, a cube of no size and a triangle without area: no bits. */
-static void test_none(void **state)
+static void backs_and_own_cubes_have_no_bits(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -176,7 +176,7 @@ static void test_none(void **state)
 }
 
 /* Edge-on from the centre, a single-sided triangle does not face it. */
-static void test_edge_on(void **state)
+static void edge_on_triangles_do_not_face_cubes(void **state)
 {
 	(void)state;
 	make_scene(1);
@@ -190,7 +190,7 @@ static void test_edge_on(void **state)
 }
 
 /* Cube r's bits are bits 6 r to 6 r + 5, also where they go from one word into the next; nothing else is set. */
-static void test_words(void **state)
+static void each_cube_has_its_six_bits(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N / 10; i++) {
@@ -219,8 +219,10 @@ static void test_words(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_samples), seeded_test(test_modes),   seeded_test(test_closed), seeded_test(test_one_face),
-		seeded_test(test_none),    seeded_test(test_edge_on), seeded_test(test_words),
+		seeded_test(what_a_face_sees_has_its_bit),     seeded_test(both_modes_follow_their_words),
+		seeded_test(what_touches_a_plane_is_seen),     seeded_test(a_small_triangle_is_one_faces_alone),
+		seeded_test(backs_and_own_cubes_have_no_bits), seeded_test(edge_on_triangles_do_not_face_cubes),
+		seeded_test(each_cube_has_its_six_bits),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -106,7 +106,7 @@ static void check(sums *r, bool npr, const faults *how)
 	}
 }
 
-static void test_rounding(void **state)
+static void rounding_differs_only_where_undecided(void **state)
 {
 	(void)state;
 	sums r = {0, 0, 0, 0}, phong = {0, 0, 0, 0};
@@ -117,7 +117,7 @@ static void test_rounding(void **state)
 	assert_true(phong.wrong == 0);
 }
 
-static void test_faults(void **state)
+static void wrong_thresholds_differ_where_decided(void **state)
 {
 	(void)state;
 	static const faults all[] = {{1.05, 1, 1}, {1, 1.05, 1}, {1, 1, 1.05}};
@@ -195,15 +195,14 @@ static void check_order(ts_v3 (*by)(const ts_light *light, u32 n, f32 ambient, u
 	assert_true(n_telling > 1000);
 }
 
-static void test_order(void **state)
+static void lights_add_in_their_own_order(void **state)
 {
 	(void)state;
 	check_order(lit_by);
 	check_order(surfel_lit_by);
 }
 
-/* Pointers of structs inside structs are found by their path. */
-static void test_arguments(void **state)
+static void pointers_inside_structs_are_found_by_path(void **state)
 {
 	(void)state;
 	const ts_pointers *p = ts_kernel_pointers(TS_KERNEL_deferred_lit_margin);
@@ -215,7 +214,8 @@ static void test_arguments(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_rounding), seeded_test(test_faults), seeded_test(test_order),
-	                                   seeded_test(test_arguments)};
+	const struct CMUnitTest tests[] = {
+		seeded_test(rounding_differs_only_where_undecided), seeded_test(wrong_thresholds_differ_where_decided),
+		seeded_test(lights_add_in_their_own_order), seeded_test(pointers_inside_structs_are_found_by_path)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

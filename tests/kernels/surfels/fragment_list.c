@@ -124,7 +124,7 @@ static verdict judge(const world *w, u32 surfel, u32 pixel)
 	return both(covers[w->filter.filter], seen);
 }
 
-static void test_rays(void **state)
+static void lists_hold_what_rays_meet(void **state)
 {
 	(void)state;
 	static world w;
@@ -151,7 +151,7 @@ static void test_rays(void **state)
 }
 
 /* Lists come in the order in which surfels do, and sorted they are the same. */
-static void test_orders(void **state)
+static void the_order_of_surfels_changes_no_list(void **state)
 {
 	(void)state;
 	static world w;
@@ -174,7 +174,7 @@ static void test_orders(void **state)
 }
 
 /* A surfel is blended into those pixels whose lists have it, and into no others; by every filter. */
-static void test_blended(void **state)
+static void surfels_blend_where_the_lists_have_them(void **state)
 {
 	(void)state;
 	static world w;
@@ -206,7 +206,7 @@ static void test_blended(void **state)
 }
 
 /* As deep as the key is not behind it; the next number is. Where the key is empty all is seen, or nothing. */
-static void test_depth(void **state)
+static void fragments_as_deep_as_keys_are_listed(void **state)
 {
 	(void)state;
 	static world w;
@@ -234,10 +234,10 @@ static void test_depth(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_rays),
-		seeded_test(test_orders),
-		seeded_test(test_blended),
-		seeded_test(test_depth),
+		seeded_test(lists_hold_what_rays_meet),
+		seeded_test(the_order_of_surfels_changes_no_list),
+		seeded_test(surfels_blend_where_the_lists_have_them),
+		seeded_test(fragments_as_deep_as_keys_are_listed),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

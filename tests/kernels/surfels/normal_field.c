@@ -82,7 +82,7 @@ static double sum_of(const ts_surfel *surfels, const u32 *near, u32 i, const dou
 }
 
 /* No step from the slopes makes the sum less. */
-static void test_least(void **state)
+static void no_step_from_the_slopes_is_better(void **state)
 {
 	(void)state;
 	static ts_surfel surfels[N];
@@ -107,7 +107,7 @@ static void test_least(void **state)
 	}
 }
 
-static void test_plane(void **state)
+static void a_plane_has_no_slopes(void **state)
 {
 	(void)state;
 	static ts_surfel surfels[N];
@@ -121,7 +121,7 @@ static void test_plane(void **state)
 }
 
 /* Everywhere on each surfel nearer to the ball's normal than its own, and on average 20 times. */
-static void test_ball(void **state)
+static void fields_on_a_ball_beat_constant_normals(void **state)
 {
 	(void)state;
 	static ts_surfel surfels[N];
@@ -150,7 +150,7 @@ static void test_ball(void **state)
 }
 
 /* No others, others in the same place, and others that look away: no slope. Others along a line: none across that. */
-static void test_nothing_said(void **state)
+static void neighbours_that_say_nothing_give_no_slope(void **state)
 {
 	(void)state;
 	u32 near[4 * K];
@@ -177,10 +177,10 @@ static void test_nothing_said(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_least),
-		cmocka_unit_test(test_plane),
-		cmocka_unit_test(test_ball),
-		cmocka_unit_test(test_nothing_said),
+		cmocka_unit_test(no_step_from_the_slopes_is_better),
+		cmocka_unit_test(a_plane_has_no_slopes),
+		cmocka_unit_test(fields_on_a_ball_beat_constant_normals),
+		cmocka_unit_test(neighbours_that_say_nothing_give_no_slope),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static void add(target *to, const ts_surfel *surfel, const ts_disc *disc, f32 we
 }
 
 /* Surfels of all sizes and directions, seen from where they face; colours of any number. */
-static void test_terms(void **state)
+static void no_term_is_above_its_bound(void **state)
 {
 	(void)state;
 	i64 greatest = 0;
@@ -61,7 +61,7 @@ static void test_terms(void **state)
 }
 
 /* The last of them, each the largest that ts_fix gives. */
-static void test_room(void **state)
+static void sums_have_room_for_the_most_surfels(void **state)
 {
 	(void)state;
 	const i64 most = INT32_MAX, others = ((i64)TS_NONE - 1) * most;
@@ -74,7 +74,7 @@ static void test_room(void **state)
 	            to.sums[7] == TS_NONE);
 }
 
-static void test_refused(void **state)
+static void more_surfels_than_sums_hold_are_refused(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -92,7 +92,8 @@ static void test_refused(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_terms), cmocka_unit_test(test_room),
-	                                   cmocka_unit_test(test_refused)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(no_term_is_above_its_bound),
+	                                   cmocka_unit_test(sums_have_room_for_the_most_surfels),
+	                                   cmocka_unit_test(more_surfels_than_sums_hold_are_refused)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

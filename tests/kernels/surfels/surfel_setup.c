@@ -65,7 +65,7 @@ static bool is_inside(const hit3 *hit, double near) { return hit->z >= near && h
 
 enum { SURFELS = 3000 };
 
-static void test_plane_coordinates(void **state)
+static void plane_coordinates_are_those_of_rays(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -113,7 +113,7 @@ static u32 missed(const ts_camera_k *view, const ts_disc *disc, const ts_disc_fr
 	return n;
 }
 
-static void test_bounds(void **state)
+static void bounds_hold_every_covered_pixel(void **state)
 {
 	(void)state;
 	u32 n_missed[2] = {0, 0}, n_surfels[2] = {0, 0}, n_drawn = 0;
@@ -137,7 +137,7 @@ static void test_bounds(void **state)
 }
 
 /* Boxes hold no column that is farther than a sixteenth of a pixel, and what rounding adds, from the ellipse. */
-static void test_bounds_are_tight(void **state)
+static void bounds_are_tight_around_the_ellipse(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < SURFELS; i++) {
@@ -193,7 +193,7 @@ static void check_crossing(crossings *n, const ts_camera_k *view, const ts_filte
 	}
 }
 
-static void test_crossing(void **state)
+static void surfels_across_the_near_plane_are_clipped(void **state)
 {
 	(void)state;
 	crossings n = {0, 0, 0};
@@ -212,7 +212,7 @@ static void test_crossing(void **state)
 }
 
 /* A round floor of radius 4, on which the eye stands, 1 above its centre: a row of pixels is f / (y - H/2) away. */
-static void test_floor(void **state)
+static void floors_are_as_deep_as_their_rows(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -247,7 +247,7 @@ static void test_floor(void **state)
 }
 
 /* The products of the centre's place are exact: against double, which holds 48 bits. */
-static void test_product(void **state)
+static void products_of_the_place_are_exact(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 100000; i++) {
@@ -268,7 +268,7 @@ static u32 fate(const ts_camera_k *view, ts_v3 centre, ts_v3 u, ts_v3 v, ts_disc
 	return ts_k_disc(disc, view, &filter, &s);
 }
 
-static void test_fates(void **state)
+static void each_surfel_meets_its_fate(void **state)
 {
 	(void)state;
 	ts_disc disc;
@@ -300,13 +300,10 @@ static void test_fates(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_plane_coordinates),
-		seeded_test(test_bounds),
-		seeded_test(test_bounds_are_tight),
-		seeded_test(test_crossing),
-		seeded_test(test_floor),
-		seeded_test(test_product),
-		seeded_test(test_fates),
+		seeded_test(plane_coordinates_are_those_of_rays), seeded_test(bounds_hold_every_covered_pixel),
+		seeded_test(bounds_are_tight_around_the_ellipse), seeded_test(surfels_across_the_near_plane_are_clipped),
+		seeded_test(floors_are_as_deep_as_their_rows),    seeded_test(products_of_the_place_are_exact),
+		seeded_test(each_surfel_meets_its_fate),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

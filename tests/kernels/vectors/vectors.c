@@ -10,7 +10,7 @@ enum { MOST_WORDS = TS_VECTOR_ITEMS * TS_VECTOR_WORDS, AFTER = 8 };
 static u32 in[MOST_WORDS];
 static _Alignas(8) u32 out[MOST_WORDS], found[MOST_WORDS + AFTER];
 
-static void test_list(void **state)
+static void lists_and_tables_name_the_same_primitives(void **state)
 {
 	(void)state;
 #define NAME(name) #name,
@@ -23,7 +23,7 @@ static void test_list(void **state)
 	}
 }
 
-static void test_rows(void **state)
+static void kernels_give_the_rows_of_the_vectors(void **state)
 {
 	(void)state;
 	for (u32 p = 0; p < ts_vectors_count(); p++) {
@@ -45,8 +45,8 @@ static void test_rows(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_list),
-		cmocka_unit_test(test_rows),
+		cmocka_unit_test(lists_and_tables_name_the_same_primitives),
+		cmocka_unit_test(kernels_give_the_rows_of_the_vectors),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

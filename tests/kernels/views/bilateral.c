@@ -75,7 +75,7 @@ static double3 mean(const world *w, u32 i, bool columns, double *sum)
 	return *sum > 0 ? d3_scale(light, 1 / *sum) : light;
 }
 
-static void test_definition(void **state)
+static void filter_matches_its_definition(void **state)
 {
 	(void)state;
 	static world w;
@@ -98,7 +98,7 @@ static void test_definition(void **state)
 }
 
 /* Of the same light everywhere nothing changes, whatever the surface. */
-static void test_constant(void **state)
+static void constant_light_stays_constant(void **state)
 {
 	(void)state;
 	static world w;
@@ -110,8 +110,7 @@ static void test_constant(void **state)
 	}
 }
 
-/* Radius 0 leaves every bit as it is. */
-static void test_none(void **state)
+static void radius_zero_leaves_every_bit(void **state)
 {
 	(void)state;
 	static world w;
@@ -137,7 +136,7 @@ static double gauss(u32 at, u32 from, u32 n, u32 radius)
 
 /* One lit pixel of a plane, anywhere, along rows, then along columns: the product of two Gaussians, each cut off at the
  * borders. */
-static void test_borders(void **state)
+static void a_lit_pixel_spreads_as_two_gaussians(void **state)
 {
 	(void)state;
 	static world w;
@@ -160,7 +159,7 @@ static void test_borders(void **state)
 }
 
 /* No light passes an edge: of two walls that meet only one is lit before. */
-static void test_edges(void **state)
+static void no_light_passes_an_edge(void **state)
 {
 	(void)state;
 	static world w;
@@ -181,8 +180,9 @@ static void test_edges(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_definition), seeded_test(test_constant), seeded_test(test_none),
-		seeded_test(test_borders),    seeded_test(test_edges),
+		seeded_test(filter_matches_its_definition), seeded_test(constant_light_stays_constant),
+		seeded_test(radius_zero_leaves_every_bit),  seeded_test(a_lit_pixel_spreads_as_two_gaussians),
+		seeded_test(no_light_passes_an_edge),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static double inside(const ball *b, double3 way)
 	return sine < 1 ? d3_dot(way, vs) / d - sqrt(1 - sine * sine) : 1;
 }
 
-static void test_inside(void **state)
+static void texels_inside_a_ball_match_angles(void **state)
 {
 	(void)state;
 	u32 n_sure = 0, n_all = 0, n_inside = 0;
@@ -75,7 +75,7 @@ static bool are_inside(const ball *b, u32 back, u32 level, u32 column, u32 row)
 }
 
 /* Hardly a coarse texel is missed: only where the cap has the map's pole in it, or rounding might decide. */
-static void test_levels(void **state)
+static void coarse_texels_need_all_finer_ones_inside(void **state)
 {
 	(void)state;
 	u32 n_coarse = 0, n_missed = 0;
@@ -96,7 +96,7 @@ static void test_levels(void **state)
 }
 
 /* Boxes of circles are no wider than these, but for the texels at their ends. */
-static void test_box(void **state)
+static void boxes_leave_out_nothing_inside(void **state)
 {
 	(void)state;
 	u32 n_narrow = 0;
@@ -120,6 +120,8 @@ static void test_box(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_inside), seeded_test(test_levels), seeded_test(test_box)};
+	const struct CMUnitTest tests[] = {seeded_test(texels_inside_a_ball_match_angles),
+	                                   seeded_test(coarse_texels_need_all_finer_ones_inside),
+	                                   seeded_test(boxes_leave_out_nothing_inside)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

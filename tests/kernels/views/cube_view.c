@@ -21,7 +21,7 @@ static void make_cubes(ts_face *cubes)
 	}
 }
 
-static void test_places(void **state)
+static void views_stand_in_the_middles_of_cubes(void **state)
 {
 	(void)state;
 	ts_face cubes[N_CUBES];
@@ -82,7 +82,7 @@ static u32 check(const ts_face *cubes, u32 first, u32 n_cubes)
 	return n_decided;
 }
 
-static void test_texels(void **state)
+static void each_texel_shows_its_direction(void **state)
 {
 	(void)state;
 	ts_face cubes[N_CUBES];
@@ -93,6 +93,7 @@ static void test_texels(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_places), cmocka_unit_test(test_texels)};
+	const struct CMUnitTest tests[] = {seeded_test(views_stand_in_the_middles_of_cubes),
+	                                   cmocka_unit_test(each_texel_shows_its_direction)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

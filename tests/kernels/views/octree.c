@@ -40,7 +40,7 @@ static void check_box(const tree *t, const ts_node *node, u32 level, u32 code)
 }
 
 /* Node by node, as a walk over all voxels of all levels counts them. */
-static void test_nodes(void **state)
+static void nodes_are_those_that_a_walk_counts(void **state)
 {
 	(void)state;
 	static tree t;
@@ -79,7 +79,7 @@ static void test_nodes(void **state)
 }
 
 /* Ordered bits: the order of the numbers, and back. */
-static void test_ordered(void **state)
+static void ordered_bits_keep_the_order(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 100000; i++) {
@@ -92,8 +92,8 @@ static void test_ordered(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_nodes),
-		seeded_test(test_ordered),
+		seeded_test(nodes_are_those_that_a_walk_counts),
+		seeded_test(ordered_bits_keep_the_order),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -108,7 +108,7 @@ static tally cull(bool single, bool forget)
 	return r;
 }
 
-static void test_cull(void **state)
+static void no_seen_pair_is_culled(void **state)
 {
 	(void)state;
 	tally nodes = cull(false, false);
@@ -122,7 +122,7 @@ static void test_cull(void **state)
 }
 
 /* With the formula of angles, where it is sure. */
-static void test_cull_formula(void **state)
+static void culling_follows_the_formula_of_angles(void **state)
 {
 	(void)state;
 	u32 n_sure = 0, n_wide = 0;
@@ -168,7 +168,7 @@ static void compare(shares *sum, ts_v3 at, f32 rv, u32 n)
 }
 
 /* FIGURES 10: shares of N = 8, 16, 64 and 256, the views' ball as large as the scene's, or half. */
-static void test_equivalence(void **state)
+static void equivalent_pairs_share_texels_as_figured(void **state)
 {
 	(void)state;
 	static const struct {
@@ -197,7 +197,7 @@ static void test_equivalence(void **state)
 
 /* The formula of METHODS 13 in double precision, where it is sure; larger views, and views that may be inside, never
  * are. */
-static void test_equivalence_formula(void **state)
+static void equivalence_follows_its_formula(void **state)
 {
 	(void)state;
 	u32 n_sure = 0, n_equivalent = 0;
@@ -218,7 +218,7 @@ static void test_equivalence_formula(void **state)
 }
 
 /* From two roots alike to leaves: v.r <= s.r all the way, in turns; of unequal trees that which still has children. */
-static void test_split(void **state)
+static void splitting_alternates_down_to_the_leaves(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 1000; i++) {
@@ -244,7 +244,7 @@ static void test_split(void **state)
 
 /* Leaves of a lattice whose middles are less than 3 radii apart, 6.75 squares of a side, are near; so is a view alone;
  * inner nodes never are. */
-static void test_near(void **state)
+static void leaves_nearer_than_three_radii_are_near(void **state)
 {
 	(void)state;
 	f32 r = 0.8660254f;
@@ -262,9 +262,12 @@ static void test_near(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_cull),        seeded_test(test_cull_formula),
-		seeded_test(test_equivalence), seeded_test(test_equivalence_formula),
-		seeded_test(test_split),       seeded_test(test_near),
+		seeded_test(no_seen_pair_is_culled),
+		seeded_test(culling_follows_the_formula_of_angles),
+		seeded_test(equivalent_pairs_share_texels_as_figured),
+		seeded_test(equivalence_follows_its_formula),
+		seeded_test(splitting_alternates_down_to_the_leaves),
+		seeded_test(leaves_nearer_than_three_radii_are_near),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,7 +8,7 @@ enum { N_SIZES = 20000, N_RIM = 720 };
 static const u32 sides[] = {4, 8, 16, 64, 256, 1024};
 static const double pi = 3.14159265358979323846;
 
-static void test_round_trip(void **state)
+static void directions_lead_back_to_their_texels(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < sizeof sides / sizeof *sides; k++) {
@@ -40,7 +40,7 @@ static place place_of(double3 d, u32 n)
 static bool is_near_integer(double x) { return fabs(x - nearbyint(x)) < 1e-4; }
 
 /* Of any direction, and of the axes. */
-static void test_texel(void **state)
+static void any_direction_finds_its_texel(void **state)
 {
 	(void)state;
 	u32 n_sure = 0;
@@ -75,7 +75,7 @@ static double widest(double alpha, double rho, u32 n)
 	return high - low;
 }
 
-static void test_size(void **state)
+static void sizes_are_those_of_imaged_circles(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_SIZES / 100; i++) {
@@ -95,9 +95,9 @@ static void test_size(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_round_trip),
-		seeded_test(test_texel),
-		seeded_test(test_size),
+		seeded_test(directions_lead_back_to_their_texels),
+		seeded_test(any_direction_finds_its_texel),
+		seeded_test(sizes_are_those_of_imaged_circles),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -70,7 +70,7 @@ static u32 texel_of(double3 d, u32 n)
 static u64 key_of(double3 d, u64 pair) { return (u64)ts_f2u((f32)d3_length(d)) << 32 | pair >> 32; }
 
 /* Each pair alone: its key is in one texel of its view's map, and nothing is anywhere else. */
-static void test_places(void **state)
+static void each_pair_writes_one_texel(void **state)
 {
 	(void)state;
 	static world w;
@@ -115,7 +115,7 @@ static double nearest_corner(u32 texel, u32 n)
 }
 
 /* Of pairs in any order, some of them struck out, and all that are near, so that more are equally far. */
-static void test_nearest(void **state)
+static void the_nearest_pair_of_each_texel_wins(void **state)
 {
 	(void)state;
 	static world w;
@@ -137,7 +137,7 @@ static void test_nearest(void **state)
 }
 
 /* Every leaf for every view, none of which is culled or too near: the same as all pairs. */
-static void test_all(void **state)
+static void all_pairs_give_the_same_maps(void **state)
 {
 	(void)state;
 	enum { N = 8 };
@@ -164,7 +164,7 @@ static u32 above(spot at, u32 n, u32 level)
 	return first + (at.half * (n >> level) + (at.row >> level)) * (n >> level) + (at.column >> level);
 }
 
-static void test_pyramid(void **state)
+static void each_texel_is_above_its_finer_ones(void **state)
 {
 	(void)state;
 	for (u32 n = 1, levels = 1; n <= MOST; n *= 2, levels++) {
@@ -238,7 +238,7 @@ static void check_fill(bool point)
 	assert_true(point ? n_none == 0 : n_none > 300);
 }
 
-static void test_fill(void **state)
+static void pairs_fill_just_what_they_cover(void **state)
 {
 	(void)state;
 	check_fill(false);
@@ -246,7 +246,7 @@ static void test_fill(void **state)
 }
 
 /* Of many leaves each texel shows the nearest that covers it, however they are filled. */
-static void test_fill_nearest(void **state)
+static void filled_texels_show_the_nearest_leaf(void **state)
 {
 	(void)state;
 	static world w;
@@ -338,7 +338,7 @@ static show show_of(const line *w, u32 level, u32 texel)
 	return r;
 }
 
-static void test_fuse(void **state)
+static void children_show_what_their_parents_show(void **state)
 {
 	(void)state;
 	static line w;
@@ -362,7 +362,7 @@ static void test_fuse(void **state)
 }
 
 /* What lies in the parent's middle is as far from the child as that: of two as far the lower node is shown. */
-static void test_fuse_tie(void **state)
+static void the_lower_node_wins_a_tie(void **state)
 {
 	(void)state;
 	static line w;
@@ -380,8 +380,14 @@ static void test_fuse_tie(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_places), seeded_test(test_nearest),      seeded_test(test_all),  seeded_test(test_pyramid),
-		seeded_test(test_fill),   seeded_test(test_fill_nearest), seeded_test(test_fuse), seeded_test(test_fuse_tie),
+		seeded_test(each_pair_writes_one_texel),
+		seeded_test(the_nearest_pair_of_each_texel_wins),
+		seeded_test(all_pairs_give_the_same_maps),
+		seeded_test(each_texel_is_above_its_finer_ones),
+		seeded_test(pairs_fill_just_what_they_cover),
+		seeded_test(filled_texels_show_the_nearest_leaf),
+		seeded_test(children_show_what_their_parents_show),
+		seeded_test(the_lower_node_wins_a_tie),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,7 +48,7 @@ static void expected_of(double expected[3], u32 without)
 	for (u32 c = 0; c < 3; c++) expected[c] = emissive[c] / n + 0.75 * (base[c] / n) * (1 - metallic / n);
 }
 
-static void test_nodes(void **state)
+static void nodes_show_their_ambient_light(void **state)
 {
 	(void)state;
 	static f32 colours[N_VIEWS * MAP * 3];
@@ -82,7 +82,7 @@ static void test_nodes(void **state)
 }
 
 /* A mean normal turns to the viewer: a sun behind the viewer lights the node whichever way it looks. */
-static void test_turns(void **state)
+static void mean_normals_turn_to_the_viewer(void **state)
 {
 	(void)state;
 	f32 colours[2 * MAP * 3];
@@ -106,6 +106,7 @@ static void test_turns(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_nodes), seeded_test(test_turns)};
+	const struct CMUnitTest tests[] = {seeded_test(nodes_show_their_ambient_light),
+	                                   seeded_test(mean_normals_turn_to_the_viewer)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

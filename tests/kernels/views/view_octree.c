@@ -104,7 +104,7 @@ static void check_cone(const tree *t, const views *v, u32 node)
 	if (d3_length(all) > 1e-3) assert_true(d3_dot(d3_of(ts_load3(cone->axis)), d3_unit(all)) > 1 - 1e-6);
 }
 
-static void test_cones(void **state)
+static void cones_hold_all_views_of_their_nodes(void **state)
 {
 	(void)state;
 	static tree t;
@@ -143,7 +143,7 @@ static ts_cone cone_of(ts_v3 direction, u64 sum[3])
 	return cone;
 }
 
-static void test_axes(void **state)
+static void directions_along_an_axis_sum_exactly(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 6; i++) {
@@ -160,7 +160,7 @@ static void test_axes(void **state)
 }
 
 /* Some products of a direction with itself are rounded to more than 1. */
-static void test_cosine(void **state)
+static void no_cosine_is_above_one(void **state)
 {
 	(void)state;
 	u32 n_above = 0;
@@ -175,7 +175,7 @@ static void test_cosine(void **state)
 }
 
 /* Each where its view is, without extent, a root and a leaf, and seen by its own direction only. */
-static void test_alone(void **state)
+static void views_alone_are_nodes_of_their_own(void **state)
 {
 	(void)state;
 	enum { N = 100 };
@@ -202,10 +202,10 @@ static void test_alone(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_cones),
-		seeded_test(test_axes),
-		seeded_test(test_cosine),
-		seeded_test(test_alone),
+		seeded_test(cones_hold_all_views_of_their_nodes),
+		seeded_test(directions_along_an_axis_sum_exactly),
+		seeded_test(no_cosine_is_above_one),
+		seeded_test(views_alone_are_nodes_of_their_own),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

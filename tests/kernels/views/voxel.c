@@ -124,7 +124,7 @@ static void compare(const ts_touch *touch, const point t[3], const i64 voxel[3],
 }
 
 /* Triangles of few steps about a corner of eight voxels: the plane passes it, or misses it by the least there is. */
-static void test_corners(void **state)
+static void corner_triangles_touch_the_right_voxels(void **state)
 {
 	(void)state;
 	u32 counts[2] = {0, 0};
@@ -138,8 +138,7 @@ static void test_corners(void **state)
 	assert_true(counts[0] > 10000 && counts[1] > 10000);
 }
 
-/* Every voxel of a small lattice. */
-static void test_small(void **state)
+static void every_voxel_of_small_lattices_is_right(void **state)
 {
 	(void)state;
 	u32 counts[2] = {0, 0};
@@ -155,7 +154,7 @@ static void test_small(void **state)
 }
 
 /* Voxels about points of triangles of every size in the largest lattice, whose numbers are as large as they get. */
-static void test_large(void **state)
+static void voxels_of_the_largest_lattice_are_right(void **state)
 {
 	(void)state;
 	enum { SIDE_LARGE = 2048 };
@@ -179,7 +178,7 @@ static void test_large(void **state)
 }
 
 /* All triangles whose corners are places of a lattice of two voxels a side, at halves of a voxel. */
-static void test_all(void **state)
+static void lattice_triangles_touch_the_right_voxels(void **state)
 {
 	(void)state;
 	u32 counts[2] = {0, 0};
@@ -194,7 +193,7 @@ static void test_all(void **state)
 }
 
 /* The kernel itself: its mask has just the voxels that some triangle meets; triangles without area have none. */
-static void test_item(void **state)
+static void the_mask_has_just_the_voxels_met(void **state)
 {
 	(void)state;
 	static small_scene s;
@@ -250,7 +249,7 @@ static void nearest_of(const double3 t[3], double3 p, double w[3])
 }
 
 /* A masked triangle is in the voxels that it meets and whose middle it is opaque next to; opacity runs across it. */
-static void test_cut(void **state)
+static void masked_triangles_mark_where_they_are_opaque(void **state)
 {
 	(void)state;
 	static small_scene s;
@@ -305,7 +304,7 @@ static ts_root root_of(const ts_vertex *vertices, u32 n, bool backwards)
 
 /* Every vertex is inside by at least a half voxel of the finest lattice, wherever the scene is; and snapping moves it
  * by little more than half a step. */
-static void test_root(void **state)
+static void the_root_holds_every_vertex(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_ROOTS; i++) {
@@ -330,7 +329,7 @@ static void test_root(void **state)
 }
 
 /* A scene of a single place, and none. */
-static void test_empty(void **state)
+static void an_empty_scene_has_a_unit_root(void **state)
 {
 	(void)state;
 	ts_vertex origin = {.pad = 0};
@@ -339,7 +338,7 @@ static void test_empty(void **state)
 	assert_true(none.side == 1 && none.lower[0] == -0.5f);
 }
 
-static void test_codes(void **state)
+static void morton_codes_are_right_bit_by_bit(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 100000; i++) {
@@ -361,7 +360,7 @@ static void test_codes(void **state)
 }
 
 /* Narrowing, against looking at every number. */
-static void test_narrow(void **state)
+static void narrowing_keeps_just_the_numbers_inside(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 100000; i++) {
@@ -378,9 +377,16 @@ static void test_narrow(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_corners), seeded_test(test_small),  seeded_test(test_large), cmocka_unit_test(test_all),
-		seeded_test(test_item),    seeded_test(test_root),   seeded_test(test_cut),   cmocka_unit_test(test_empty),
-		seeded_test(test_codes),   seeded_test(test_narrow),
+		seeded_test(corner_triangles_touch_the_right_voxels),
+		seeded_test(every_voxel_of_small_lattices_is_right),
+		seeded_test(voxels_of_the_largest_lattice_are_right),
+		cmocka_unit_test(lattice_triangles_touch_the_right_voxels),
+		seeded_test(the_mask_has_just_the_voxels_met),
+		seeded_test(the_root_holds_every_vertex),
+		seeded_test(masked_triangles_mark_where_they_are_opaque),
+		cmocka_unit_test(an_empty_scene_has_a_unit_root),
+		seeded_test(morton_codes_are_right_bit_by_bit),
+		seeded_test(narrowing_keeps_just_the_numbers_inside),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -142,7 +142,7 @@ static void check_next(const world *w, u32 k, const ts_vpl *light, const ts_vpl 
 	assert_int_equal(next->bounce, light->bounce + 1);
 }
 
-static void test_paths(void **state)
+static void paths_reflect_as_double_precision_says(void **state)
 {
 	(void)state;
 	static world w;
@@ -167,7 +167,7 @@ static void test_paths(void **state)
 
 /* Of every map of a few texels: the path of each rank begins at the texel of that rank. Random paths begin at all of
  * them alike, and each has its share of the flux. */
-static void test_texels(void **state)
+static void each_path_begins_at_its_texel(void **state)
 {
 	(void)state;
 	enum { N = 9, N_DRAWS = 9000 };
@@ -197,7 +197,7 @@ static void test_texels(void **state)
 }
 
 /* Directions about a normal: mean cosine 2/3, of its square 1/2, and nothing to one side. */
-static void test_directions(void **state)
+static void directions_have_the_moments_of_a_cosine(void **state)
 {
 	(void)state;
 	enum { N = 100000 };
@@ -253,7 +253,7 @@ static void check_flux(const world *w, const ts_vpl *light, u32 wall, u32 lamp)
 }
 
 /* Lights at random stand as dense on every wall, and on both sides of the one that has two. */
-static void test_random(void **state)
+static void random_lights_cover_all_walls_alike(void **state)
 {
 	(void)state;
 	enum { N = 9600, SIDES = 6 };
@@ -299,10 +299,10 @@ static void test_random(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_paths),
-		seeded_test(test_texels),
-		seeded_test(test_directions),
-		seeded_test(test_random),
+		seeded_test(paths_reflect_as_double_precision_says),
+		seeded_test(each_path_begins_at_its_texel),
+		seeded_test(directions_have_the_moments_of_a_cosine),
+		seeded_test(random_lights_cover_all_walls_alike),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

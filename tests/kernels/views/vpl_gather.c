@@ -94,7 +94,7 @@ static faults judge(bool wall, bool by_plane, f32 slope)
 
 /* A floor throws no shadow on itself, however little of it a texel tells apart; by distance alone it does, unless
  * places far behind what is shown are lit as well. */
-static void test_floor(void **state)
+static void a_floor_throws_no_shadow_on_itself(void **state)
 {
 	(void)state;
 	assert_int_equal(judge(false, true, 0).shadows, 0);
@@ -104,7 +104,7 @@ static void test_floor(void **state)
 }
 
 /* And then most of what a wall hides is lit, but little by the plane: where a texel shows the floor before the wall. */
-static void test_wall(void **state)
+static void what_a_wall_hides_is_dark(void **state)
 {
 	(void)state;
 	faults plane = judge(true, true, 0), distance = judge(true, false, 1.5f);
@@ -114,6 +114,7 @@ static void test_wall(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_floor), cmocka_unit_test(test_wall)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(a_floor_throws_no_shadow_on_itself),
+	                                   cmocka_unit_test(what_a_wall_hides_is_dark)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
