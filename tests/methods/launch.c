@@ -5,7 +5,7 @@
 #include "../whole.h"
 #include "small.h"
 
-static void test_known(void **state)
+static void launches_bind_only_known_members(void **state)
 {
 	(void)state;
 	for (const ts_stage *const *s = ts_stages(); *s != NULL; s++) {
@@ -18,8 +18,7 @@ static void test_known(void **state)
 	}
 }
 
-/* Every pointer that a launch binds has a buffer. */
-static void test_bound(void **state)
+static void every_bound_pointer_has_a_buffer(void **state)
 {
 	(void)state;
 	for (const ts_stage *const *s = ts_stages(); *s != NULL; s++) {
@@ -50,7 +49,7 @@ static void begin(ts_run *run, const ts_scene *scene, const ts_params *params)
 	run->plan.units = run->n_units = 2;
 }
 
-static void test_fill(void **state)
+static void filling_makes_buffers_once_by_their_shape(void **state)
 {
 	(void)state;
 	static const ts_launch launch =
@@ -77,7 +76,7 @@ static void test_fill(void **state)
 }
 
 /* Of batches: what the batch is of is made anew, the rest once. */
-static void test_batches(void **state)
+static void each_batch_makes_its_own_anew(void **state)
 {
 	(void)state;
 	static const ts_launch splats = TS_LAUNCH(splat, TS_BUT(from.scene));
@@ -103,7 +102,7 @@ static void test_batches(void **state)
 }
 
 /* A size that nobody counted is refused, and named. */
-static void test_unknown_size(void **state)
+static void a_size_that_nobody_counted_is_refused(void **state)
 {
 	(void)state;
 	ts_params params = small_params(32, 16);
@@ -165,7 +164,7 @@ static ts_status run_faulty(const ts_pipeline *method, const ts_scene *scene, co
 }
 
 /* A call of the backend that fails ends the method at once, whichever it is. */
-static void test_failures(void **state)
+static void a_failed_call_ends_the_method(void **state)
 {
 	(void)state;
 	enum { FEW = 24 };
@@ -189,8 +188,9 @@ static void test_failures(void **state)
 int main(void)
 {
 	const struct CMUnitTest launch[] = {
-		cmocka_unit_test(test_known),   cmocka_unit_test(test_bound),        cmocka_unit_test(test_fill),
-		cmocka_unit_test(test_batches), cmocka_unit_test(test_unknown_size), cmocka_unit_test(test_failures),
+		cmocka_unit_test(launches_bind_only_known_members),          cmocka_unit_test(every_bound_pointer_has_a_buffer),
+		cmocka_unit_test(filling_makes_buffers_once_by_their_shape), cmocka_unit_test(each_batch_makes_its_own_anew),
+		cmocka_unit_test(a_size_that_nobody_counted_is_refused),     cmocka_unit_test(a_failed_call_ends_the_method),
 	};
 	return cmocka_run_group_tests(launch, NULL, NULL);
 }

@@ -10,7 +10,7 @@ static void assert_is(const ts_pipeline *pipeline, const char *effect, const cha
 }
 
 /* Every method has an effect, whose methods stand together, and makes what the eye sees of it. */
-static void test_effects(void **state)
+static void every_method_has_an_effect(void **state)
 {
 	(void)state;
 	const ts_effect *first = ts_pipelines()[0]->effect;
@@ -28,7 +28,7 @@ static void test_effects(void **state)
 }
 
 /* Truths start from the first method that makes what they need: truth A and B of reflections from EPR. */
-static void test_making(void **state)
+static void truths_start_from_the_first_that_fits(void **state)
 {
 	(void)state;
 	static const ts_buffer_id looked[] = {TS_B_mirror_pixel_record, TS_B_lookup_point, TS_N_BUFFERS};
@@ -45,7 +45,7 @@ static void test_making(void **state)
 }
 
 /* Those of surfels, and no other, read surfels. */
-static void test_reads(void **state)
+static void only_methods_of_surfels_read_surfels(void **state)
 {
 	(void)state;
 	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
@@ -69,7 +69,7 @@ static void see(void *user, const char *label, u64 done, u64 total)
 }
 
 /* In batches too. */
-static void test_progress(void **state)
+static void progress_reaches_its_total(void **state)
 {
 	(void)state;
 	ts_params params = small_params(32, 18);
@@ -100,10 +100,10 @@ static void test_progress(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_effects),
-		cmocka_unit_test(test_making),
-		cmocka_unit_test(test_reads),
-		cmocka_unit_test(test_progress),
+		cmocka_unit_test(every_method_has_an_effect),
+		cmocka_unit_test(truths_start_from_the_first_that_fits),
+		cmocka_unit_test(only_methods_of_surfels_read_surfels),
+		cmocka_unit_test(progress_reaches_its_total),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static ts_plan plan_of(const char *effect, const char *method, const ts_params *
 }
 
 /* Every member has one row, and rows tell what is there. */
-static void test_table(void **state)
+static void each_member_has_one_row(void **state)
 {
 	(void)state;
 	ts_plan plan;
@@ -57,7 +57,7 @@ static void test_table(void **state)
 	}
 }
 
-static void test_reflections(void **state)
+static void reflections_plan_by_their_method(void **state)
 {
 	(void)state;
 	u32 n = scene->info.n_reflectors;
@@ -76,7 +76,7 @@ static void test_reflections(void **state)
 	assert_true(mvr.offscreen.side == 0 && !mvr.offscreen.all);
 }
 
-static void test_shadows(void **state)
+static void shadows_plan_their_samples_and_maps(void **state)
 {
 	(void)state;
 	ts_params p = params;
@@ -94,8 +94,7 @@ static void test_shadows(void **state)
 	assert_true(pcss.units == scene->n_lights && pcss.lights.own && pcss.lights.taps > 1 && pcss.batch == 20);
 }
 
-/* Truths ask for samples of each light. */
-static void test_request(void **state)
+static void truths_ask_for_samples_of_each_light(void **state)
 {
 	(void)state;
 	const ts_request request = {.samples = 50};
@@ -121,7 +120,7 @@ static void picture_of(f32 *radiance, const ts_pipeline *pipeline, const ts_para
 }
 
 /* The example of RECIPES: its picture is that of --set, whatever is typed. */
-static void test_sets_picture(void **state)
+static void pictures_show_what_a_method_sets(void **state)
 {
 	(void)state;
 	static f32 plain[64 * 36 * 3], asked[64 * 36 * 3], own[64 * 36 * 3];
@@ -139,8 +138,7 @@ static void test_sets_picture(void **state)
 	assert_memory_not_equal(own, plain, sizeof own);
 }
 
-/* And in the plan. */
-static void test_sets(void **state)
+static void plans_have_what_a_method_sets(void **state)
 {
 	(void)state;
 	ts_plan plan = plan_of("particles", "manylods", &params, NULL, NULL);
@@ -152,8 +150,7 @@ static void test_sets(void **state)
 	assert_memory_equal(&taken, &wanted, sizeof taken);
 }
 
-/* Units are those that a trace holds. */
-static void test_counts(void **state)
+static void units_are_those_that_a_trace_holds(void **state)
 {
 	(void)state;
 	ts_counts none = ts_scene_counts(scene), counts = none;
@@ -175,9 +172,13 @@ static void test_counts(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_table),   cmocka_unit_test(test_reflections),  cmocka_unit_test(test_shadows),
-		cmocka_unit_test(test_request), cmocka_unit_test(test_sets_picture), cmocka_unit_test(test_sets),
-		cmocka_unit_test(test_counts),
+		cmocka_unit_test(each_member_has_one_row),
+		cmocka_unit_test(reflections_plan_by_their_method),
+		cmocka_unit_test(shadows_plan_their_samples_and_maps),
+		cmocka_unit_test(truths_ask_for_samples_of_each_light),
+		cmocka_unit_test(pictures_show_what_a_method_sets),
+		cmocka_unit_test(plans_have_what_a_method_sets),
+		cmocka_unit_test(units_are_those_that_a_trace_holds),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

@@ -39,7 +39,7 @@ static void assert_same_runs(const ts_scene *scene, const ts_params *p, const ts
 	free(b);
 }
 
-static void test_threads(void **state)
+static void threads_and_fast_paths_change_no_bit(void **state)
 {
 	(void)state;
 	static const u32 threads[] = {2, 5, 7};
@@ -65,7 +65,7 @@ static void test_threads(void **state)
 }
 
 /* A density of 1/4 an area is one of 1/2 a side. */
-static void test_rho_is_area(void **state)
+static void density_per_area_is_per_side_squared(void **state)
 {
 	(void)state;
 	ts_params side = small_params(120, 68), area = side;
@@ -85,7 +85,7 @@ static i64 count_none(const ts_run *run, ts_buffer_id id)
 }
 
 /* EPR shades 25 samples a reflective pixel and 4 for each sample that is followed; all look-ups are counted. */
-static void test_epr_counters(void **state)
+static void epr_counts_its_samples_and_look_ups(void **state)
 {
 	(void)state;
 	for (u32 bounces = 1; bounces <= 3; bounces++) {
@@ -121,7 +121,7 @@ static void test_epr_counters(void **state)
 }
 
 /* Adaptively: as many as the pixels say, never more than 25, in batches of four. */
-static void test_adaptive(void **state)
+static void adaptive_shading_counts_what_pixels_say(void **state)
 {
 	(void)state;
 	ts_params params = small_params(120, 68);
@@ -152,7 +152,7 @@ static ts_status count_texels(const ts_run *run, const ts_stage *stage, void *us
 }
 
 /* MVR shades every texel that shows something, and draws the scene once a cube. */
-static void test_mvr_counters(void **state)
+static void mvr_counts_the_texels_that_show_something(void **state)
 {
 	(void)state;
 	for (u32 faces = 0; faces < 2; faces++) {
@@ -191,7 +191,7 @@ static ts_status check_floats(const ts_run *run, const ts_stage *stage, void *us
 	return TS_OK;
 }
 
-static void test_floats(void **state)
+static void every_stored_float_is_sound(void **state)
 {
 	(void)state;
 	static const char *const methods[] = {"epr", "mvr"};
@@ -240,7 +240,7 @@ static ts_status check_shapes(const ts_run *run, const ts_stage *stage, void *us
 	return TS_OK;
 }
 
-static void test_shapes(void **state)
+static void every_buffer_has_its_records_shape(void **state)
 {
 	(void)state;
 	u32 checked = 0;
@@ -258,7 +258,7 @@ static void test_shapes(void **state)
 }
 
 /* A lean run forgets what nobody reads any more, needs less memory, and gives the same picture. */
-static void test_lean(void **state)
+static void a_lean_run_gives_the_same_picture(void **state)
 {
 	(void)state;
 	ts_params params = small_params(120, 68);
@@ -295,7 +295,7 @@ static ts_status stop_at_cull(const ts_run *run, const ts_stage *stage, void *us
 	return strcmp(stage->name, "cull") == 0 ? TS_ERROR : TS_OK;
 }
 
-static void test_hook_stops(void **state)
+static void a_failing_hook_ends_the_run(void **state)
 {
 	(void)state;
 	ts_params params = small_params(64, 64);
@@ -312,7 +312,7 @@ static void test_hook_stops(void **state)
 }
 
 /* 32-bit indices name what they can; more is refused with one line. */
-static void test_scan_limit(void **state)
+static void more_than_indices_name_is_refused(void **state)
 {
 	(void)state;
 	ts_run run = {.n_counters = 0};
@@ -341,7 +341,7 @@ static void is_expected(const ts_pipeline *method, ts_dim dim, const ts_expected
 
 /* Sizes that are given are expected as they are; others are at most three times of what is expected, and at least an
  * eighth, where there are any. */
-static void test_expected(void **state)
+static void sizes_are_as_each_method_expects(void **state)
 {
 	(void)state;
 	ts_scene *scene = NULL;
@@ -361,10 +361,17 @@ static void test_expected(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),    cmocka_unit_test(test_rho_is_area),  cmocka_unit_test(test_epr_counters),
-		cmocka_unit_test(test_adaptive),   cmocka_unit_test(test_mvr_counters), cmocka_unit_test(test_floats),
-		cmocka_unit_test(test_hook_stops), cmocka_unit_test(test_scan_limit),   cmocka_unit_test(test_shapes),
-		cmocka_unit_test(test_lean),       cmocka_unit_test(test_expected),
+		cmocka_unit_test(threads_and_fast_paths_change_no_bit),
+		cmocka_unit_test(density_per_area_is_per_side_squared),
+		cmocka_unit_test(epr_counts_its_samples_and_look_ups),
+		cmocka_unit_test(adaptive_shading_counts_what_pixels_say),
+		cmocka_unit_test(mvr_counts_the_texels_that_show_something),
+		cmocka_unit_test(every_stored_float_is_sound),
+		cmocka_unit_test(a_failing_hook_ends_the_run),
+		cmocka_unit_test(more_than_indices_name_is_refused),
+		cmocka_unit_test(every_buffer_has_its_records_shape),
+		cmocka_unit_test(a_lean_run_gives_the_same_picture),
+		cmocka_unit_test(sizes_are_as_each_method_expects),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,7 +12,7 @@ static bool is_named_for(const char *buffer, const ts_stage *stage)
 	return strncmp(buffer, stage->name, n) == 0 && buffer[n] == '.';
 }
 
-static void test_rows(void **state)
+static void every_row_of_the_stages_is_complete(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -46,7 +46,7 @@ static bool is_written_once(const ts_pipeline *pipeline, ts_buffer_id id)
 }
 
 /* Every buffer is written by some stage, by just one of each method, or is the scene's. */
-static void test_writers(void **state)
+static void every_buffer_has_one_writer_a_method(void **state)
 {
 	(void)state;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
@@ -68,7 +68,7 @@ static void test_writers(void **state)
 }
 
 /* Every buffer that a stage makes, but margins, the pictures and figures, is read by another. */
-static void test_readers(void **state)
+static void every_buffer_is_read_by_another_stage(void **state)
 {
 	(void)state;
 	static const ts_buffer_id last[] = {TS_B_image_radiance,
@@ -125,7 +125,7 @@ static ts_status watch(const ts_run *run, const ts_stage *stage, void *user)
 	return TS_OK;
 }
 
-static void test_order(void **state)
+static void buffers_are_made_before_they_are_read(void **state)
 {
 	(void)state;
 	ts_params params = small_params(64, 64);
@@ -146,7 +146,7 @@ static void test_order(void **state)
 }
 
 /* Every stage again, alone, from what it claims to read: the same buffers. */
-static void test_claims(void **state)
+static void stages_read_only_what_they_claim(void **state)
 {
 	(void)state;
 	ts_params params = small_params(96, 64);
@@ -172,8 +172,11 @@ static void test_claims(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_rows),  cmocka_unit_test(test_writers), cmocka_unit_test(test_readers),
-		cmocka_unit_test(test_order), cmocka_unit_test(test_claims),
+		cmocka_unit_test(every_row_of_the_stages_is_complete),
+		cmocka_unit_test(every_buffer_has_one_writer_a_method),
+		cmocka_unit_test(every_buffer_is_read_by_another_stage),
+		cmocka_unit_test(buffers_are_made_before_they_are_read),
+		cmocka_unit_test(stages_read_only_what_they_claim),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

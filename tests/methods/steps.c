@@ -36,7 +36,7 @@ static void check(const ts_pipeline *p)
 	assert_ptr_equal(ts_pipeline_steps(p), ts_pipeline_steps(p));
 }
 
-static void test_flat(void **state)
+static void each_margin_stands_behind_its_stage(void **state)
 {
 	(void)state;
 	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) check(*at);
@@ -44,7 +44,7 @@ static void test_flat(void **state)
 
 /* The margin of each stage is one, of no other stage, and has none itself; no stage that is called a margin is left
  * out. */
-static void test_margins(void **state)
+static void each_margin_belongs_to_one_stage(void **state)
 {
 	(void)state;
 	for (const ts_stage *const *at = ts_stages(); *at != NULL; at++) {
@@ -59,7 +59,7 @@ static void test_margins(void **state)
 }
 
 /* A pipeline that is in no table is taken as it is written. */
-static void test_own(void **state)
+static void a_new_pipeline_keeps_its_steps(void **state)
 {
 	(void)state;
 	static const ts_step steps[] = {{.stage = "eye"}, {0}};
@@ -70,9 +70,9 @@ static void test_own(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_flat),
-		cmocka_unit_test(test_margins),
-		cmocka_unit_test(test_own),
+		cmocka_unit_test(each_margin_stands_behind_its_stage),
+		cmocka_unit_test(each_margin_belongs_to_one_stage),
+		cmocka_unit_test(a_new_pipeline_keeps_its_steps),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -114,7 +114,7 @@ static void run_with(const ts_scene *base, const ts_param_info *row, const char 
 		assert_runs(base, &params, what);
 }
 
-static void test_each(void **state)
+static void each_parameter_runs_at_its_ends(void **state)
 {
 	(void)state;
 	size_t n;
@@ -155,7 +155,7 @@ static void randomize(ts_params *params, u32 run, char *what, size_t what_bytes)
 	}
 }
 
-static void test_together(void **state)
+static void random_parameters_run_together(void **state)
 {
 	(void)state;
 	for (u32 run = 0; run < N_RANDOM; run++) {
@@ -168,6 +168,7 @@ static void test_together(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_each), cmocka_unit_test(test_together)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(each_parameter_runs_at_its_ends),
+	                                   cmocka_unit_test(random_parameters_run_together)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

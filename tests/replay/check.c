@@ -24,7 +24,7 @@ static bool is_bound(ts_buffer_id id)
 }
 
 /* Just past the end, and far past it. */
-static void test_indices(void **state)
+static void indices_past_the_end_are_refused(void **state)
 {
 	(void)state;
 	size_t n_indices;
@@ -55,7 +55,7 @@ static void test_indices(void **state)
 }
 
 /* Every float of every buffer that a stage reads. */
-static void test_floats(void **state)
+static void floats_that_are_no_numbers_are_refused(void **state)
 {
 	(void)state;
 	static const u32 odd[] = {0x7f800000, 0xff800000, 0x7fc00000, 0x7f800001};
@@ -77,7 +77,7 @@ static void test_floats(void **state)
 }
 
 /* A row less, of every buffer whose rows another buffer counts. */
-static void test_shapes(void **state)
+static void a_row_less_is_refused(void **state)
 {
 	(void)state;
 	static const ts_buffer_id counted[] = {
@@ -152,9 +152,9 @@ static void test_shapes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_indices),
-		cmocka_unit_test(test_floats),
-		cmocka_unit_test(test_shapes),
+		cmocka_unit_test(indices_past_the_end_are_refused),
+		cmocka_unit_test(floats_that_are_no_numbers_are_refused),
+		cmocka_unit_test(a_row_less_is_refused),
 	};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);
 }

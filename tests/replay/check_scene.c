@@ -33,7 +33,7 @@ static ts_status check_image(ts_image image)
 }
 
 /* A chain has as many levels as halvings end at one texel, each at least one texel wide and high, and is whole. */
-static void test_chains(void **state)
+static void a_chain_has_its_levels_and_texels(void **state)
 {
 	(void)state;
 	static const struct {
@@ -63,7 +63,7 @@ static void test_chains(void **state)
 }
 
 /* Sides for which 24.8 fixed point names every texel. */
-static void test_sides(void **state)
+static void sides_beyond_fixed_point_are_refused(void **state)
 {
 	(void)state;
 	const u32 most = 1u << 22;
@@ -76,7 +76,7 @@ static void test_sides(void **state)
 	}
 }
 
-static void test_kinds(void **state)
+static void unknown_kinds_are_refused(void **state)
 {
 	(void)state;
 	for (u32 set = 0; set < 2; set++) accepts("eye", TS_B_scene_slot, 0, "uv_set", set);
@@ -93,7 +93,7 @@ static void test_kinds(void **state)
 }
 
 /* Ranges stand one behind the other and end within the vertices. */
-static void test_ranges(void **state)
+static void ranges_of_objects_follow_one_another(void **state)
 {
 	(void)state;
 	const ts_object *objects = ts_frame_data(&run.frame, TS_B_scene_object);
@@ -111,7 +111,7 @@ static void test_ranges(void **state)
 }
 
 /* Every reflector is one object, of vertices. */
-static void test_reflectors(void **state)
+static void every_reflector_is_one_object(void **state)
 {
 	(void)state;
 	const ts_object *objects = ts_frame_data(&run.frame, TS_B_scene_object);
@@ -140,8 +140,9 @@ static void test_reflectors(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_chains), cmocka_unit_test(test_sides),      cmocka_unit_test(test_kinds),
-		cmocka_unit_test(test_ranges), cmocka_unit_test(test_reflectors),
+		cmocka_unit_test(a_chain_has_its_levels_and_texels), cmocka_unit_test(sides_beyond_fixed_point_are_refused),
+		cmocka_unit_test(unknown_kinds_are_refused),         cmocka_unit_test(ranges_of_objects_follow_one_another),
+		cmocka_unit_test(every_reflector_is_one_object),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

@@ -46,7 +46,7 @@ static ts_status check_cut(const char *stage, ts_buffer_id id)
 }
 
 /* Both shapes are told, of one dimension and of several. */
-static void test_shapes(void **state)
+static void both_shapes_are_told(void **state)
 {
 	(void)state;
 	char words[200];
@@ -66,7 +66,7 @@ static void test_shapes(void **state)
 }
 
 /* How many points stage points makes, the sums say, whatever the points of the reference are. */
-static void test_size_of_sums(void **state)
+static void sums_say_how_many_points_there_are(void **state)
 {
 	(void)state;
 	ts_load load;
@@ -82,7 +82,7 @@ static void test_size_of_sums(void **state)
 }
 
 /* Sums begin at 0, do not fall, and end at what they count. */
-static void test_sums(void **state)
+static void sums_begin_at_zero_and_never_fall(void **state)
 {
 	(void)state;
 	u64 last = n_of(TS_B_mirror_pixel_offset) - 1, i = 1;
@@ -100,7 +100,7 @@ static void test_sums(void **state)
 }
 
 /* Sums that a stage can make again must be those. */
-static void test_again(void **state)
+static void sums_made_again_must_be_the_same(void **state)
 {
 	(void)state;
 	const u32 *sums = ts_frame_data(&run.frame, TS_B_points_offset);
@@ -114,7 +114,7 @@ static void test_again(void **state)
 }
 
 /* The low half of a key is an index, and all ones name nothing. */
-static void test_keys(void **state)
+static void keys_name_an_index_or_nothing(void **state)
 {
 	(void)state;
 	u64 n = n_of(TS_B_points_key), high = 0x3f800000ull << 32;
@@ -129,7 +129,7 @@ static void test_keys(void **state)
 }
 
 /* Indices with and without a value for none. */
-static void test_indices(void **state)
+static void indices_name_what_is_there(void **state)
 {
 	(void)state;
 	u64 points = n_of(TS_B_points_key), pieces = n_of(TS_B_split_piece);
@@ -146,7 +146,7 @@ static void test_indices(void **state)
 }
 
 /* Every finite number is right, and no other. */
-static void test_floats(void **state)
+static void every_finite_number_is_right(void **state)
 {
 	(void)state;
 	static const u32 finite[] = {0, 0x80000000, 1, 0x807fffff, 0x7f7fffff, 0xff7fffff},
@@ -164,7 +164,7 @@ static void test_floats(void **state)
 }
 
 /* What sizes are computed from is checked before, whoever reads it. */
-static void test_cubes(void **state)
+static void sizes_of_cubes_are_checked_first(void **state)
 {
 	(void)state;
 	says("lookup", TS_B_cube_size_face, 0, "n", 25,
@@ -176,9 +176,15 @@ static void test_cubes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_right), cmocka_unit_test(test_shapes),  cmocka_unit_test(test_size_of_sums),
-		cmocka_unit_test(test_sums),  cmocka_unit_test(test_again),   cmocka_unit_test(test_keys),
-		cmocka_unit_test(test_cubes), cmocka_unit_test(test_indices), cmocka_unit_test(test_floats),
+		cmocka_unit_test(what_is_loaded_is_right),
+		cmocka_unit_test(both_shapes_are_told),
+		cmocka_unit_test(sums_say_how_many_points_there_are),
+		cmocka_unit_test(sums_begin_at_zero_and_never_fall),
+		cmocka_unit_test(sums_made_again_must_be_the_same),
+		cmocka_unit_test(keys_name_an_index_or_nothing),
+		cmocka_unit_test(sizes_of_cubes_are_checked_first),
+		cmocka_unit_test(indices_name_what_is_there),
+		cmocka_unit_test(every_finite_number_is_right),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

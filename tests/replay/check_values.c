@@ -4,7 +4,7 @@
 #include "faults.h"
 
 /* Rows of a value that a kernel loops over or addresses by. */
-static void test_values(void **state)
+static void values_that_kernels_address_by_are_bounded(void **state)
 {
 	(void)state;
 	const ts_stage *eye = ts_stage_find("eye"), *points = ts_stage_find("points");
@@ -27,7 +27,7 @@ static void test_values(void **state)
 }
 
 /* The same of off-screen views and lights; a view of no light at all is right where nobody asks for it. */
-static void test_views(void **state)
+static void wrong_views_are_refused(void **state)
 {
 	(void)state;
 	const ts_stage *scatter = ts_stage_find("scatter"), *resolve = ts_stage_find("shadow_test");
@@ -60,7 +60,7 @@ static void test_views(void **state)
 }
 
 /* Boxes that are inside out, views of no light, sums of boxes, and a grid that is not of whole blocks. */
-static void test_segments(void **state)
+static void wrong_segments_are_refused(void **state)
 {
 	(void)state;
 	const ts_stage *gather = ts_stage_find("corner"), *hull = ts_stage_find("hull"),
@@ -83,7 +83,7 @@ static void test_segments(void **state)
 }
 
 /* Fewer samples than views, which would leave views unmade; and no light at all. */
-static void test_lamps(void **state)
+static void fewer_samples_than_views_are_refused(void **state)
 {
 	(void)state;
 	ts_buffer shapes, none;
@@ -106,7 +106,7 @@ static void test_lamps(void **state)
 }
 
 /* Sums may not fall; and points are written only where stage count would put them. */
-static void test_sums(void **state)
+static void falling_sums_are_refused(void **state)
 {
 	(void)state;
 	static const struct {
@@ -139,7 +139,7 @@ static void test_sums(void **state)
 }
 
 /* Points that are made again: where the counts say, and no others. */
-static void test_points_again(void **state)
+static void points_are_made_again_where_counts_say(void **state)
 {
 	(void)state;
 	static const char *const stages[] = {"splat.direct", "lookup.second", "shade"};
@@ -160,7 +160,7 @@ static void test_points_again(void **state)
 }
 
 /* A piece that covers all of the lattice is walked; many of them are too much. */
-static void test_squares(void **state)
+static void too_many_lattice_squares_are_refused(void **state)
 {
 	(void)state;
 	ts_buffer buffer;
@@ -233,7 +233,7 @@ static void damage_and_run(u32 m, const ts_stage *stage, ts_buffer_id id, damage
 }
 
 /* Each buffer of each stage is damaged in one way, in turn; whole: in each. */
-static void test_damage(void **state)
+static void damage_is_refused_or_does_no_harm(void **state)
 {
 	(void)state;
 	u32 n_ways = whole_or(N_DAMAGES, 1), way = 0;
@@ -253,9 +253,14 @@ static void test_damage(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_values),  cmocka_unit_test(test_views),  cmocka_unit_test(test_segments),
-		cmocka_unit_test(test_lamps),   cmocka_unit_test(test_sums),   cmocka_unit_test(test_points_again),
-		cmocka_unit_test(test_squares), cmocka_unit_test(test_damage),
+		cmocka_unit_test(values_that_kernels_address_by_are_bounded),
+		cmocka_unit_test(wrong_views_are_refused),
+		cmocka_unit_test(wrong_segments_are_refused),
+		cmocka_unit_test(fewer_samples_than_views_are_refused),
+		cmocka_unit_test(falling_sums_are_refused),
+		cmocka_unit_test(points_are_made_again_where_counts_say),
+		cmocka_unit_test(too_many_lattice_squares_are_refused),
+		cmocka_unit_test(damage_is_refused_or_does_no_harm),
 	};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);
 }

@@ -23,7 +23,7 @@ static ts_status judge(const ts_relaxations *relaxations)
 }
 
 /* A run compared with itself: each stage is right, given the inputs of that run. */
-static void test_same(void **state)
+static void a_run_is_right_by_itself(void **state)
 {
 	(void)state;
 	assert_int_equal(ts_compare_forced(&c, &trace, &trace, &exactly, 2), TS_OK);
@@ -38,7 +38,7 @@ static void test_same(void **state)
 }
 
 /* Half the densities: split made something else; align is right, given that, though not what the reference has. */
-static void test_own_inputs(void **state)
+static void a_stage_answers_for_its_own_inputs(void **state)
 {
 	(void)state;
 	ts_load *load;
@@ -57,7 +57,7 @@ static void test_own_inputs(void **state)
 }
 
 /* A wrong pixel of the last stage is the last stage's; what is ignored is not judged, and all else is missing. */
-static void test_planted(void **state)
+static void a_wrong_pixel_blames_the_last_stage(void **state)
 {
 	(void)state;
 	candidate_begin(false);
@@ -76,8 +76,7 @@ static void test_planted(void **state)
 	assert_true(c.n_judged == 1 && c.verdict[TS_B_image_srgb].judgement == TS_IGNORED);
 }
 
-/* A picture of another shape is told with both shapes. */
-static void test_shape(void **state)
+static void another_shape_is_told_with_both(void **state)
 {
 	(void)state;
 	candidate_begin(false);
@@ -89,8 +88,7 @@ static void test_shape(void **state)
 	assert_string_equal(c.verdict[c.first].why, "shape 48 x 64 x 3 is right, shape 47 x 64 x 3 was found");
 }
 
-/* Faults in three stages are three stages' faults. */
-static void test_several(void **state)
+static void three_faults_blame_three_stages(void **state)
 {
 	(void)state;
 	candidate_begin(false);
@@ -109,7 +107,7 @@ static void test_several(void **state)
 }
 
 /* A wrong count is its stage's fault; the stages that are given the sums cannot be run, and the others are judged. */
-static void test_refused(void **state)
+static void a_wrong_count_blames_its_own_stage(void **state)
 {
 	(void)state;
 	candidate_begin(false);
@@ -132,7 +130,7 @@ static void test_refused(void **state)
 }
 
 /* An input that cannot be read is no refusal, whatever else differs. */
-static void test_unreadable(void **state)
+static void an_unreadable_input_is_an_error(void **state)
 {
 	(void)state;
 	const ts_relaxations ignoring = {.ignore = "align.frame"};
@@ -148,7 +146,7 @@ static void test_unreadable(void **state)
 }
 
 /* Indices of points in order of arrival say nothing of the reference's points. */
-static void test_mixed(void **state)
+static void mixed_orders_of_points_are_not_judged(void **state)
 {
 	(void)state;
 	candidate_begin(true);
@@ -160,7 +158,7 @@ static void test_mixed(void **state)
 }
 
 /* Which buffer is mixed: one that the reference has and the candidate lacks, where it has another of the points. */
-static void test_which_mixed(void **state)
+static void the_mixed_buffer_is_the_one_lacking(void **state)
 {
 	(void)state;
 	const ts_stage *lookup = ts_stage_find("lookup"), *image = ts_stage_find("image");
@@ -182,7 +180,7 @@ static void test_which_mixed(void **state)
 }
 
 /* Places are named by the records that the stage was given, not by the reference's. */
-static void test_names(void **state)
+static void places_are_named_by_the_given_records(void **state)
 {
 	(void)state;
 	ts_comparison *named = ts_comparison_make(1);
@@ -209,10 +207,17 @@ static void test_names(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_same),        cmocka_unit_test(test_own_inputs), cmocka_unit_test(test_planted),
-		cmocka_unit_test(test_shape),       cmocka_unit_test(test_several),    cmocka_unit_test(test_refused),
-		cmocka_unit_test(test_unreadable),  cmocka_unit_test(test_mixed),      cmocka_unit_test(test_right),
-		cmocka_unit_test(test_which_mixed), cmocka_unit_test(test_names),
+		cmocka_unit_test(a_run_is_right_by_itself),
+		cmocka_unit_test(a_stage_answers_for_its_own_inputs),
+		cmocka_unit_test(a_wrong_pixel_blames_the_last_stage),
+		cmocka_unit_test(another_shape_is_told_with_both),
+		cmocka_unit_test(three_faults_blame_three_stages),
+		cmocka_unit_test(a_wrong_count_blames_its_own_stage),
+		cmocka_unit_test(an_unreadable_input_is_an_error),
+		cmocka_unit_test(mixed_orders_of_points_are_not_judged),
+		cmocka_unit_test(what_is_loaded_is_right),
+		cmocka_unit_test(the_mixed_buffer_is_the_one_lacking),
+		cmocka_unit_test(places_are_named_by_the_given_records),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

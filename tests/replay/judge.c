@@ -40,7 +40,7 @@ static ts_status judge(ts_judged *judged)
 }
 
 /* The candidate's file where it has one, else the reference's, of which less is said; or none. */
-static void test_whose(void **state)
+static void the_candidates_file_is_judged_first(void **state)
 {
 	(void)state;
 	ts_judged v;
@@ -67,7 +67,7 @@ static void test_whose(void **state)
 }
 
 /* Any other dimension, or number of dimensions, is told, and nothing is compared. */
-static void test_shapes(void **state)
+static void any_other_shape_is_told(void **state)
 {
 	(void)state;
 	static const struct {
@@ -110,7 +110,7 @@ static ts_status judge_crop(ts_judged *v, u32 x, u32 y, u32 width, u32 height, b
 }
 
 /* Every crop within the picture is compared with its part; every other one has a wrong shape. */
-static void test_crops(void **state)
+static void crops_are_compared_with_their_part(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -139,7 +139,7 @@ static void test_crops(void **state)
 }
 
 /* Things that the stage counts are compared as far as they go. */
-static void test_counts(void **state)
+static void counts_are_compared_as_far_as_possible(void **state)
 {
 	(void)state;
 	u32 keep[] = {1, 0, 1, 1, 0}, found[] = {1, 0, 1, 1, 0};
@@ -155,7 +155,7 @@ static void test_counts(void **state)
 }
 
 /* Points are found by their keys: those of the run, in whatever order the candidate's stand. */
-static void test_keys(void **state)
+static void points_are_found_by_their_keys(void **state)
 {
 	(void)state;
 	u64 right[] = {3, 5, 8, 9}, turned[] = {9, 3, 8, 5}, other[] = {9, 3, 8, 6};
@@ -175,9 +175,11 @@ static void test_keys(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_whose, begin), cmocka_unit_test_setup(test_shapes, begin),
-		cmocka_unit_test_setup(test_crops, begin), cmocka_unit_test_setup(test_counts, begin),
-		cmocka_unit_test_setup(test_keys, begin),
+		cmocka_unit_test_setup(the_candidates_file_is_judged_first, begin),
+		cmocka_unit_test_setup(any_other_shape_is_told, begin),
+		cmocka_unit_test_setup(crops_are_compared_with_their_part, begin),
+		cmocka_unit_test_setup(counts_are_compared_as_far_as_possible, begin),
+		cmocka_unit_test_setup(points_are_found_by_their_keys, begin),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -95,7 +95,7 @@ static inline void refuses(const char *name, ts_buffer_id id, u64 element, const
 }
 
 /* Nothing is wrong with what any of its stages reads. */
-static inline void test_right(void **state)
+static inline void what_is_loaded_is_right(void **state)
 {
 	(void)state;
 	for (const ts_step *step = ts_pipeline_steps(trace.pipeline); step->stage != NULL; step++) {

@@ -9,7 +9,7 @@ static bool is_left_out(u32 m, ts_buffer_id id)
 }
 
 /* The whole of both methods, three bounces, by one batch of all reflectors where the trace was made of two. */
-static void test_same(void **state)
+static void every_stage_replays_what_the_trace_holds(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < N_TRACES; m++) {
@@ -33,7 +33,7 @@ static void test_same(void **state)
 }
 
 /* The same, judged as a candidate. */
-static void test_forced(void **state)
+static void every_trace_is_right_as_a_candidate(void **state)
 {
 	(void)state;
 	static ts_comparison c;
@@ -84,7 +84,7 @@ static void plant_and_find(u32 m, const ts_stage *stage, ts_load *load, ts_buffe
 	free(data);
 }
 
-static void test_planted(void **state)
+static void a_planted_bit_is_found_there(void **state)
 {
 	(void)state;
 	u32 seed = 1;
@@ -102,7 +102,7 @@ static void test_planted(void **state)
 }
 
 /* The candidate's inputs are the ones that count: with its own densities its own frames are right. */
-static void test_own_inputs(void **state)
+static void the_inputs_of_the_candidate_count(void **state)
 {
 	(void)state;
 	ts_buffer scale, frames;
@@ -130,7 +130,7 @@ static void test_own_inputs(void **state)
 }
 
 /* Points in another order: found by their keys; what is splatted from them is right by their own indices. */
-static void test_arrival(void **state)
+static void points_in_another_order_are_right(void **state)
 {
 	(void)state;
 	ts_buffer key, record;
@@ -172,7 +172,7 @@ static void test_arrival(void **state)
 	free(keys);
 }
 
-static void test_find(void **state)
+static void only_stages_of_the_method_are_found(void **state)
 {
 	(void)state;
 	ts_params params = traces[0]->params;
@@ -193,8 +193,12 @@ static void test_find(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_same),       cmocka_unit_test(test_forced),  cmocka_unit_test(test_planted),
-		cmocka_unit_test(test_own_inputs), cmocka_unit_test(test_arrival), cmocka_unit_test(test_find),
+		cmocka_unit_test(every_stage_replays_what_the_trace_holds),
+		cmocka_unit_test(every_trace_is_right_as_a_candidate),
+		cmocka_unit_test(a_planted_bit_is_found_there),
+		cmocka_unit_test(the_inputs_of_the_candidate_count),
+		cmocka_unit_test(points_in_another_order_are_right),
+		cmocka_unit_test(only_stages_of_the_method_are_found),
 	};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);
 }

@@ -84,7 +84,7 @@ static judgement lamp_triangle(const u32 *in, const u32 *out)
 	return right_if(area && turned && away && d3_distance(n, d3_unit(axis)) <= 1e-6 && out[12] == 0);
 }
 
-static void test_formulas(void **state)
+static void composites_match_double_precision(void **state)
 {
 	(void)state;
 	static const composite composites[] = {TS_LIST_hulls_composites(COMPOSITE)};
@@ -93,6 +93,6 @@ static void test_formulas(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_formulas)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(composites_match_double_precision)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,7 +38,7 @@ static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *param
 }
 
 /* Every way to compute, on any number of threads. */
-static void test_threads(void **state)
+static void threads_change_no_bit_of_any_way(void **state)
 {
 	(void)state;
 	static const struct {
@@ -105,7 +105,7 @@ static void check_light(const ts_run *run)
 }
 
 /* Hulls are near what they approximate; so are other ways to get there, and nearer to each other. */
-static void test_against_direct(void **state)
+static void hulls_are_near_what_they_approximate(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -183,7 +183,7 @@ static void check_segments(const ts_scene *scene, const ts_params *params, u64 *
 	ts_run_end(&exact);
 }
 
-static void test_segments(void **state)
+static void no_segment_spans_two_components(void **state)
 {
 	(void)state;
 	static const char *const specs[] = {SMALL_SCENE, "gallery:texels=16", "dining:texels=16"};
@@ -230,7 +230,7 @@ static void check_unparted(const ts_run *run, const ts_segment *box)
 
 /* Without segments a box is a block with its sky, no corner is corrected, and every pixel has the box of its block. No
  * decision was near another. */
-static void test_unparted(void **state)
+static void unparted_blocks_have_one_box_each(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -279,7 +279,7 @@ static u64 count_unlit(const ts_run *run)
 
 /* An image larger than the grid, and not a multiple of it: some pixels no segment holds. Boxes are of their own block,
  * and hold the pixel, where the paper has one. */
-static void test_surface(void **state)
+static void boxes_hold_the_pixels_they_light(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -313,7 +313,7 @@ static void test_surface(void **state)
 }
 
 /* A grid of at least as many texels as the image shows every pixel, so that a segment holds each. */
-static void test_whole_grid(void **state)
+static void a_whole_grid_holds_every_pixel(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -330,7 +330,7 @@ static void test_whole_grid(void **state)
 }
 
 /* From outside: the scene small before the sky, with corners of boxes in it; and nothing but sky. */
-static void test_sky(void **state)
+static void the_sky_gathers_no_light(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -358,7 +358,7 @@ static void test_sky(void **state)
 }
 
 /* Each light has its maps, a point light six; a lamp that does not shine, or not in two colours, leaves those dark. */
-static void test_lights(void **state)
+static void each_light_has_its_maps(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -446,7 +446,7 @@ static void check_lamps(ts_scene *scene, const ts_params *params, ts_light *ligh
 	ts_run_end(&hulls);
 }
 
-static void test_lamps(void **state)
+static void lamps_add_up_triangle_by_triangle(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -478,7 +478,7 @@ static void test_lamps(void **state)
 }
 
 /* Display values of lamps are as bright as radiance says, those of a bounce eight times that. */
-static void test_gain(void **state)
+static void a_bounce_is_displayed_eight_times_brighter(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -499,7 +499,7 @@ static void test_gain(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_dark(void **state)
+static void without_light_all_is_dark(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -550,7 +550,7 @@ static void check_gloss(const ts_scene *scene, ts_params params, const char *eff
 	ts_run_end(&direct);
 }
 
-static void test_gloss(void **state)
+static void gloss_only_adds_to_the_picture(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -571,7 +571,7 @@ static void assert_refused(const ts_scene *scene, const ts_params *params, const
 	ts_run_end(&run);
 }
 
-static void test_refused(void **state)
+static void a_grid_of_no_multiple_is_refused(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -590,11 +590,19 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),  cmocka_unit_test(test_against_direct), cmocka_unit_test(test_segments),
-		cmocka_unit_test(test_unparted), cmocka_unit_test(test_surface),        cmocka_unit_test(test_whole_grid),
-		cmocka_unit_test(test_sky),      cmocka_unit_test(test_lights),         cmocka_unit_test(test_dark),
-		cmocka_unit_test(test_refused),  cmocka_unit_test(test_lamps),          cmocka_unit_test(test_gain),
-		cmocka_unit_test(test_gloss),
+		cmocka_unit_test(threads_change_no_bit_of_any_way),
+		cmocka_unit_test(hulls_are_near_what_they_approximate),
+		cmocka_unit_test(no_segment_spans_two_components),
+		cmocka_unit_test(unparted_blocks_have_one_box_each),
+		cmocka_unit_test(boxes_hold_the_pixels_they_light),
+		cmocka_unit_test(a_whole_grid_holds_every_pixel),
+		cmocka_unit_test(the_sky_gathers_no_light),
+		cmocka_unit_test(each_light_has_its_maps),
+		cmocka_unit_test(without_light_all_is_dark),
+		cmocka_unit_test(a_grid_of_no_multiple_is_refused),
+		cmocka_unit_test(lamps_add_up_triangle_by_triangle),
+		cmocka_unit_test(a_bounce_is_displayed_eight_times_brighter),
+		cmocka_unit_test(gloss_only_adds_to_the_picture),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

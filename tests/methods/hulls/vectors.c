@@ -40,7 +40,7 @@ static void judge_light(const u32 *row, u32 at, f32 ours, bool factor)
 }
 
 /* All that there are, within rounding. */
-static void test_light(void **state)
+static void integrals_of_light_match_double_precision(void **state)
 {
 	(void)state;
 	assert_int_equal(TS_N_hulls_vectors, 6);
@@ -85,7 +85,7 @@ static void judge_gloss(const u32 *row, const u32 *made)
 	assert_true(d3_distance(phi, d3_sub(d3_scale(n, 2 * n_v), v)) < 1e-6);
 }
 
-static void test_lobes(void **state)
+static void products_of_lobes_match_double_precision(void **state)
 {
 	(void)state;
 	ts_vector_make(ts_vectors_find("sg_product"), in, out);
@@ -96,6 +96,7 @@ static void test_lobes(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_light), cmocka_unit_test(test_lobes)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(integrals_of_light_match_double_precision),
+	                                   cmocka_unit_test(products_of_lobes_match_double_precision)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -183,7 +183,7 @@ static judgement shared_code(const u32 *in, const u32 *out)
 	return right_if(out[0] >> 27 == 0 || most >= 255 * step);
 }
 
-static void test_formulas(void **state)
+static void composites_match_double_precision(void **state)
 {
 	(void)state;
 	static const composite composites[] = {TS_LIST_points_composites(COMPOSITE)};
@@ -192,6 +192,6 @@ static void test_formulas(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_formulas)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(composites_match_double_precision)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

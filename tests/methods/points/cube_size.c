@@ -132,19 +132,19 @@ static void check_frames(bool on_path, bool by_file)
 	ts_scene_free(scene);
 }
 
-static void test_frames(void **state)
+static void any_frame_sizes_cubes_as_a_replay(void **state)
 {
 	(void)state;
 	check_frames(false, false);
 }
 
-static void test_path(void **state)
+static void a_moving_eye_sizes_cubes_as_replays(void **state)
 {
 	(void)state;
 	check_frames(true, false);
 }
 
-static void test_motion(void **state)
+static void moving_mirrors_size_cubes_as_a_replay(void **state)
 {
 	(void)state;
 	check_frames(false, true);
@@ -152,7 +152,7 @@ static void test_motion(void **state)
 }
 
 /* A history of a later frame, or of other cubes, is none. */
-static void test_foreign_history(void **state)
+static void a_foreign_history_is_none(void **state)
 {
 	(void)state;
 	ts_params params = moving_params();
@@ -174,10 +174,10 @@ static void test_foreign_history(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_frames),
-		cmocka_unit_test(test_path),
-		cmocka_unit_test(test_motion),
-		cmocka_unit_test(test_foreign_history),
+		cmocka_unit_test(any_frame_sizes_cubes_as_a_replay),
+		cmocka_unit_test(a_moving_eye_sizes_cubes_as_replays),
+		cmocka_unit_test(moving_mirrors_size_cubes_as_a_replay),
+		cmocka_unit_test(a_foreign_history_is_none),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -70,7 +70,7 @@ static void assert_same(const ts_sums *epr, const ts_sums *without, const char *
 	assert_true(without->hex[TS_B_splat_depth_index][0] != 0 && without->hex[TS_B_image_srgb][0] != 0);
 }
 
-static void test_bufferless(void **state)
+static void buffers_without_points_are_the_same(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < sizeof settings / sizeof *settings; i++) {
@@ -87,8 +87,7 @@ static void test_bufferless(void **state)
 	}
 }
 
-/* The same work is counted. */
-static void test_counters(void **state)
+static void each_variant_counts_the_same_work(void **state)
 {
 	(void)state;
 	static const char *const same[] = {"points",   "point-view scatters", "texel writes",
@@ -129,7 +128,7 @@ static void assert_equal_buffers(const ts_run *a, const ts_run *b, ts_buffer_id 
 
 /* Where nobody looks at the texels, those that are not read are left out: with later bounces, or where they stay, all
  * are made. */
-static void test_asked(void **state)
+static void texels_that_nobody_reads_are_left_out(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 2 * sizeof settings / sizeof *settings; i++) {
@@ -173,7 +172,7 @@ static void assert_texels(const ts_run *epr, const ts_run *forward)
 	assert_true(n_held > n / 8 && (plane || n_tied < n_held / 20));
 }
 
-static void test_forward_texels(void **state)
+static void forward_texels_have_the_colours_of_points(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < sizeof settings / sizeof *settings; i++) {
@@ -193,7 +192,7 @@ static void test_forward_texels(void **state)
 }
 
 /* Nothing in the cubes or behind them tells how points were numbered. */
-static void test_forward_order(void **state)
+static void forward_cubes_do_not_tell_the_order(void **state)
 {
 	(void)state;
 	static const ts_buffer_id free_of_order[] = {TS_B_splat_depth_colour, TS_B_lookup_colour, TS_B_shade_radiance,
@@ -213,7 +212,7 @@ static void test_forward_order(void **state)
 
 /* Of one mirror all points are lit towards its centre, as EPR lights them: pixels differ by what 9 bits leave of the
  * brightest channel, half of 1/256, and where texels were tied. */
-static void test_forward_of_one_mirror(void **state)
+static void forward_shows_one_mirror_as_epr_does(void **state)
 {
 	(void)state;
 	ts_params params = small_params(96, 54);
@@ -258,7 +257,7 @@ static texel_count texels_of(const ts_scene *scene, const ts_params *params)
 /* Culling leaves a texel empty with the paper's probability, 5 in 100,000, however high the density: a cube limits the
  * density, so a higher density.scale alone does not make what culling keeps denser. Below 1 that holds in the eye's
  * pixels; the raster's samples, which are larger, cull more. */
-static void test_density_makes_no_holes(void **state)
+static void density_makes_no_holes(void **state)
 {
 	(void)state;
 	static const f32 densities[] = {0.25f, 0.5f, 1, 2, 4, 8};
@@ -289,7 +288,7 @@ static void test_density_makes_no_holes(void **state)
 
 /* The second reading of the limit, density.cap=greatest, is the weaker one. If all cubes have the greatest side, both
  * readings are the same. */
-static void test_readings_of_the_limit(void **state)
+static void the_second_reading_limits_less(void **state)
 {
 	(void)state;
 	ts_params params = params_of(&settings[0]);
@@ -328,7 +327,7 @@ static u64 points_expected(const ts_scene *scene, const ts_params *params)
 }
 
 /* As many points are expected of a density per area as of its root per side. */
-static void test_expects_density_per_area(void **state)
+static void density_per_area_expects_as_many_points(void **state)
 {
 	(void)state;
 	ts_params params = params_of(&settings[0]);
@@ -349,15 +348,15 @@ static void test_expects_density_per_area(void **state)
 int main(void)
 {
 	const struct CMUnitTest epr[] = {
-		cmocka_unit_test(test_bufferless),
-		cmocka_unit_test(test_counters),
-		cmocka_unit_test(test_asked),
-		cmocka_unit_test(test_forward_texels),
-		cmocka_unit_test(test_forward_order),
-		cmocka_unit_test(test_forward_of_one_mirror),
-		cmocka_unit_test(test_density_makes_no_holes),
-		cmocka_unit_test(test_readings_of_the_limit),
-		cmocka_unit_test(test_expects_density_per_area),
+		cmocka_unit_test(buffers_without_points_are_the_same),
+		cmocka_unit_test(each_variant_counts_the_same_work),
+		cmocka_unit_test(texels_that_nobody_reads_are_left_out),
+		cmocka_unit_test(forward_texels_have_the_colours_of_points),
+		cmocka_unit_test(forward_cubes_do_not_tell_the_order),
+		cmocka_unit_test(forward_shows_one_mirror_as_epr_does),
+		cmocka_unit_test(density_makes_no_holes),
+		cmocka_unit_test(the_second_reading_limits_less),
+		cmocka_unit_test(density_per_area_expects_as_many_points),
 	};
 	return cmocka_run_group_tests(epr, NULL, NULL);
 }

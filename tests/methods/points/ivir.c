@@ -47,7 +47,7 @@ static const char *const methods[][2] = {
 };
 
 /* Every buffer, whatever computes it: threads, and without the fast paths. */
-static void test_threads(void **state)
+static void threads_and_fast_paths_change_no_bit(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -72,7 +72,7 @@ static void assert_same_buffers(const ts_sums *a, const ts_sums *b, const ts_buf
 }
 
 /* However many depth maps a pass makes, and whether its points are stored: the same pieces, maps and shadows. */
-static void test_passes(void **state)
+static void the_size_of_a_pass_changes_nothing(void **state)
 {
 	(void)state;
 	static const ts_buffer_id ids[] = {TS_B_split_piece,     TS_B_split_density,   TS_B_cull_keep, TS_B_align_frame,
@@ -105,7 +105,7 @@ static void run_of(ts_run *run, const ts_scene *scene, const ts_params *params, 
 }
 
 /* Beside the eye MVR goes over the geometry once a view, iVIR once a pass; stored points are as many as those made. */
-static void test_counters(void **state)
+static void each_pass_goes_over_the_geometry_once(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -147,7 +147,7 @@ static double difference(const ts_run *a, const ts_run *b, u32 samples)
 }
 
 /* Watertight points cast the shadows that MVR's triangles do, but for what is a texel wide. */
-static void test_against_mvr(void **state)
+static void watertight_points_cast_the_shadows_of_mvr(void **state)
 {
 	(void)state;
 	static const char *const effects[] = {"soft-shadows", "omni-shadows"};
@@ -180,7 +180,7 @@ static i64 points_of(const ts_scene *scene, const ts_params *params, const char 
 
 /* The paper's rate makes no more points than VIR's, far fewer for environment maps, which only iVIR sizes as the image
  * asks for; culling saves some. */
-static void test_points(void **state)
+static void the_papers_rate_makes_fewer_points(void **state)
 {
 	(void)state;
 	static const char *const effects[] = {"soft-shadows", "omni-shadows", "reflections"};
@@ -203,7 +203,7 @@ static void test_points(void **state)
 
 /* Pieces of A samples stay with probability min(1, 10 A): their number is the sum of that, within four standard
  * deviations. */
-static void test_culling(void **state)
+static void culling_keeps_as_many_as_expected(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -243,7 +243,7 @@ static f32 *shown(const ts_scene *scene, const ts_params *params, const char *me
 
 /* What is much brighter than the display's white stays white in a mirror, whatever the mirror's tint: codes of colours
  * have room above white for the tint. */
-static void test_white_stays_white(void **state)
+static void white_stays_white_in_a_mirror(void **state)
 {
 	(void)state;
 	static const char *const coded[] = {"ivir", "vir"};
@@ -272,7 +272,7 @@ static void test_white_stays_white(void **state)
 }
 
 /* In light that a display can show mirrors are as bright as MVR's, however much room the codes have. */
-static void test_headroom_keeps_brightness(void **state)
+static void headroom_keeps_the_brightness_of_mirrors(void **state)
 {
 	(void)state;
 	const f32 headrooms[] = {1, 2, 16};
@@ -309,7 +309,7 @@ static void give_lights(ts_scene *scene, ts_light *lights, u32 n)
 }
 
 /* The scene's lights share the views evenly, each with maps of its own; what they say is theirs. */
-static void test_shared_views(void **state)
+static void lights_share_their_views_evenly(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -356,7 +356,7 @@ static void assert_refused(const ts_scene *scene, const ts_params *params, const
 }
 
 /* In one line: what, where, and what would be right. */
-static void test_refused(void **state)
+static void lights_without_a_view_are_refused(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -378,16 +378,16 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),
-		cmocka_unit_test(test_passes),
-		cmocka_unit_test(test_counters),
-		cmocka_unit_test(test_against_mvr),
-		cmocka_unit_test(test_points),
-		cmocka_unit_test(test_culling),
-		cmocka_unit_test(test_shared_views),
-		cmocka_unit_test(test_refused),
-		cmocka_unit_test(test_white_stays_white),
-		cmocka_unit_test(test_headroom_keeps_brightness),
+		cmocka_unit_test(threads_and_fast_paths_change_no_bit),
+		cmocka_unit_test(the_size_of_a_pass_changes_nothing),
+		cmocka_unit_test(each_pass_goes_over_the_geometry_once),
+		cmocka_unit_test(watertight_points_cast_the_shadows_of_mvr),
+		cmocka_unit_test(the_papers_rate_makes_fewer_points),
+		cmocka_unit_test(culling_keeps_as_many_as_expected),
+		cmocka_unit_test(lights_share_their_views_evenly),
+		cmocka_unit_test(lights_without_a_view_are_refused),
+		cmocka_unit_test(white_stays_white_in_a_mirror),
+		cmocka_unit_test(headroom_keeps_the_brightness_of_mirrors),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -179,7 +179,7 @@ static ts_texel_counts count(const char *method, u32 at, u32 cull)
 	return r.counts;
 }
 
-static void test_winners(void **state)
+static void wrong_texels_belong_to_triangles_beside(void **state)
 {
 	(void)state;
 	ts_params params = maps_of_dining();
@@ -194,7 +194,7 @@ static void test_winners(void **state)
 	assert_true(j.beside * 100 > j.wrong * 95 && j.right_there * 100 > j.wrong * 90);
 }
 
-static void test_centres(void **state)
+static void counting_at_centres_leaves_few_wrong_texels(void **state)
 {
 	(void)state;
 	ts_texel_counts own = count("ivir", TS_SCATTER_POINT, 1), centre = count("ivir", TS_SCATTER_CENTRE, 1);
@@ -219,6 +219,7 @@ static int end(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_winners), cmocka_unit_test(test_centres)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(wrong_texels_belong_to_triangles_beside),
+	                                   cmocka_unit_test(counting_at_centres_leaves_few_wrong_texels)};
 	return cmocka_run_group_tests(tests, begin, end);
 }

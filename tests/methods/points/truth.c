@@ -316,41 +316,41 @@ static void check_picture(const char *method, const char *spec, u32 bounces)
 	assert_true(fine > 0 && fine < 6 && fine < coarse / 2);
 }
 
-static void test_faces(void **state) { check_faces(*state); }
+static void faces_hold_the_triangles_that_rays_hit(void **state) { check_faces(*state); }
 
-static void test_texels(void **state)
+static void no_texel_that_rays_hit_is_empty(void **state)
 {
 	check_splats(*state, TS_BOX_CENTRE);
 	check_splats(*state, TS_BOX_TOUCHED);
 }
 
 /* The paper's test loses large triangles, which shows that this one can fail. */
-static void test_vertex_visibility(void **state)
+static void the_papers_test_loses_large_triangles(void **state)
 {
 	splat_judge judge = splats(*state, TS_BOX_CENTRE, 0, TS_VISIBILITY_VERTEX);
 	assert_true(judge.n_missed > 0 && judge.n_beyond > 0);
 }
 
-static void test_picture(void **state)
+static void both_pictures_tend_to_the_truth(void **state)
 {
 	check_picture("epr", *state, 1);
 	check_picture("mvr", *state, 1);
 }
 
-static void test_three_bounces(void **state) { check_picture("epr", *state, 3); }
+static void three_bounces_tend_to_the_truth(void **state) { check_picture("epr", *state, 3); }
 
 int main(void)
 {
 	static char atrium[] = "atrium:triangles=10000:texels=32";
 	const struct CMUnitTest tests[] = {
-		{"faces: soup", test_faces, NULL, NULL, NULL},
-		{"faces: atrium", test_faces, NULL, NULL, atrium},
-		{"texels: soup", test_texels, NULL, NULL, NULL},
-		{"texels: atrium", test_texels, NULL, NULL, atrium},
-		{"visibility.test=vertex: atrium", test_vertex_visibility, NULL, NULL, atrium},
-		{"picture: soup", test_picture, NULL, NULL, NULL},
-		{"picture: atrium", test_picture, NULL, NULL, atrium},
-		{"three bounces: atrium", test_three_bounces, NULL, NULL, atrium},
+		{"faces: soup", faces_hold_the_triangles_that_rays_hit, NULL, NULL, NULL},
+		{"faces: atrium", faces_hold_the_triangles_that_rays_hit, NULL, NULL, atrium},
+		{"texels: soup", no_texel_that_rays_hit_is_empty, NULL, NULL, NULL},
+		{"texels: atrium", no_texel_that_rays_hit_is_empty, NULL, NULL, atrium},
+		{"visibility.test=vertex: atrium", the_papers_test_loses_large_triangles, NULL, NULL, atrium},
+		{"picture: soup", both_pictures_tend_to_the_truth, NULL, NULL, NULL},
+		{"picture: atrium", both_pictures_tend_to_the_truth, NULL, NULL, atrium},
+		{"three bounces: atrium", three_bounces_tend_to_the_truth, NULL, NULL, atrium},
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,7 +6,7 @@
 static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 static _Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 
-static void test_culling(void **state)
+static void culling_rounds_each_operation_once(void **state)
 {
 	(void)state;
 	assert_int_equal(TS_N_points_vectors, 1);
@@ -19,6 +19,6 @@ static void test_culling(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_culling)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(culling_rounds_each_operation_once)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

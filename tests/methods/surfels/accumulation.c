@@ -88,7 +88,7 @@ static f32 number_of(const model *m, u32 accumulation, u32 k)
 	return (f32)(normal ? 2 * m->level[k] - m->level[WEIGHT] : m->level[k]) / 255;
 }
 
-static void test_sums(void **state)
+static void sums_of_formats_match_their_models(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params(TS_ACCUMULATION_FIXED);
@@ -122,7 +122,7 @@ static void test_sums(void **state)
 }
 
 /* What one unit in the last place of a format does to the picture, beside sums that have no order. */
-static void test_apart(void **state)
+static void coarser_formats_are_further_apart(void **state)
 {
 	(void)state;
 	ts_run run[N_FORMATS];
@@ -147,7 +147,7 @@ static void test_apart(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_threads(void **state)
+static void threads_change_no_sum(void **state)
 {
 	(void)state;
 	static ts_sums one, seven;
@@ -162,7 +162,7 @@ static void test_threads(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_claims(void **state)
+static void stages_read_only_what_they_claim(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params(TS_ACCUMULATION_8BIT);
@@ -170,7 +170,7 @@ static void test_claims(void **state)
 }
 
 /* 30 fragments a pixel, and an offset; without lists nothing. */
-static void test_estimate(void **state)
+static void lists_are_expected_by_the_pixel(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params(TS_ACCUMULATION_FIXED);
@@ -186,8 +186,11 @@ static void test_estimate(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_sums),   cmocka_unit_test(test_apart),    cmocka_unit_test(test_threads),
-		cmocka_unit_test(test_claims), cmocka_unit_test(test_estimate),
+		cmocka_unit_test(sums_of_formats_match_their_models),
+		cmocka_unit_test(coarser_formats_are_further_apart),
+		cmocka_unit_test(threads_change_no_sum),
+		cmocka_unit_test(stages_read_only_what_they_claim),
+		cmocka_unit_test(lists_are_expected_by_the_pixel),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

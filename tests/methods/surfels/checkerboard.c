@@ -83,7 +83,7 @@ static ts_params board_params(void)
 	return params;
 }
 
-static void test_errors(void **state)
+static void the_screen_filter_halves_the_far_error(void **state)
 {
 	(void)state;
 	ts_params params = board_params();
@@ -98,7 +98,7 @@ static void test_errors(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_fragments(void **state)
+static void filters_take_as_many_fragments_as_figured(void **state)
 {
 	(void)state;
 	ts_params params = board_params();
@@ -116,6 +116,7 @@ static void test_fragments(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_errors), cmocka_unit_test(test_fragments)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(the_screen_filter_halves_the_far_error),
+	                                   cmocka_unit_test(filters_take_as_many_fragments_as_figured)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -82,7 +82,7 @@ static judgement surfel_light(const u32 *in, const u32 *out)
 	return right_if(d3_distance(d3_row(out, 0), right) <= error);
 }
 
-static void test_formulas(void **state)
+static void composites_match_double_precision(void **state)
 {
 	(void)state;
 	static const composite composites[] = {TS_LIST_surfels_composites(COMPOSITE)};
@@ -91,6 +91,6 @@ static void test_formulas(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_formulas)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(composites_match_double_precision)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -75,7 +75,7 @@ static u32 cover(const ts_scene *scene, const ts_params *params, bool *covered)
 }
 
 /* The screen filter makes no outline wider; with ewa.outline=filter it does, everywhere. */
-static void test_outlines(void **state)
+static void the_screen_filter_widens_no_outline(void **state)
 {
 	(void)state;
 	static bool object[SIDE * SIDE], both[SIDE * SIDE], wider[SIDE * SIDE];
@@ -97,7 +97,7 @@ static void test_outlines(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_backs(void **state)
+static void fronts_alone_leave_fewer_crumbs(void **state)
 {
 	(void)state;
 	static const char *const methods[] = {"deferred", "ewa"};
@@ -109,6 +109,7 @@ static void test_backs(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_outlines), cmocka_unit_test(test_backs)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(the_screen_filter_widens_no_outline),
+	                                   cmocka_unit_test(fronts_alone_leave_fewer_crumbs)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

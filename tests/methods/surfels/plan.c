@@ -1,7 +1,7 @@
 /* Plans of surfels: the scene's own lights, whatever is typed, and the filter of each method. */
 #include "../small.h"
 
-static void test_sets(void **state)
+static void surfels_plan_for_the_scenes_lights(void **state)
 {
 	(void)state;
 	ts_params params = small_params(64, 36);
@@ -22,6 +22,6 @@ static void test_sets(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_sets)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(surfels_plan_for_the_scenes_lights)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -267,7 +267,7 @@ static void show(const sums *r, const char *method, const char *what)
 }
 
 /* Surfels of a plane are all nearest. */
-static void test_rounding(void **state)
+static void rounding_differs_only_where_undecided(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < sizeof methods / sizeof *methods; m++) {
@@ -289,7 +289,7 @@ static void test_rounding(void **state)
 	}
 }
 
-static void test_faults(void **state)
+static void wrong_thresholds_differ_where_decided(void **state)
 {
 	(void)state;
 	static const struct {
@@ -313,6 +313,7 @@ static void test_faults(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_rounding), cmocka_unit_test(test_faults)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(rounding_differs_only_where_undecided),
+	                                   cmocka_unit_test(wrong_thresholds_differ_where_decided)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

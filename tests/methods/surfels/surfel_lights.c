@@ -148,7 +148,7 @@ static void look(seen *s, u32 face, const ts_params *params)
 	ts_scene_free(scene);
 }
 
-static void test_rays(void **state)
+static void shadows_of_a_point_light_match_rays(void **state)
 {
 	(void)state;
 	seen s = {.lit = 0};
@@ -161,7 +161,7 @@ static void test_rays(void **state)
 }
 
 /* All walls are lit, to where they meet. */
-static void test_seams(void **state)
+static void without_blockers_seams_are_lit(void **state)
 {
 	(void)state;
 	ts_params params = room_params();
@@ -178,8 +178,7 @@ static void test_seams(void **state)
 	}
 }
 
-/* Together as each alone. */
-static void test_several(void **state)
+static void several_lights_shine_as_each_alone(void **state)
 {
 	(void)state;
 	ts_run run, alone;
@@ -216,9 +215,9 @@ static void test_several(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_rays),
-		cmocka_unit_test(test_seams),
-		cmocka_unit_test(test_several),
+		cmocka_unit_test(shadows_of_a_point_light_match_rays),
+		cmocka_unit_test(without_blockers_seams_are_lit),
+		cmocka_unit_test(several_lights_shine_as_each_alone),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,7 +16,7 @@ static ts_params tiny_params(void)
 	return params;
 }
 
-static void test_threads(void **state)
+static void threads_change_no_picture(void **state)
 {
 	(void)state;
 	static ts_sums one, seven;
@@ -33,14 +33,14 @@ static void test_threads(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_claims(void **state)
+static void stages_read_only_what_they_claim(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
 	for (u32 m = FLAT; m <= PHONG; m++) surfels_assert_claims(&params, methods[m]);
 }
 
-static void test_order(void **state)
+static void the_order_of_surfels_changes_no_picture(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -142,7 +142,7 @@ static bool truth_of(const world *w, u32 column, u32 row, colour3 *mean)
 	return decided;
 }
 
-static void test_truth(void **state)
+static void pixels_match_sums_in_double_precision(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -204,7 +204,7 @@ static ts_scene *blinds(const ts_params *params)
 	return surfels_finish(build, params, ts_v3_make(0, 0, 2.5f), 40.0f / 360);
 }
 
-static void test_margins(void **state)
+static void decided_pixels_stay_the_same(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -249,7 +249,7 @@ static void test_margins(void **state)
 /* ---- properties ---- */
 
 /* A floor of one colour in tones, which know no highlight: whenever it is shaded, it looks the same. */
-static void test_nothing_varies(void **state)
+static void without_variation_all_shadings_agree(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -275,7 +275,7 @@ static void test_nothing_varies(void **state)
 }
 
 /* Of a white ball, whose shading is known. */
-static void test_ball(void **state)
+static void phong_beats_gouraud_beats_flat(void **state)
 {
 	(void)state;
 	double rms[METHODS];
@@ -313,7 +313,7 @@ static void test_ball(void **state)
 }
 
 /* Once a surfel, once a fragment, once a pixel. */
-static void test_operations(void **state)
+static void each_way_shades_as_it_says(void **state)
 {
 	(void)state;
 	ts_run run[METHODS];
@@ -338,9 +338,14 @@ static void test_operations(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),    cmocka_unit_test(test_claims),         cmocka_unit_test(test_order),
-		cmocka_unit_test(test_truth),      cmocka_unit_test(test_nothing_varies), cmocka_unit_test(test_ball),
-		cmocka_unit_test(test_operations), cmocka_unit_test(test_margins),
+		cmocka_unit_test(threads_change_no_picture),
+		cmocka_unit_test(stages_read_only_what_they_claim),
+		cmocka_unit_test(the_order_of_surfels_changes_no_picture),
+		cmocka_unit_test(pixels_match_sums_in_double_precision),
+		cmocka_unit_test(without_variation_all_shadings_agree),
+		cmocka_unit_test(phong_beats_gouraud_beats_flat),
+		cmocka_unit_test(each_way_shades_as_it_says),
+		cmocka_unit_test(decided_pixels_stay_the_same),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,7 +15,7 @@ static ts_params tiny_params(void)
 	return params;
 }
 
-static void test_threads(void **state)
+static void threads_change_no_bit_of_surfels(void **state)
 {
 	(void)state;
 	static ts_sums one, seven;
@@ -33,7 +33,7 @@ static void test_threads(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_claims(void **state)
+static void stages_read_only_what_they_claim(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -42,7 +42,7 @@ static void test_claims(void **state)
 }
 
 /* Within a room, large surfels near the eye and all, both filters show nearly the same. */
-static void test_room(void **state)
+static void both_filters_show_nearly_the_same_room(void **state)
 {
 	(void)state;
 	ts_run run[2];
@@ -61,7 +61,7 @@ static void test_room(void **state)
 }
 
 /* The same surfels the other way round: sums and depths do not change, only what names them. */
-static void test_order(void **state)
+static void the_order_of_surfels_changes_no_sum(void **state)
 {
 	(void)state;
 	ts_run run, turned;
@@ -118,7 +118,7 @@ static pixel_truth truth_of(const ts_scene *scene, const ts_view *view, const ts
 	return truth;
 }
 
-static void test_sums(void **state)
+static void sums_match_double_precision(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -148,7 +148,7 @@ static void test_sums(void **state)
 }
 
 /* The outer ball is behind the inner one: of its green nothing comes through, nor does the inner ball's own back. */
-static void test_occlusion(void **state)
+static void the_inner_ball_hides_the_outer(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -176,7 +176,7 @@ static void test_occlusion(void **state)
 }
 
 /* Shadows only take light away; there are some, and not everywhere. */
-static void test_shadows(void **state)
+static void shadows_only_take_light_away(void **state)
 {
 	(void)state;
 	ts_run run, dark;
@@ -200,7 +200,7 @@ static void test_shadows(void **state)
 }
 
 /* Without surfels there is nothing to draw. */
-static void test_none(void **state)
+static void a_scene_without_surfels_is_refused(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -216,9 +216,14 @@ static void test_none(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads), cmocka_unit_test(test_claims), cmocka_unit_test(test_room),
-		cmocka_unit_test(test_order),   cmocka_unit_test(test_sums),   cmocka_unit_test(test_occlusion),
-		cmocka_unit_test(test_shadows), cmocka_unit_test(test_none),
+		cmocka_unit_test(threads_change_no_bit_of_surfels),
+		cmocka_unit_test(stages_read_only_what_they_claim),
+		cmocka_unit_test(both_filters_show_nearly_the_same_room),
+		cmocka_unit_test(the_order_of_surfels_changes_no_sum),
+		cmocka_unit_test(sums_match_double_precision),
+		cmocka_unit_test(the_inner_ball_hides_the_outer),
+		cmocka_unit_test(shadows_only_take_light_away),
+		cmocka_unit_test(a_scene_without_surfels_is_refused),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,7 +45,7 @@ static const f32 *filtered(world *w, ts_buffer_id id)
 static bool is_sky(const world *w, u32 number) { return w->pixels[number / 3].depth == TS_SKY; }
 
 /* Of the same light everywhere nothing changes; of noise it is less; radius 0 leaves all as it is. */
-static void test_filter(void **state)
+static void filtering_lessens_noise_alone(void **state)
 {
 	(void)state;
 	static world w;
@@ -72,7 +72,7 @@ static void test_filter(void **state)
 }
 
 /* Light of one pixel stays in its row at first, then it is in others. */
-static void test_order(void **state)
+static void rows_are_filtered_before_columns(void **state)
 {
 	(void)state;
 	static world w;
@@ -97,6 +97,7 @@ static void test_order(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_filter), cmocka_unit_test(test_order)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(filtering_lessens_noise_alone),
+	                                   cmocka_unit_test(rows_are_filtered_before_columns)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

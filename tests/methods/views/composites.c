@@ -140,7 +140,7 @@ static judgement vpl_form(const u32 *in, const u32 *out)
 	return right_if(is_near(ts_row_f32(out, 0), right, error));
 }
 
-static void test_formulas(void **state)
+static void composites_match_double_precision(void **state)
 {
 	(void)state;
 	static const composite composites[] = {TS_LIST_views_composites(COMPOSITE)};
@@ -149,6 +149,6 @@ static void test_formulas(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_formulas)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(composites_match_double_precision)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

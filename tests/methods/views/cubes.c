@@ -25,7 +25,7 @@ static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *param
 	assert_int_equal(strlen(sums->hex[TS_B_view_map_colour]), 64);
 }
 
-static void test_threads(void **state)
+static void threads_and_queues_change_no_bit(void **state)
 {
 	(void)state;
 	static ts_sums one, seven, pieces;
@@ -42,7 +42,7 @@ static void test_threads(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_claims(void **state)
+static void stages_read_only_what_they_claim(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -94,7 +94,7 @@ static void check_own(const ts_run *run)
 	}
 }
 
-static void test_own(void **state)
+static void no_view_shows_its_own_reflector(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -130,7 +130,7 @@ static double apart(const ts_scene *scene, const ts_params *params)
 	return sum / (double)n;
 }
 
-static void test_depth(void **state)
+static void deeper_octrees_come_nearer_to_cubes(void **state)
 {
 	(void)state;
 	double before = INFINITY;
@@ -149,10 +149,10 @@ static void test_depth(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),
-		cmocka_unit_test(test_claims),
-		cmocka_unit_test(test_own),
-		cmocka_unit_test(test_depth),
+		cmocka_unit_test(threads_and_queues_change_no_bit),
+		cmocka_unit_test(stages_read_only_what_they_claim),
+		cmocka_unit_test(no_view_shows_its_own_reflector),
+		cmocka_unit_test(deeper_octrees_come_nearer_to_cubes),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

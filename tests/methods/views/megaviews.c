@@ -46,7 +46,7 @@ static void assert_same(const ts_sums *a, const ts_sums *b)
 	assert_int_equal(strlen(a->hex[TS_B_indirect_irradiance]), 64);
 }
 
-static void test_threads(void **state)
+static void threads_and_queues_change_no_bit(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < N_METHODS; m++) {
@@ -64,7 +64,7 @@ static void test_threads(void **state)
 	}
 }
 
-static void test_claims(void **state)
+static void stages_read_only_what_they_claim(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 2 * N_METHODS; k++) {
@@ -103,7 +103,7 @@ static bool lists(const ts_run *run, u64 list, u32 views)
 
 /* What a list leaves out cannot light any place in its node, here the eight corners of the node's box; sums are of
  * views. */
-static void test_lists(void **state)
+static void lists_leave_out_no_light(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -139,7 +139,7 @@ static void test_lists(void **state)
 }
 
 /* Nothing farther than the cut-off is in a list, and what is left out is. */
-static void test_cutoff(void **state)
+static void lists_end_at_the_cut_off(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -176,7 +176,7 @@ static const f32 *light_of(const ts_run *run) { return ts_frame_data(&run->frame
 
 /* Without shadows, filter and chance the lights are the triangles of light, as points: leaves' sides off their
  * surfaces, and as good only from afar. */
-static void test_units(void **state)
+static void units_of_light_match_direct(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -200,7 +200,7 @@ static void test_units(void **state)
 }
 
 /* Drawn lights are, on the mean, all of them; and shadows only take away. */
-static void test_draws(void **state)
+static void drawn_lights_average_to_all(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -226,7 +226,7 @@ static void test_draws(void **state)
 }
 
 /* Nothing but sky; no light; one; octrees of a level. */
-static void test_little(void **state)
+static void little_light_and_no_light_end_well(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 4 * N_METHODS; k++) {
@@ -266,7 +266,7 @@ static void is_near(const char *what, u64 expected, u64 made, double factor)
 }
 
 /* A run takes about the memory that is expected; queues take no more than they may, and with more pairs more. */
-static void test_memory(void **state)
+static void a_run_takes_the_memory_expected(void **state)
 {
 	(void)state;
 	u32 n_octrees = 0;
@@ -298,7 +298,7 @@ static void test_memory(void **state)
 }
 
 /* A distance beyond which nothing is gathered leaves few pairs, a map of finer texels more in the queues. */
-static void test_memory_of_pairs(void **state)
+static void a_cut_off_leaves_few_pairs(void **state)
 {
 	(void)state;
 	const ts_pipeline *pipeline = ts_pipeline_find("indirect", "megaviews");
@@ -317,7 +317,7 @@ static void test_memory_of_pairs(void **state)
 }
 
 /* Of many more paths than texels of the reflective shadow map maps are expected where those are. */
-static void test_memory_of_paths(void **state)
+static void many_paths_share_the_places_of_texels(void **state)
 {
 	(void)state;
 	const ts_pipeline *pipeline = ts_pipeline_find("indirect", "megaviews");
@@ -395,7 +395,7 @@ static int by_value(const void *a, const void *b)
 
 /* Maps without the hierarchy: every leaf is in them; and they are those of ManyLoDs in texels that show a leaf in
  * both, this one rendered by both. */
-static void test_brute(void **state)
+static void brute_force_shows_every_leaf(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -435,7 +435,7 @@ static void test_brute(void **state)
 }
 
 /* Where every leaf is wider than a texel all is the same, up to the light; for all views see the same leaves. */
-static void test_wide(void **state)
+static void wide_leaves_leave_no_difference(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -472,7 +472,7 @@ static bool sees_texel(const f32 *normal, u32 texel, u32 n)
 }
 
 /* Without culling there are more pairs, and maps show the same before each light. */
-static void test_culling(void **state)
+static void culling_changes_no_map_before_a_light(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < N_METHODS; m++) {
@@ -508,7 +508,7 @@ static void test_culling(void **state)
 
 /* Without a hierarchy of the scene, or of the views either, maps are those of brute force; with one of the views there
  * are more pairs than with both, in queues of any length. */
-static void test_views_alone(void **state)
+static void views_alone_show_what_brute_force_does(void **state)
 {
 	(void)state;
 	static ts_sums brute, alone, shared, pieces;
@@ -536,7 +536,7 @@ static void test_views_alone(void **state)
 
 /* Maps asked from the root down, without fusion, answer the same: pictures have the same bits, and a question reads a
  * texel of each node above its view, and of each level of their pyramids. */
-static void test_queries(void **state)
+static void queries_from_the_root_answer_the_same(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < N_METHODS; m++) {
@@ -585,11 +585,21 @@ static int end(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),         cmocka_unit_test(test_claims),  cmocka_unit_test(test_lists),
-		cmocka_unit_test(test_cutoff),          cmocka_unit_test(test_units),   cmocka_unit_test(test_draws),
-		cmocka_unit_test(test_little),          cmocka_unit_test(test_memory),  cmocka_unit_test(test_memory_of_pairs),
-		cmocka_unit_test(test_memory_of_paths), cmocka_unit_test(test_brute),   cmocka_unit_test(test_wide),
-		cmocka_unit_test(test_culling),         cmocka_unit_test(test_queries), cmocka_unit_test(test_views_alone),
+		cmocka_unit_test(threads_and_queues_change_no_bit),
+		cmocka_unit_test(stages_read_only_what_they_claim),
+		cmocka_unit_test(lists_leave_out_no_light),
+		cmocka_unit_test(lists_end_at_the_cut_off),
+		cmocka_unit_test(units_of_light_match_direct),
+		cmocka_unit_test(drawn_lights_average_to_all),
+		cmocka_unit_test(little_light_and_no_light_end_well),
+		cmocka_unit_test(a_run_takes_the_memory_expected),
+		cmocka_unit_test(a_cut_off_leaves_few_pairs),
+		cmocka_unit_test(many_paths_share_the_places_of_texels),
+		cmocka_unit_test(brute_force_shows_every_leaf),
+		cmocka_unit_test(wide_leaves_leave_no_difference),
+		cmocka_unit_test(culling_changes_no_map_before_a_light),
+		cmocka_unit_test(queries_from_the_root_answer_the_same),
+		cmocka_unit_test(views_alone_show_what_brute_force_does),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

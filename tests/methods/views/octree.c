@@ -4,7 +4,7 @@
 #include <math.h>
 #include "../../../src/kernels/views/voxel.h"
 
-static void test_threads(void **state)
+static void threads_change_no_octree(void **state)
 {
 	(void)state;
 	static ts_sums one, seven;
@@ -26,7 +26,7 @@ static bool is_listed(const u32 *offset, const u32 *entries, u32 leaf, u32 trian
 }
 
 /* Every leaf lists triangles in order, each once, and those whose corner it holds are there. */
-static void test_lists(void **state)
+static void every_leaf_lists_its_triangles_in_order(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -64,7 +64,7 @@ static void test_lists(void **state)
 enum { N_MEANS = sizeof(ts_node_surface) / sizeof(f32) };
 
 /* Base colours are those of materials; inner nodes are means of their children. */
-static void test_surfaces(void **state)
+static void inner_nodes_are_means_of_their_children(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -97,7 +97,7 @@ static void test_surfaces(void **state)
 }
 
 /* Every stage again from a frame where all that it does not claim to read is zero. */
-static void test_claims(void **state)
+static void stages_read_only_what_they_claim(void **state)
 {
 	(void)state;
 	for (u32 place = TS_VPL_AT_LIGHT; place <= TS_VPL_AT_RANDOM; place++) {
@@ -116,10 +116,10 @@ static void test_claims(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),
-		cmocka_unit_test(test_lists),
-		cmocka_unit_test(test_surfaces),
-		cmocka_unit_test(test_claims),
+		cmocka_unit_test(threads_change_no_octree),
+		cmocka_unit_test(every_leaf_lists_its_triangles_in_order),
+		cmocka_unit_test(inner_nodes_are_means_of_their_children),
+		cmocka_unit_test(stages_read_only_what_they_claim),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,7 +18,7 @@ static void on_device(const ts_backend_kind *kind)
 	}
 }
 
-static void test_devices(void **state)
+static void devices_make_the_octrees_of_c(void **state)
 {
 	(void)state;
 	device_each(on_device);
@@ -26,7 +26,7 @@ static void test_devices(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_devices)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(devices_make_the_octrees_of_c)};
 	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -33,7 +33,7 @@ static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *param
 	assert_int_equal(strlen(sums->hex[TS_B_indirect_irradiance]), 64);
 }
 
-static void test_threads(void **state)
+static void threads_change_no_particle(void **state)
 {
 	(void)state;
 	static ts_sums one, seven;
@@ -69,7 +69,7 @@ static void offset_of(double at[3], const ts_vpl *light, const ts_space *hall)
 }
 
 /* Half of them in the inner half of the cylinder's area, half in its lower half, and a quarter in each quadrant. */
-static void test_places(void **state)
+static void particles_fill_the_cylinder_evenly(void **state)
 {
 	(void)state;
 	static ts_vpl lights[MANY];
@@ -96,7 +96,7 @@ static void test_places(void **state)
 }
 
 /* A quarter of a turn in 60 frames, every other the other way; a whole one is none. Colours and heights stay. */
-static void test_paths(void **state)
+static void particles_turn_once_in_their_frames(void **state)
 {
 	(void)state;
 	static ts_vpl first[MANY], later[MANY], again[MANY];
@@ -122,7 +122,7 @@ static void test_paths(void **state)
 }
 
 /* All of them send glow on the area of the hall's box, each as much; in each channel as much, if chance is even. */
-static void test_power(void **state)
+static void particles_send_all_of_the_glow(void **state)
 {
 	(void)state;
 	static ts_vpl lights[MANY];
@@ -163,7 +163,7 @@ static double light_at(const ts_gpixel *pixel, const ts_vpl *lights, u32 n, doub
 	return sum;
 }
 
-static void test_light(void **state)
+static void light_of_particles_matches_double_precision(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -202,7 +202,7 @@ static double mean_of(const ts_run *run, const f32 *most)
 }
 
 /* Shadows take light away and never add any; maps that views share take nearly as much as maps of their own. */
-static void test_shadows(void **state)
+static void shadows_only_take_light_away(void **state)
 {
 	(void)state;
 	ts_run bright, dark[2];
@@ -227,7 +227,7 @@ static void test_shadows(void **state)
 }
 
 /* Whatever was asked for, views see all around; lists are one, but where some particles are too far away. */
-static void test_culls(void **state)
+static void nothing_of_particles_is_culled(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -248,7 +248,7 @@ static void test_culls(void **state)
 }
 
 /* Every stage again from a frame where all that it does not claim to read is zero. */
-static void test_claims(void **state)
+static void stages_read_only_what_they_claim(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -270,9 +270,14 @@ static void test_claims(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads), cmocka_unit_test(test_places), cmocka_unit_test(test_paths),
-		cmocka_unit_test(test_power),   cmocka_unit_test(test_light),  cmocka_unit_test(test_shadows),
-		cmocka_unit_test(test_culls),   cmocka_unit_test(test_claims),
+		cmocka_unit_test(threads_change_no_particle),
+		cmocka_unit_test(particles_fill_the_cylinder_evenly),
+		cmocka_unit_test(particles_turn_once_in_their_frames),
+		cmocka_unit_test(particles_send_all_of_the_glow),
+		cmocka_unit_test(light_of_particles_matches_double_precision),
+		cmocka_unit_test(shadows_only_take_light_away),
+		cmocka_unit_test(nothing_of_particles_is_culled),
+		cmocka_unit_test(stages_read_only_what_they_claim),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

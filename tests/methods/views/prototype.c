@@ -1,7 +1,7 @@
 /* Whole maps show what each view by itself would, as often as in the prototype (FIGURES 11). */
 #include "prototype.h"
 
-static void test_rows(void **state)
+static void whole_maps_repeat_the_prototype(void **state)
 {
 	static const prototype_row rows[] = {
 		{7, 16, 256, grove_floor, TS_VIEW_FIELD_HALF, 1704665, 1.22, 1.51, 6.98, 92.58, 98.69},
@@ -13,6 +13,6 @@ static void test_rows(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(whole_maps_repeat_the_prototype)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,7 +8,7 @@ static grove_place air(void)
 	return (grove_place){grove_v3(x, y, z), {0, 0, 1}};
 }
 
-static void test_rows(void **state)
+static void deep_octrees_repeat_the_prototype(void **state)
 {
 	static const prototype_row rows[] = {
 		{7, 16, 16384, grove_floor, TS_VIEW_FIELD_HALF, 7608328, 17.50, 19.63, 15.13, 92.76, 98.68},
@@ -25,6 +25,6 @@ static void test_rows(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(deep_octrees_repeat_the_prototype)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -113,7 +113,7 @@ static void assert_same_counters(const ts_run *run, const recursion *r)
 	assert_int_equal(ts_run_counter(run, "views served"), r->served);
 }
 
-static void test_recursion(void **state)
+static void pairs_are_those_of_a_recursion(void **state)
 {
 	(void)state;
 	i64 culled = 0, near = 0, wide = 0, narrow = 0;
@@ -148,7 +148,7 @@ static void test_recursion(void **state)
 }
 
 /* More leaves that begin than queues have room for. */
-static void test_many_starts(void **state)
+static void more_starts_than_room_end_well(void **state)
 {
 	(void)state;
 	enum { LEVELS = 6 };
@@ -173,7 +173,7 @@ static void test_many_starts(void **state)
 }
 
 /* The order of the kept pairs, too, is the same whatever the memory; and so are maps without keeping them. */
-static void test_memory(void **state)
+static void memory_changes_no_pair_and_no_map(void **state)
 {
 	(void)state;
 	static const struct {
@@ -200,7 +200,7 @@ static void test_memory(void **state)
 }
 
 /* The nearest node of each texel's pairs, the first of equals; nothing elsewhere. */
-static void test_map(void **state)
+static void each_texel_holds_its_nearest_node(void **state)
 {
 	(void)state;
 	ts_params params = params_of(8);
@@ -224,7 +224,7 @@ static void test_map(void **state)
 }
 
 /* A walk from the root finds what the fused maps hold; of the two fusions, one takes the nearest, the other its own. */
-static void test_fuse(void **state)
+static void walks_from_the_root_find_fused_depth(void **state)
 {
 	(void)state;
 	ts_params params = params_of(8), paper = params;
@@ -255,7 +255,7 @@ static void test_fuse(void **state)
 }
 
 /* Moved depth is the distance of the same point from the other place. */
-static void test_moved(void **state)
+static void moved_depth_is_of_the_same_point(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 20000; i++) {
@@ -269,7 +269,7 @@ static void test_moved(void **state)
 }
 
 /* Filled one by one or by a pyramid, wide leaves leave no holes about them, and the maps of both ways are the same. */
-static void test_multipixel(void **state)
+static void wide_leaves_fill_all_their_texels(void **state)
 {
 	(void)state;
 	ts_params params = params_of(64), texels = params, mips = params, small = params_of(16);
@@ -300,7 +300,7 @@ static void test_multipixel(void **state)
 }
 
 /* Where every leaf is wider than a texel, views alone show just what brute force does. */
-static void test_alone(void **state)
+static void views_alone_show_what_brute_force_does(void **state)
 {
 	(void)state;
 	ts_params params = params_of(256);
@@ -332,7 +332,7 @@ static void test_alone(void **state)
 	grove_free(&g);
 }
 
-static void test_errors(void **state)
+static void wrong_maps_and_circles_are_refused(void **state)
 {
 	(void)state;
 	ts_params params = params_of(24);
@@ -352,7 +352,7 @@ static void test_errors(void **state)
 }
 
 /* The octrees of the scene and its virtual point lights, as the stages before make them. */
-static void test_stages(void **state)
+static void stages_traverse_the_octrees_of_a_scene(void **state)
 {
 	(void)state;
 	static const char *const stages[] = {
@@ -380,9 +380,11 @@ static void test_stages(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		grown_test(test_recursion), grown_test(test_many_starts), grown_test(test_memory),     grown_test(test_map),
-		grown_test(test_fuse),      grown_test(test_moved),       grown_test(test_multipixel), grown_test(test_alone),
-		grown_test(test_errors),    grown_test(test_stages),
+		grown_test(pairs_are_those_of_a_recursion),       grown_test(more_starts_than_room_end_well),
+		grown_test(memory_changes_no_pair_and_no_map),    grown_test(each_texel_holds_its_nearest_node),
+		grown_test(walks_from_the_root_find_fused_depth), grown_test(moved_depth_is_of_the_same_point),
+		grown_test(wide_leaves_fill_all_their_texels),    grown_test(views_alone_show_what_brute_force_does),
+		grown_test(wrong_maps_and_circles_are_refused),   grown_test(stages_traverse_the_octrees_of_a_scene),
 	};
 	return cmocka_run_group_tests(tests, open_scene, close_scene);
 }

@@ -231,7 +231,7 @@ static int close_scene(void **state)
 	return 0;
 }
 
-static void test_rounding(void **state)
+static void rounding_differs_only_where_undecided(void **state)
 {
 	(void)state;
 	for (u32 choice = 0; choice < 6; choice++) {
@@ -243,7 +243,7 @@ static void test_rounding(void **state)
 	}
 }
 
-static void test_faults(void **state)
+static void wrong_thresholds_differ_where_decided(void **state)
 {
 	(void)state;
 	static const faults all[] = {{5000, 1, 1}, {1, 1.01, 1}, {1, 1, 1.2}};
@@ -257,8 +257,8 @@ static void test_faults(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_rounding, grove_restart),
-		cmocka_unit_test_setup(test_faults, grove_restart),
+		cmocka_unit_test_setup(rounding_differs_only_where_undecided, grove_restart),
+		cmocka_unit_test_setup(wrong_thresholds_differ_where_decided, grove_restart),
 	};
 	return cmocka_run_group_tests(tests, open_scene, close_scene);
 }

@@ -14,7 +14,7 @@ static double flux_of(const ts_run *run)
 }
 
 /* All lights send what their texels do, half a leaf above them; so many at random send as much in all. */
-static void test_lights(void **state)
+static void lights_send_what_their_texels_do(void **state)
 {
 	(void)state;
 	ts_run all, some;
@@ -83,7 +83,7 @@ static double meets(const ts_corners *t, ts_v3 o, ts_v3 d, double margin)
 }
 
 /* A ray meets what a loop over all triangles finds, and what is in its way in double precision. */
-static void test_cast(void **state)
+static void rays_meet_what_a_loop_finds(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -121,7 +121,7 @@ static void test_cast(void **state)
 }
 
 /* Paths begin where single lights are, lose the albedo of what they meet, and their lights hover over surfaces. */
-static void test_paths(void **state)
+static void paths_begin_at_single_lights(void **state)
 {
 	(void)state;
 	ts_run once, often;
@@ -156,7 +156,7 @@ static void test_paths(void **state)
 
 /* Lights at random hover over what rays meet, so that none is where a mask cuts the surface away, and send in all what
  * those at the lamp's texels do. */
-static void test_random(void **state)
+static void random_lights_hover_over_what_rays_meet(void **state)
 {
 	(void)state;
 	ts_run lit, any;
@@ -187,7 +187,7 @@ static void test_random(void **state)
 }
 
 /* A lamp that meets nothing: no lights, an octree without nodes. */
-static void test_dark(void **state)
+static void a_lamp_without_hits_makes_no_lights(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -206,8 +206,11 @@ static void test_dark(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_lights), cmocka_unit_test(test_cast), cmocka_unit_test(test_paths),
-		cmocka_unit_test(test_random), cmocka_unit_test(test_dark),
+		cmocka_unit_test(lights_send_what_their_texels_do),
+		cmocka_unit_test(rays_meet_what_a_loop_finds),
+		cmocka_unit_test(paths_begin_at_single_lights),
+		cmocka_unit_test(random_lights_hover_over_what_rays_meet),
+		cmocka_unit_test(a_lamp_without_hits_makes_no_lights),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -368,7 +368,7 @@ static sums check_ties(u32 i, u32 kind)
 	return r;
 }
 
-static void test_rounding(void **state)
+static void rounding_differs_only_where_undecided(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_CASES; i++) {
@@ -380,7 +380,7 @@ static void test_rounding(void **state)
 }
 
 /* Steps of a fourth would be found, and steps without one of their terms. */
-static void test_ties(void **state)
+static void ties_stay_within_a_step(void **state)
 {
 	(void)state;
 	sums all = {.pixels = 0};
@@ -406,7 +406,7 @@ static void test_ties(void **state)
 	assert_true(all.height > 0.125);
 }
 
-static void test_faults(void **state)
+static void wrong_thresholds_differ_where_decided(void **state)
 {
 	(void)state;
 	static const faults wrong[] = {
@@ -419,9 +419,9 @@ static void test_faults(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_rounding),
-		cmocka_unit_test(test_ties),
-		cmocka_unit_test(test_faults),
+		cmocka_unit_test(rounding_differs_only_where_undecided),
+		cmocka_unit_test(ties_stay_within_a_step),
+		cmocka_unit_test(wrong_thresholds_differ_where_decided),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

@@ -27,7 +27,7 @@ static double quadrature(double lambda, double beta)
 	return sum;
 }
 
-static void test_curves(void **state)
+static void curves_match_quadrature(void **state)
 {
 	(void)state;
 	static const struct {
@@ -72,7 +72,7 @@ static void judge_row(const json_t *row, json_int_t blocks)
 }
 
 /* Of each scene all blocks, and those in parts among them; last what FIGURES has of discs. */
-static void test_segments(void **state)
+static void rows_of_segments_follow_from_each_other(void **state)
 {
 	(void)state;
 	enum { GRID = 64 };
@@ -101,6 +101,7 @@ static void test_segments(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_curves), cmocka_unit_test(test_segments)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(curves_match_quadrature),
+	                                   cmocka_unit_test(rows_of_segments_follow_from_each_other)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

@@ -41,7 +41,7 @@ static void is_near(double x, double right)
 
 /* Of 128 pairs across borders 64 lie in the one that hulls step at, and 64 in the one that they cross by their slope;
  * half of those within boxes are below each other. */
-static void test_changes(void **state)
+static void steps_at_borders_are_measured(void **state)
 {
 	(void)state;
 	static image im;
@@ -57,7 +57,7 @@ static void test_changes(void **state)
 
 /* Pairs with the sky, with another depth or normal, and within a block of two boxes do not count; just within the
  * bounds they do. */
-static void test_alike(void **state)
+static void unlike_pairs_do_not_count(void **state)
 {
 	(void)state;
 	static image im;
@@ -90,7 +90,7 @@ static void test_alike(void **state)
 }
 
 /* Without light, or pixels that are alike, there is nothing to divide by. */
-static void test_nothing(void **state)
+static void without_light_there_is_no_seam(void **state)
 {
 	(void)state;
 	static image im;
@@ -105,7 +105,7 @@ static void test_nothing(void **state)
 }
 
 /* In sixteenths of a side: from above 0 on it faces, above 1 the ramp counts it, from 5 on in full. */
-static void test_facing(void **state)
+static void corners_face_from_their_heights_on(void **state)
 {
 	(void)state;
 	static const f32 heights[] = {-16, 0, 0.5f, 1, 1.5f, 4.9375f, 5, 16};
@@ -122,7 +122,8 @@ static void test_facing(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_changes), cmocka_unit_test(test_alike),
-	                                   cmocka_unit_test(test_nothing), cmocka_unit_test(test_facing)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(steps_at_borders_are_measured), cmocka_unit_test(unlike_pairs_do_not_count),
+		cmocka_unit_test(without_light_there_is_no_seam), cmocka_unit_test(corners_face_from_their_heights_on)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

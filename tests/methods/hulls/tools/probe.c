@@ -161,7 +161,7 @@ static bool try_indirect(const traced *t, u32 pixel)
 	return irradiance[0] > 0;
 }
 
-static void test_indirect(void **state)
+static void the_probe_tells_indirect_light(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_INDIRECT; i++) {
@@ -181,7 +181,7 @@ static void test_indirect(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_indirect),
+		cmocka_unit_test(the_probe_tells_indirect_light),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

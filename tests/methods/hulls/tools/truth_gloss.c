@@ -14,7 +14,7 @@ static ts_truth_glossy surface_of(f32 roughness, ts_v3 n, ts_v3 v, ts_v3 f0)
 }
 
 /* Of metal the BRDF has nothing else. */
-static void test_brdf(void **state)
+static void the_truth_has_the_renderers_brdf(void **state)
 {
 	(void)state;
 	u32 n_bright = 0;
@@ -54,7 +54,7 @@ static double by_parts(const ts_truth_glossy *at, const ts_double3 c[3])
 	return sum;
 }
 
-static void test_triangle(void **state)
+static void the_integral_is_that_of_many_parts(void **state)
 {
 	(void)state;
 	u32 n_bright = 0;
@@ -88,7 +88,7 @@ static double over_sphere(const ts_truth_glossy *at)
 	return sum;
 }
 
-static void test_samples(void **state)
+static void samples_have_the_mean_of_the_integral(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 12; i++) {
@@ -106,9 +106,9 @@ static void test_samples(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_brdf),
-		seeded_test(test_triangle),
-		seeded_test(test_samples),
+		seeded_test(the_truth_has_the_renderers_brdf),
+		seeded_test(the_integral_is_that_of_many_parts),
+		seeded_test(samples_have_the_mean_of_the_integral),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -62,7 +62,7 @@ static double quadrature(const world *w, const ts_gpixel *pixel, double edge)
 }
 
 /* Nothing is in the way: both truths are what pixels gather. */
-static void test_open(void **state)
+static void lamps_in_the_open_light_as_gathered(void **state)
 {
 	(void)state;
 	static const u32 kinds[] = {TS_LIGHT_KIND_SPOT, TS_LIGHT_KIND_POINT, TS_LIGHT_KIND_DIRECTIONAL};
@@ -91,7 +91,7 @@ static void test_open(void **state)
 }
 
 /* A cover over all hides all; one over a half hides what its edge says. `exact` sees neither. */
-static void test_covered(void **state)
+static void a_cover_hides_what_its_edge_says(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 6; i++) {
@@ -125,6 +125,7 @@ static void test_covered(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest lamps[] = {cmocka_unit_test(test_open), cmocka_unit_test(test_covered)};
+	const struct CMUnitTest lamps[] = {cmocka_unit_test(lamps_in_the_open_light_as_gathered),
+	                                   cmocka_unit_test(a_cover_hides_what_its_edge_says)};
 	return cmocka_run_group_tests(lamps, NULL, NULL);
 }

@@ -58,7 +58,7 @@ static void check_square(u32 kind)
 	world_done(w);
 }
 
-static void test_square(void **state)
+static void a_lit_square_lights_by_form_factors(void **state)
 {
 	(void)state;
 	check_square(TS_LIGHT_KIND_DIRECTIONAL);
@@ -66,7 +66,7 @@ static void test_square(void **state)
 }
 
 /* A cover above all keeps the sun off; one between the square and the receivers is lit in its place. */
-static void test_covered(void **state)
+static void a_cover_is_lit_in_its_place(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 2; k++) {
@@ -90,6 +90,7 @@ static void test_covered(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest lights[] = {cmocka_unit_test(test_square), cmocka_unit_test(test_covered)};
+	const struct CMUnitTest lights[] = {cmocka_unit_test(a_lit_square_lights_by_form_factors),
+	                                    cmocka_unit_test(a_cover_is_lit_in_its_place)};
 	return cmocka_run_group_tests(lights, NULL, NULL);
 }

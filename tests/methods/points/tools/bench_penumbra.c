@@ -63,7 +63,7 @@ static void assert_near(double found, double wanted)
 	if (!(fabs(found - wanted) < 1e-3 * wanted)) fail_msg("%g texels, not %g", found, wanted);
 }
 
-static void test_widths(void **state)
+static void penumbras_are_as_wide_as_projected(void **state)
 {
 	(void)state;
 	static const char *const methods[] = {"mvr", "pcss", "ivir"};
@@ -80,6 +80,6 @@ static void test_widths(void **state)
 int main(void)
 {
 	ts_tools_begin();
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_widths)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(penumbras_are_as_wide_as_projected)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

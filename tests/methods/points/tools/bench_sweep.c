@@ -19,7 +19,7 @@ static ts_job small_job(void)
 	return job;
 }
 
-static void test_sweep(void **state)
+static void every_mark_has_its_row(void **state)
 {
 	(void)state;
 	ts_job job = small_job();
@@ -43,7 +43,7 @@ static void test_sweep(void **state)
 	json_decref(root);
 }
 
-static void test_refused(void **state)
+static void accuracy_without_a_truth_is_refused(void **state)
 {
 	(void)state;
 	ts_job job = small_job();
@@ -59,6 +59,7 @@ static void test_refused(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_sweep), cmocka_unit_test(test_refused)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(every_mark_has_its_row),
+	                                   cmocka_unit_test(accuracy_without_a_truth_is_refused)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

@@ -74,18 +74,18 @@ static void check(const char *spec, u32 rate)
 	ts_scene_free(scene);
 }
 
-static void test_watertight(void **state) { check(*state, TS_RATE_WATERTIGHT); }
-static void test_paper(void **state) { check(*state, TS_RATE_PAPER); }
+static void the_watertight_rate_leaves_no_hole(void **state) { check(*state, TS_RATE_WATERTIGHT); }
+static void the_papers_rate_leaves_holes_and_leaks(void **state) { check(*state, TS_RATE_PAPER); }
 
 int main(void)
 {
 	static char atrium[] = "atrium:triangles=10000:texels=32", gallery[] = "gallery:triangles=10000:texels=32";
 	static char dining[] = "dining:triangles=10000:texels=32";
 	const struct CMUnitTest tests[] = {
-		{"watertight: atrium", test_watertight, NULL, NULL, atrium},
-		{"watertight: gallery", test_watertight, NULL, NULL, gallery},
-		{"watertight: dining", test_watertight, NULL, NULL, dining},
-		{"paper: atrium", test_paper, NULL, NULL, atrium},
+		{"watertight: atrium", the_watertight_rate_leaves_no_hole, NULL, NULL, atrium},
+		{"watertight: gallery", the_watertight_rate_leaves_no_hole, NULL, NULL, gallery},
+		{"watertight: dining", the_watertight_rate_leaves_no_hole, NULL, NULL, dining},
+		{"paper: atrium", the_papers_rate_leaves_holes_and_leaks, NULL, NULL, atrium},
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -46,19 +46,19 @@ static void pixels_of(const traced *t)
 	for (u32 i = 0; i < N_TRIED; i++) try_pixel(t, below(t->run.params.width * t->run.params.height));
 }
 
-static void test_pixels_epr(void **state)
+static void terms_of_epr_make_up_the_picture(void **state)
 {
 	(void)state;
 	pixels_of(&epr);
 }
 
-static void test_pixels_mvr(void **state)
+static void terms_of_mvr_make_up_the_picture(void **state)
 {
 	(void)state;
 	pixels_of(&mvr);
 }
 
-static void test_pixels_of_bounces(void **state)
+static void terms_of_bounces_make_up_the_picture(void **state)
 {
 	(void)state;
 	const ts_bounce *queue = data(&epr, TS_B_lookup_second_parent);
@@ -88,7 +88,7 @@ static json_t *try_texel(const traced *t, u64 texel, u64 key, const char *depth,
 	return answer;
 }
 
-static void test_texels(void **state)
+static void the_first_competitor_has_the_texel(void **state)
 {
 	(void)state;
 	const u64 *keys = data(&epr, TS_B_splat_depth_index);
@@ -101,7 +101,7 @@ static void test_texels(void **state)
 }
 
 /* A texel that is marked as tied has two competitors at the least distance. */
-static void test_ties(void **state)
+static void a_tied_texel_has_two_nearest(void **state)
 {
 	(void)state;
 	const u8 *tie = data(&plane, TS_B_splat_tie);
@@ -119,7 +119,7 @@ static void test_ties(void **state)
 }
 
 /* The frame keeps the last reflector's faces alone. */
-static void test_texels_mvr(void **state)
+static void faces_of_mvr_name_their_first_competitor(void **state)
 {
 	(void)state;
 	const u64 *keys = data(&mvr, TS_B_cube_face_depth_triangle);
@@ -198,7 +198,7 @@ static u64 shows(const traced *t, ts_buffer_id id, u32 triangle)
 }
 
 /* The texels of the eye that show a triangle are those that it won; of cubes the run keeps the last one. */
-static void test_triangles_drawn(void **state)
+static void a_triangle_won_what_shows_it(void **state)
 {
 	(void)state;
 	const u64 *seen = data(&mvr, TS_B_eye_depth_triangle), *keys = data(&mvr, TS_B_cube_face_depth_triangle);
@@ -219,7 +219,7 @@ static void test_triangles_drawn(void **state)
 }
 
 /* Triangles that each stage loses, as many as there are, up to 6 each. */
-static void test_triangles(void **state)
+static void each_lost_triangle_is_told_its_stage(void **state)
 {
 	(void)state;
 	static const char *const stages[] = {"visibility", "cull", "splat", "lookup", "no stage"};
@@ -239,7 +239,7 @@ static void test_triangles(void **state)
 }
 
 /* Densities that the second reading of the limit lowers are those of the run. */
-static void test_greatest_side(void **state)
+static void lowered_densities_are_those_of_the_run(void **state)
 {
 	(void)state;
 	u32 n_lowered = 0;
@@ -254,7 +254,7 @@ static void test_greatest_side(void **state)
 	assert_int_equal(n_lowered, N_TRIED);
 }
 
-static void test_points(void **state)
+static void index_and_key_tell_the_same_point(void **state)
 {
 	(void)state;
 	const u64 *keys = data(&epr, TS_B_points_key), *texels = data(&epr, TS_B_splat_depth_index);
@@ -296,7 +296,7 @@ static void assert_told_alike(json_t *a, json_t *b)
 	json_decref(b);
 }
 
-static void test_bufferless(void **state)
+static void points_not_stored_are_told_alike(void **state)
 {
 	(void)state;
 	json_t *a, *b;
@@ -321,7 +321,7 @@ static void test_bufferless(void **state)
 }
 
 /* A texel's first competitor has the colour that the buffer holds, of 8 digits. */
-static void test_forward(void **state)
+static void forward_texels_are_told_by_colour(void **state)
 {
 	(void)state;
 	const u64 *keys = data(&forward, TS_B_splat_depth_colour);
@@ -348,7 +348,7 @@ static void test_forward(void **state)
 	assert_int_equal(ask_triangle(&forward, 0, &none), TS_ERROR);
 }
 
-static void test_nothing_there(void **state)
+static void what_is_not_there_is_refused(void **state)
 {
 	(void)state;
 	json_t *answer;
@@ -366,19 +366,19 @@ static void test_nothing_there(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_pixels_epr),
-		cmocka_unit_test(test_pixels_mvr),
-		cmocka_unit_test(test_pixels_of_bounces),
-		cmocka_unit_test(test_texels),
-		cmocka_unit_test(test_texels_mvr),
-		cmocka_unit_test(test_ties),
-		cmocka_unit_test(test_triangles),
-		cmocka_unit_test(test_triangles_drawn),
-		cmocka_unit_test(test_points),
-		cmocka_unit_test(test_bufferless),
-		cmocka_unit_test(test_forward),
-		cmocka_unit_test(test_nothing_there),
-		cmocka_unit_test(test_greatest_side),
+		cmocka_unit_test(terms_of_epr_make_up_the_picture),
+		cmocka_unit_test(terms_of_mvr_make_up_the_picture),
+		cmocka_unit_test(terms_of_bounces_make_up_the_picture),
+		cmocka_unit_test(the_first_competitor_has_the_texel),
+		cmocka_unit_test(faces_of_mvr_name_their_first_competitor),
+		cmocka_unit_test(a_tied_texel_has_two_nearest),
+		cmocka_unit_test(each_lost_triangle_is_told_its_stage),
+		cmocka_unit_test(a_triangle_won_what_shows_it),
+		cmocka_unit_test(index_and_key_tell_the_same_point),
+		cmocka_unit_test(points_not_stored_are_told_alike),
+		cmocka_unit_test(forward_texels_are_told_by_colour),
+		cmocka_unit_test(what_is_not_there_is_refused),
+		cmocka_unit_test(lowered_densities_are_those_of_the_run),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

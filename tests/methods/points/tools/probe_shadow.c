@@ -79,7 +79,7 @@ static u32 try_shadow(const traced *t, u32 pixel)
 	return lit;
 }
 
-static void test_shadows(void **state)
+static void shadow_samples_add_up_to_the_buffers(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_SHADOWS; i++) {
@@ -101,7 +101,7 @@ static void test_shadows(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_shadows),
+		cmocka_unit_test(shadow_samples_add_up_to_the_buffers),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

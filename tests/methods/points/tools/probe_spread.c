@@ -106,7 +106,7 @@ static void assert_put(ts_spread *s)
 	json_decref(o);
 }
 
-static void test_lost(void **state)
+static void lost_texels_are_counted_by_their_winners(void **state)
 {
 	(void)state;
 	const u64 *held = data(&mvr, FACE);
@@ -125,7 +125,7 @@ static void test_lost(void **state)
 }
 
 /* A buffer that holds every value that was offered: all are won, from any element on. */
-static void test_won(void **state)
+static void texels_that_hold_the_offer_are_won(void **state)
 {
 	(void)state;
 	const u64 *held = data(&mvr, FACE);
@@ -140,7 +140,7 @@ static void test_won(void **state)
 }
 
 /* Of a list every member is found, and nothing between. */
-static void test_place(void **state)
+static void members_of_a_list_are_found(void **state)
 {
 	(void)state;
 	enum { N = 37 };
@@ -154,9 +154,9 @@ static void test_place(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_lost),
-		cmocka_unit_test(test_won),
-		cmocka_unit_test(test_place),
+		cmocka_unit_test(lost_texels_are_counted_by_their_winners),
+		cmocka_unit_test(texels_that_hold_the_offer_are_won),
+		cmocka_unit_test(members_of_a_list_are_found),
 	};
 	return cmocka_run_group_tests(tests, begin, finish);
 }

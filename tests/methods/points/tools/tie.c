@@ -83,7 +83,7 @@ static bool allows(u64 texel, u64 ref, u64 cand)
 }
 
 /* Every texel and pair of points against what each point writes alone. */
-static void test_pairs(void **state)
+static void tied_points_may_change_places(void **state)
 {
 	(void)state;
 	u32 n_allowed = 0, n_refused = 0;
@@ -108,7 +108,7 @@ static u64 tied_texel(void)
 	return texel;
 }
 
-static void test_refused(void **state)
+static void what_is_no_tie_is_refused(void **state)
 {
 	(void)state;
 	u64 texel = tied_texel(), key = alone[0][texel];
@@ -135,7 +135,7 @@ static void test_refused(void **state)
 }
 
 /* Without one of the inputs nothing is free; inputs that name what is not there are an error, never a crash. */
-static void test_inputs(void **state)
+static void without_an_input_nothing_is_free(void **state)
 {
 	(void)state;
 	static const ts_buffer_id ids[] = {TS_B_splat_tie,   TS_B_cube_size_face, TS_B_split_piece,
@@ -168,9 +168,9 @@ static void test_inputs(void **state)
 int main(void)
 {
 	const struct CMUnitTest tie[] = {
-		cmocka_unit_test(test_pairs),
-		cmocka_unit_test(test_refused),
-		cmocka_unit_test(test_inputs),
+		cmocka_unit_test(tied_points_may_change_places),
+		cmocka_unit_test(what_is_no_tie_is_refused),
+		cmocka_unit_test(without_an_input_nothing_is_free),
 	};
 	return cmocka_run_group_tests(tie, begin, end);
 }

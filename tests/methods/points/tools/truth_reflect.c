@@ -127,7 +127,7 @@ static u32 n_unequal(const f32 *a, const f32 *b, u32 n)
 }
 
 /* Where nothing is hit, both see the background through the tint. */
-static void test_background(void **state)
+static void where_nothing_is_hit_the_background_shows(void **state)
 {
 	(void)state;
 	stand *s = stand_new(ts_v3_make(0, 0, 4));
@@ -139,7 +139,7 @@ static void test_background(void **state)
 }
 
 /* Of an environment at infinity it does not matter from where the reflector looks; of a near one it does. */
-static void test_infinity(void **state)
+static void at_infinity_both_truths_agree(void **state)
 {
 	(void)state;
 	static const struct {
@@ -168,7 +168,7 @@ static u32 main_axis(const f32 c[3])
 }
 
 /* Each pixel sees the wall along the greatest component of its direction from the room's middle. */
-static void test_walls(void **state)
+static void each_pixel_sees_its_directions_wall(void **state)
 {
 	(void)state;
 	stand *s = ball_in_room(8, false);
@@ -187,7 +187,7 @@ static void test_walls(void **state)
 }
 
 /* A wall of the reflector itself: B sees it, A looks through it to the wall behind. */
-static void test_own_reflector(void **state)
+static void only_truth_b_sees_the_own_reflector(void **state)
 {
 	(void)state;
 	stand *s = stand_new(ts_v3_make(0.5f, 0, 0));
@@ -203,7 +203,7 @@ static void test_own_reflector(void **state)
 }
 
 /* Two reflectors face to face, a coloured wall behind the first: tint, then the second one's colour, then the wall. */
-static void test_bounces(void **state)
+static void bounces_tint_one_after_the_other(void **state)
 {
 	(void)state;
 	stand *s = stand_new(ts_v3_make(0.5f, 0, 0));
@@ -223,7 +223,7 @@ static void test_bounces(void **state)
 	end(s);
 }
 
-static void test_threads(void **state)
+static void threads_change_no_truth(void **state)
 {
 	(void)state;
 	stand *s = ball_in_room(8, true);
@@ -239,7 +239,7 @@ static void test_threads(void **state)
 }
 
 /* The hits are those of single rays from the cube's centre through the centres of texels. */
-static void test_hits(void **state)
+static void hits_are_those_of_single_rays(void **state)
 {
 	(void)state;
 	stand *s = ball_in_room(8, false);
@@ -261,7 +261,7 @@ static void test_hits(void **state)
 }
 
 /* What rays hit, and the look-ups that are empty there; a look-up behind the last is none. */
-static void test_missed(void **state)
+static void missed_look_ups_are_counted(void **state)
 {
 	(void)state;
 	stand *s = ball_in_room(8, false);
@@ -279,9 +279,14 @@ static void test_missed(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_background),    cmocka_unit_test(test_infinity), cmocka_unit_test(test_walls),
-		cmocka_unit_test(test_own_reflector), cmocka_unit_test(test_bounces),  cmocka_unit_test(test_threads),
-		cmocka_unit_test(test_hits),          cmocka_unit_test(test_missed),
+		cmocka_unit_test(where_nothing_is_hit_the_background_shows),
+		cmocka_unit_test(at_infinity_both_truths_agree),
+		cmocka_unit_test(each_pixel_sees_its_directions_wall),
+		cmocka_unit_test(only_truth_b_sees_the_own_reflector),
+		cmocka_unit_test(bounces_tint_one_after_the_other),
+		cmocka_unit_test(threads_change_no_truth),
+		cmocka_unit_test(hits_are_those_of_single_rays),
+		cmocka_unit_test(missed_look_ups_are_counted),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -109,7 +109,7 @@ static void check_square(f32 reach)
 	end(w);
 }
 
-static void test_square(void **state)
+static void a_square_casts_twice_its_size(void **state)
 {
 	(void)state;
 	check_square(1);
@@ -131,7 +131,7 @@ static u32 lit_below(f32 y, u32 material, bool up, f32 lamp_y)
 }
 
 /* What turns its back to the lamp stops no light, as depth maps have it. */
-static void test_sides(void **state)
+static void backs_stop_no_light(void **state)
 {
 	(void)state;
 	const u32 all = SIDE * SIDE;
@@ -146,7 +146,7 @@ static void test_sides(void **state)
 
 /* A floor does not shade itself, however low the lamp; what lies on it by a hair does. The eye is below the cover
  * then. */
-static void test_contact(void **state)
+static void a_floor_does_not_shade_itself(void **state)
 {
 	(void)state;
 	assert_int_equal(lit_below(-1, 0, true, 0.01f), SIDE * SIDE);
@@ -212,7 +212,7 @@ static void check_penumbra(u32 kind, f32 radius, double scale)
 	end(w);
 }
 
-static void test_penumbra(void **state)
+static void a_half_plane_casts_its_penumbra(void **state)
 {
 	(void)state;
 	check_penumbra(TS_LIGHT_KIND_SPOT, 1, 1);
@@ -295,8 +295,8 @@ static void check_effect(const char *effect, const char *spec)
 	ts_scene_free(scene);
 }
 
-static void test_soft(void **state) { check_effect("soft-shadows", *state); }
-static void test_omni(void **state) { check_effect("omni-shadows", *state); }
+static void soft_shadows_tend_to_the_truth(void **state) { check_effect("soft-shadows", *state); }
+static void omni_shadows_tend_to_the_truth(void **state) { check_effect("omni-shadows", *state); }
 
 /* The product of samples and lights fits no index of views; in 32 bits it may be anything, of the first pair 0. */
 static void check_too_many(u32 n_lamps, const char *message)
@@ -313,7 +313,7 @@ static void check_too_many(u32 n_lamps, const char *message)
 	end(w);
 }
 
-static void test_too_many(void **state)
+static void too_many_samples_are_refused(void **state)
 {
 	(void)state;
 	check_too_many(65536, "truth.area_samples=65536: of 65536 lights at most 16 each would be right");
@@ -324,13 +324,13 @@ int main(void)
 {
 	static char atrium[] = "atrium:triangles=10000:texels=32", gallery[] = "gallery:triangles=10000:texels=32";
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_square),
-		cmocka_unit_test(test_sides),
-		cmocka_unit_test(test_contact),
-		cmocka_unit_test(test_penumbra),
-		cmocka_unit_test(test_too_many),
-		{"soft: atrium", test_soft, NULL, NULL, atrium},
-		{"omni: gallery", test_omni, NULL, NULL, gallery},
+		cmocka_unit_test(a_square_casts_twice_its_size),
+		cmocka_unit_test(backs_stop_no_light),
+		cmocka_unit_test(a_floor_does_not_shade_itself),
+		cmocka_unit_test(a_half_plane_casts_its_penumbra),
+		cmocka_unit_test(too_many_samples_are_refused),
+		{"soft: atrium", soft_shadows_tend_to_the_truth, NULL, NULL, atrium},
+		{"omni: gallery", omni_shadows_tend_to_the_truth, NULL, NULL, gallery},
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

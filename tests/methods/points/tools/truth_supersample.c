@@ -51,7 +51,7 @@ static f32 *mvr(const ts_params *with)
 	return radiance;
 }
 
-static void test_factor_one(void **state)
+static void factor_one_is_mvr_itself(void **state)
 {
 	(void)state;
 	f32 *c = truth_c(1, 2), *m = mvr(&params);
@@ -61,7 +61,7 @@ static void test_factor_one(void **state)
 }
 
 /* By hand: four times four pixels of an enlarged MVR, and no dependence on threads. */
-static void test_box(void **state)
+static void pixels_are_means_of_a_larger_mvr(void **state)
 {
 	(void)state;
 	ts_params big = params;
@@ -90,7 +90,7 @@ static void refuse(const ts_params *with, u32 factor, const char *words)
 	says(words);
 }
 
-static void test_refusals(void **state)
+static void what_cannot_be_supersampled_is_refused(void **state)
 {
 	(void)state;
 	refuse(&params, 0, "factor 0");
@@ -106,9 +106,9 @@ static void test_refusals(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_factor_one),
-		cmocka_unit_test(test_box),
-		cmocka_unit_test(test_refusals),
+		cmocka_unit_test(factor_one_is_mvr_itself),
+		cmocka_unit_test(pixels_are_means_of_a_larger_mvr),
+		cmocka_unit_test(what_cannot_be_supersampled_is_refused),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -99,7 +99,7 @@ static void check_depths(bool parallel)
 	free(w);
 }
 
-static void test_depths(void **state)
+static void wrong_depths_are_counted_by_their_kind(void **state)
 {
 	(void)state;
 	check_depths(false);
@@ -108,7 +108,7 @@ static void test_depths(void **state)
 
 /* Without a bias all that a texel may hold is what its triangle does within half a texel: that is right, and more is
  * not. */
-static void test_limit(void **state)
+static void depth_within_half_a_texel_is_right(void **state)
 {
 	(void)state;
 	world *w = world_new(false);
@@ -127,7 +127,7 @@ static void test_limit(void **state)
 }
 
 /* Environment maps tell radial distances, in steps. */
-static void test_colours(void **state)
+static void environment_maps_tell_radial_distances(void **state)
 {
 	(void)state;
 	world *w = world_new(false);
@@ -149,9 +149,9 @@ static void test_colours(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_depths),
-		cmocka_unit_test(test_limit),
-		cmocka_unit_test(test_colours),
+		cmocka_unit_test(wrong_depths_are_counted_by_their_kind),
+		cmocka_unit_test(depth_within_half_a_texel_is_right),
+		cmocka_unit_test(environment_maps_tell_radial_distances),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

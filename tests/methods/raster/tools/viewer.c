@@ -52,7 +52,7 @@ static double value_of(u32 file, u32 i)
 	return file == 2 ? (double)radiance[i] : srgb[i] / 255.0;
 }
 
-static void test_values(void **state)
+static void copies_hold_what_the_run_made(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 4; k++) {
@@ -68,7 +68,7 @@ static void test_values(void **state)
 	}
 }
 
-static void test_texts(void **state)
+static void copies_say_what_they_show(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 4; k++) {
@@ -84,6 +84,7 @@ static void test_texts(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_values), cmocka_unit_test(test_texts)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(copies_hold_what_the_run_made),
+	                                   cmocka_unit_test(copies_say_what_they_show)};
 	return cmocka_run_group_tests(tests, begin, scratch_remove);
 }

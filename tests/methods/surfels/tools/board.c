@@ -39,7 +39,7 @@ static double error_of(const ts_scene *scene, const ts_params *params, const cha
 	return sqrt(sum / n);
 }
 
-static void test_far_band(void **state)
+static void the_screen_filter_halves_far_errors(void **state)
 {
 	(void)state;
 	ts_scene *scene;
@@ -73,7 +73,7 @@ static double radiance_of(const ts_scene *scene, double albedo)
 
 /* Where cells hold several rows of squares a ray meets light or dark, each by a half: pixels have the mean of both, and
  * deviate as means of that many coins do, each for itself. */
-static void test_noise(void **state)
+static void the_truth_is_as_noisy_as_coins(void **state)
 {
 	(void)state;
 	enum { SIDE = 2 };
@@ -111,6 +111,7 @@ static void test_noise(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_far_band), cmocka_unit_test(test_noise)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(the_screen_filter_halves_far_errors),
+	                                   cmocka_unit_test(the_truth_is_as_noisy_as_coins)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static u64 first_disc(bool drawn)
 }
 
 /* Kernels write where boxes say. */
-static void test_boxes(void **state)
+static void boxes_beyond_the_image_are_refused(void **state)
 {
 	(void)state;
 	static const char *const readers[] = {"surfel_depth", "surfel_blend", "surfel_blend.mean", "surfel_depth.margin",
@@ -64,8 +64,7 @@ static void test_boxes(void **state)
 	}
 }
 
-/* The least and the greatest that are right. */
-static void test_least(void **state)
+static void the_least_and_the_greatest_are_accepted(void **state)
 {
 	(void)state;
 	ts_load load;
@@ -81,7 +80,7 @@ static void test_least(void **state)
 }
 
 /* Where there is a fragment the heaviest has a name. */
-static void test_sums(void **state)
+static void fragments_without_a_heaviest_are_refused(void **state)
 {
 	(void)state;
 	const u64 *sums = ts_frame_data(&run.frame, TS_B_surfel_blend_sum),
@@ -105,7 +104,7 @@ static void test_sums(void **state)
 }
 
 /* Keys name surfels, in the half that is an index. */
-static void test_keys(void **state)
+static void keys_that_name_no_surfel_are_refused(void **state)
 {
 	(void)state;
 	u64 n = ts_frame_n(&run.frame, TS_B_scene_surfel);
@@ -124,7 +123,7 @@ static void test_keys(void **state)
 }
 
 /* A light that shines all around has six views. */
-static void test_cubes(void **state)
+static void a_point_light_needs_six_views(void **state)
 {
 	(void)state;
 	static const char *const askers[] = {"deferred.lit", "deferred.lit_margin"};
@@ -145,8 +144,12 @@ static void test_cubes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_right), cmocka_unit_test(test_boxes), cmocka_unit_test(test_least),
-		cmocka_unit_test(test_sums),  cmocka_unit_test(test_keys),  cmocka_unit_test(test_cubes),
+		cmocka_unit_test(what_is_loaded_is_right),
+		cmocka_unit_test(boxes_beyond_the_image_are_refused),
+		cmocka_unit_test(the_least_and_the_greatest_are_accepted),
+		cmocka_unit_test(fragments_without_a_heaviest_are_refused),
+		cmocka_unit_test(keys_that_name_no_surfel_are_refused),
+		cmocka_unit_test(a_point_light_needs_six_views),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

@@ -50,7 +50,7 @@ static void take(void *user, const ts_disc_met *met)
 	all->sum += met->t + met->r2 + met->surfel;
 }
 
-static void test_all_tried(void **state)
+static void rays_meet_what_trying_all_finds(void **state)
 {
 	(void)state;
 	ts_surfel surfels[N_RANDOM];
@@ -152,7 +152,7 @@ static void assert_pixel(const f32 *radiance, u32 p, const double expected[3])
 
 /* A ray a cell, anywhere in it, and in no pixel, cell or seed as in another: means and spreads as those of a uniform
  * distribution, and no correlation. */
-static void test_places(void **state)
+static void rays_of_cells_are_uniform_and_independent(void **state)
 {
 	(void)state;
 	enum { SIDE = 3, CELLS = SIDE * SIDE, PIXELS = 20000, N = CELLS * PIXELS };
@@ -182,7 +182,7 @@ static void test_places(void **state)
 }
 
 /* An ellipse that faces the eye, in ambient light: a pixel shows it by as many of its rays as stand in the ellipse. */
-static void test_coverage(void **state)
+static void an_ellipse_covers_its_area(void **state)
 {
 	(void)state;
 	const u32 side = 5;
@@ -224,7 +224,7 @@ static void add_facing(ts_build *build, double depth, double radius, const f32 c
 }
 
 /* Discs behind each other: the second is near enough behind the first to be blended with it, the third is not. */
-static void test_blending(void **state)
+static void discs_near_enough_are_blended(void **state)
 {
 	(void)state;
 	const double depth[2] = {4, 4.125 - 0.01}, radius = 5;
@@ -258,7 +258,7 @@ static void test_blending(void **state)
 }
 
 /* A small disc before a large one: the sun throws it as a circle of the same size, away from where the eye sees it. */
-static void test_shadow(void **state)
+static void a_disc_casts_a_shadow_its_size(void **state)
 {
 	(void)state;
 	const f32 grey[3] = {0.5f, 0.5f, 0.5f};
@@ -313,7 +313,7 @@ static bool is_among(const f32 *radiance, const f32 *raster, u32 p)
 
 /* One ray a pixel into the mesh sees the same as the raster about there, but for the levels of textures and details
  * smaller than a pixel. */
-static void test_mesh(void **state)
+static void a_mesh_looks_as_rasterized(void **state)
 {
 	(void)state;
 	static const char *const stages[] = {"pose", "eye", "gbuffer", "deferred", NULL};
@@ -337,7 +337,7 @@ static void test_mesh(void **state)
 }
 
 /* The built-in board by its plane: light and dark in the middle of near squares, the sky above. */
-static void test_board(void **state)
+static void the_board_follows_its_plane(void **state)
 {
 	(void)state;
 	ts_scene *scene;
@@ -371,9 +371,10 @@ static void test_board(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_all_tried), cmocka_unit_test(test_places), cmocka_unit_test(test_coverage),
-		cmocka_unit_test(test_blending),  cmocka_unit_test(test_shadow), cmocka_unit_test(test_mesh),
-		cmocka_unit_test(test_board),
+		cmocka_unit_test(rays_meet_what_trying_all_finds), cmocka_unit_test(rays_of_cells_are_uniform_and_independent),
+		cmocka_unit_test(an_ellipse_covers_its_area),      cmocka_unit_test(discs_near_enough_are_blended),
+		cmocka_unit_test(a_disc_casts_a_shadow_its_size),  cmocka_unit_test(a_mesh_looks_as_rasterized),
+		cmocka_unit_test(the_board_follows_its_plane),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

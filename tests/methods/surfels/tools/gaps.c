@@ -98,7 +98,7 @@ static counts count(const ts_scene *scene, ts_params *params)
 	return c;
 }
 
-static void test_balls(void **state)
+static void balls_have_no_gaps(void **state)
 {
 	(void)state;
 	ts_params params = small_params(160, 120);
@@ -109,7 +109,7 @@ static void test_balls(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_dragon(void **state)
+static void the_dragon_has_hardly_a_gap(void **state)
 {
 	(void)state;
 	char path[512];
@@ -133,6 +133,7 @@ static void test_dragon(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_balls), cmocka_unit_test(test_dragon)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(balls_have_no_gaps),
+	                                   cmocka_unit_test(the_dragon_has_hardly_a_gap)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

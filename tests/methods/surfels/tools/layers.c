@@ -96,7 +96,7 @@ static double expected(void)
 	return (double)found / all;
 }
 
-static void test_carpet(void **state)
+static void a_carpet_is_found_with_its_height(void **state)
 {
 	(void)state;
 	char note[TS_NOTE_CHARS];
@@ -111,7 +111,7 @@ static void test_carpet(void **state)
 	assert_true(fabs((double)(l.gap / GAP) - 1) < 0.1 && strstr(note, "apart") != NULL);
 }
 
-static void test_one_surface(void **state)
+static void one_surface_has_no_layers(void **state)
 {
 	(void)state;
 	char note[TS_NOTE_CHARS];
@@ -125,7 +125,7 @@ static void test_one_surface(void **state)
 	assert_true(l.pixels > 1000 && l.apart == 0 && note[0] == '\0');
 }
 
-static void test_balls(void **state)
+static void balls_have_no_layers(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -141,7 +141,7 @@ static void test_balls(void **state)
 }
 
 /* A scan of parts that are not quite in register. */
-static void test_scans(void **state)
+static void scans_have_hardly_a_layer(void **state)
 {
 	(void)state;
 	static const char *const names[] = {"bunny_splats.glb", "dragon_splats.glb"};
@@ -168,7 +168,8 @@ static void test_scans(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_carpet), cmocka_unit_test(test_one_surface),
-	                                   cmocka_unit_test(test_balls), cmocka_unit_test(test_scans)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(a_carpet_is_found_with_its_height), cmocka_unit_test(one_surface_has_no_layers),
+		cmocka_unit_test(balls_have_no_layers), cmocka_unit_test(scans_have_hardly_a_layer)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

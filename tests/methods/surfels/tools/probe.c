@@ -156,7 +156,7 @@ static u64 try_surfels(const traced *t, u32 x, u32 y)
 	return n;
 }
 
-static void test_surfels(void **state)
+static void the_probe_tells_what_rays_say(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_SURFELS; i++) {
@@ -178,7 +178,7 @@ static void test_surfels(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_surfels),
+		cmocka_unit_test(the_probe_tells_what_rays_say),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

@@ -14,7 +14,7 @@ static int begin(void **state)
 	return 0;
 }
 
-static void test_reflectors(void **state)
+static void reflectors_must_be_indices_of_views(void **state)
 {
 	(void)state;
 	u64 n = ts_frame_n(&run.frame, TS_B_octree_reflector);
@@ -23,7 +23,7 @@ static void test_reflectors(void **state)
 	refuses("view_map.colour", TS_B_view_map_fused_node, 5, "", ts_frame_n(&run.frame, TS_B_octree_node));
 }
 
-static void test_colours(void **state)
+static void every_cube_must_have_a_map(void **state)
 {
 	(void)state;
 	ts_load load;
@@ -42,9 +42,9 @@ static void test_colours(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_right),
-		cmocka_unit_test(test_reflectors),
-		cmocka_unit_test(test_colours),
+		cmocka_unit_test(what_is_loaded_is_right),
+		cmocka_unit_test(reflectors_must_be_indices_of_views),
+		cmocka_unit_test(every_cube_must_have_a_map),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

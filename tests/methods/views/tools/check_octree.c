@@ -51,7 +51,7 @@ static int begin(void **state)
 }
 
 /* Every index of what these stages make, where one of them reads it. */
-static void test_indices(void **state)
+static void every_index_beyond_its_size_is_refused(void **state)
 {
 	(void)state;
 	u32 n_tested = 0;
@@ -77,7 +77,7 @@ static void test_indices(void **state)
 }
 
 /* Lists are written where bits say. */
-static void test_masks(void **state)
+static void masks_must_agree_with_their_sums(void **state)
 {
 	(void)state;
 	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask),
@@ -91,7 +91,7 @@ static void test_masks(void **state)
 	refuses("view_octree", TS_B_view_octree_voxel_before, last, "", 0);
 }
 
-static void test_nodes(void **state)
+static void nodes_must_make_a_tree(void **state)
 {
 	(void)state;
 	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level), leaf = level[LEVELS], n = level[LEVELS + 1];
@@ -119,7 +119,7 @@ static void test_nodes(void **state)
 }
 
 /* A fault in the parent of a node shows where the parent's children are read. */
-static void test_parents(void **state)
+static void a_wrong_parent_shows_at_its_children(void **state)
 {
 	(void)state;
 	ts_load load;
@@ -135,7 +135,7 @@ static void test_parents(void **state)
 }
 
 /* As many leaves as there are, behind nodes that are not there. */
-static void test_levels(void **state)
+static void leaves_beyond_the_nodes_are_refused(void **state)
 {
 	(void)state;
 	ts_load load;
@@ -150,7 +150,7 @@ static void test_levels(void **state)
 }
 
 /* Both halves of a pair are indices; the maps are as large as view_map.px says. */
-static void test_pairs(void **state)
+static void both_halves_of_pairs_are_nodes(void **state)
 {
 	(void)state;
 	ts_load load;
@@ -165,7 +165,7 @@ static void test_pairs(void **state)
 }
 
 /* What pixels draw is a view, and the voxel that they are in a node. */
-static void test_lists(void **state)
+static void drawn_views_must_be_in_their_lists(void **state)
 {
 	(void)state;
 	const u32 *views = ts_frame_data(&run.frame, TS_B_vpl_gather_pair_views);
@@ -202,9 +202,14 @@ static void test_lists(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_right), cmocka_unit_test(test_indices), cmocka_unit_test(test_masks),
-		cmocka_unit_test(test_nodes), cmocka_unit_test(test_parents), cmocka_unit_test(test_levels),
-		cmocka_unit_test(test_pairs), cmocka_unit_test(test_lists),
+		cmocka_unit_test(what_is_loaded_is_right),
+		cmocka_unit_test(every_index_beyond_its_size_is_refused),
+		cmocka_unit_test(masks_must_agree_with_their_sums),
+		cmocka_unit_test(nodes_must_make_a_tree),
+		cmocka_unit_test(a_wrong_parent_shows_at_its_children),
+		cmocka_unit_test(leaves_beyond_the_nodes_are_refused),
+		cmocka_unit_test(both_halves_of_pairs_are_nodes),
+		cmocka_unit_test(drawn_views_must_be_in_their_lists),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

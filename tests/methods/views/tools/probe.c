@@ -150,7 +150,7 @@ static u64 try_culling(const traced *t, const json_t *culling)
 	return unseen + far;
 }
 
-static void test_views(void **state)
+static void the_probe_tells_what_lights_give(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_VIEWS; i++) {
@@ -179,7 +179,7 @@ static void test_views(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_views),
+		cmocka_unit_test(the_probe_tells_what_lights_give),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

@@ -243,7 +243,7 @@ static json_t *ask(const traced *t, u32 index, bool of_light, u32 texel)
 	return told;
 }
 
-static void test_nodes(void **state)
+static void texels_are_told_with_their_ancestors(void **state)
 {
 	(void)state;
 	u32 n_moved = 0;
@@ -266,7 +266,7 @@ static void test_nodes(void **state)
 }
 
 /* Of a light the map of its leaf is told. */
-static void test_lights(void **state)
+static void a_light_shows_its_leafs_map(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_METHODS; i++) {
@@ -285,7 +285,7 @@ static void test_lights(void **state)
 }
 
 /* A pixel asks for more buffers than a texel, and a texel after it for no fewer. */
-static void test_pixel_between(void **state)
+static void a_pixel_between_changes_no_texel(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_METHODS; i++) {
@@ -301,7 +301,7 @@ static void test_pixel_between(void **state)
 
 /* Leaves near a light's leaf are told of, unless they are rendered; without a hierarchy these are just those that the
  * light sees. */
-static void test_near(void **state)
+static void leaves_too_near_are_told(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_METHODS; i++) {
@@ -330,7 +330,7 @@ static void test_near(void **state)
 	}
 }
 
-static void test_nothing_there(void **state)
+static void what_is_not_there_is_refused(void **state)
 {
 	(void)state;
 	json_t *told;
@@ -350,8 +350,9 @@ static void test_nothing_there(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_nodes), cmocka_unit_test(test_lights),        cmocka_unit_test(test_pixel_between),
-		cmocka_unit_test(test_near),  cmocka_unit_test(test_nothing_there),
+		cmocka_unit_test(texels_are_told_with_their_ancestors), cmocka_unit_test(a_light_shows_its_leafs_map),
+		cmocka_unit_test(a_pixel_between_changes_no_texel),     cmocka_unit_test(leaves_too_near_are_told),
+		cmocka_unit_test(what_is_not_there_is_refused),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

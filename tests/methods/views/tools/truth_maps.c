@@ -40,7 +40,7 @@ static ts_texel_counts counts_of(const ts_scene *scene, const ts_params *params,
 	return counts;
 }
 
-static void test_sizes(void **state)
+static void finer_maps_are_less_often_wrong(void **state)
 {
 	(void)state;
 	ts_params coarse = params_of(16), fine = params_of(128), middle = coarse, distance = coarse;
@@ -58,7 +58,7 @@ static void test_sizes(void **state)
 }
 
 /* Maps that show nothing let all light through, those that show what is at the light none; rays stay what they are. */
-static void test_planted(void **state)
+static void planted_maps_are_found_empty_or_full(void **state)
 {
 	(void)state;
 	ts_params params = params_of(16);
@@ -90,6 +90,7 @@ static void test_planted(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_sizes), cmocka_unit_test(test_planted)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(finer_maps_are_less_often_wrong),
+	                                   cmocka_unit_test(planted_maps_are_found_empty_or_full)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

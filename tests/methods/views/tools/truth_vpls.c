@@ -20,7 +20,7 @@ static double from_particle(const ts_gpixel *at, const ts_vpl *light, double rea
 }
 
 /* Receivers below a row of particles, with a cover in between and without. */
-static void test_particles(void **state)
+static void particles_light_what_they_see(void **state)
 {
 	(void)state;
 	double sum[2] = {0};
@@ -51,6 +51,6 @@ static void test_particles(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest vpls[] = {cmocka_unit_test(test_particles)};
+	const struct CMUnitTest vpls[] = {cmocka_unit_test(particles_light_what_they_see)};
 	return cmocka_run_group_tests(vpls, NULL, NULL);
 }

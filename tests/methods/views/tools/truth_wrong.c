@@ -120,7 +120,7 @@ static ts_wrong blamed(const world *w, const question *q, const ts_node *node)
 }
 
 /* Every leaf is shown by the one texel in turn. */
-static void test_dark(void **state)
+static void wrong_shadows_have_the_reason_of_geometry(void **state)
 {
 	(void)state;
 	world w;
@@ -145,7 +145,7 @@ static void test_dark(void **state)
 }
 
 /* Texels that show no node, one behind the place, and one before the place but not above its plane. */
-static void test_lit(void **state)
+static void wrong_light_has_the_reason_of_geometry(void **state)
 {
 	(void)state;
 	world w;
@@ -196,7 +196,7 @@ static bool meets_masked(const world *w, const question *q)
 	return false;
 }
 
-static void test_cut_outs(void **state)
+static void light_through_cut_outs_meets_alpha(void **state)
 {
 	(void)state;
 	world w;
@@ -217,7 +217,7 @@ static void test_cut_outs(void **state)
 	end(&w);
 }
 
-static void test_sums(void **state)
+static void reasons_add_up_to_wrong_answers(void **state)
 {
 	(void)state;
 	world w;
@@ -232,7 +232,9 @@ static void test_sums(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_dark), cmocka_unit_test(test_lit),
-	                                   cmocka_unit_test(test_cut_outs), cmocka_unit_test(test_sums)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(wrong_shadows_have_the_reason_of_geometry),
+	                                   cmocka_unit_test(wrong_light_has_the_reason_of_geometry),
+	                                   cmocka_unit_test(light_through_cut_outs_meets_alpha),
+	                                   cmocka_unit_test(reasons_add_up_to_wrong_answers)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
