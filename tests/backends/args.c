@@ -6,7 +6,7 @@
 static size_t bytes_of(const ts_arg *row, size_t next) { return next - row->offset; }
 
 /* Rows stand in the order of the members, without a gap that alignment does not ask for. */
-static void test_rows_cover(void **state)
+static void rows_cover_the_arguments_without_a_gap(void **state)
 {
 	(void)state;
 	for (u32 kernel = 0; kernel < TS_N_KERNELS; kernel++) {
@@ -23,7 +23,7 @@ static void test_rows_cover(void **state)
 	}
 }
 
-static void test_names(void **state)
+static void pointers_have_names_of_their_own(void **state)
 {
 	(void)state;
 	assert_string_equal(ts_kernel_name(TS_KERNEL_splat), "splat");
@@ -47,7 +47,7 @@ static ts_bound bound(const ts_launch *launch, const char *name)
 	return (ts_bound){false, TS_ROLE_IN, 0};
 }
 
-static void test_binds(void **state)
+static void launches_bind_what_they_say(void **state)
 {
 	(void)state;
 	static const ts_launch plain = TS_LAUNCH(splat, TS_ALL);
@@ -66,7 +66,7 @@ static void test_binds(void **state)
 }
 
 /* The name of a struct stands for all in it, and for nothing that only begins like it. */
-static void test_binds_of_structs(void **state)
+static void a_structs_name_binds_all_in_it(void **state)
 {
 	(void)state;
 	static const ts_launch half = TS_LAUNCH(lookup, TS_BUT(from.scene));
@@ -80,7 +80,7 @@ static void test_binds_of_structs(void **state)
 	assert_false(ts_launch_knows(&part, "n_samples"));
 }
 
-static void test_parts(void **state)
+static void arrays_of_scatters_may_be_parted(void **state)
 {
 	(void)state;
 	assert_true(ts_may_be_parted(TS_B_splat_depth_index) && ts_may_be_parted(TS_B_points_key));
@@ -90,8 +90,11 @@ static void test_parts(void **state)
 int main(void)
 {
 	const struct CMUnitTest args[] = {
-		cmocka_unit_test(test_rows_cover),       cmocka_unit_test(test_names), cmocka_unit_test(test_binds),
-		cmocka_unit_test(test_binds_of_structs), cmocka_unit_test(test_parts),
+		cmocka_unit_test(rows_cover_the_arguments_without_a_gap),
+		cmocka_unit_test(pointers_have_names_of_their_own),
+		cmocka_unit_test(launches_bind_what_they_say),
+		cmocka_unit_test(a_structs_name_binds_all_in_it),
+		cmocka_unit_test(arrays_of_scatters_may_be_parted),
 	};
 	return cmocka_run_group_tests(args, NULL, NULL);
 }

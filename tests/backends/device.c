@@ -122,7 +122,7 @@ static void launches(ts_backend *backend)
 	free_pieces(p);
 }
 
-static void test_launch(void **state)
+static void a_launch_runs_each_item_once(void **state)
 {
 	(void)state;
 	with_groups(launches);
@@ -149,7 +149,7 @@ static void lend(ts_backend *backend)
 	assert_int_equal(backend->finish(backend), TS_OK);
 }
 
-static void test_lend(void **state)
+static void lent_memory_has_what_was_last_written(void **state)
 {
 	(void)state;
 	with_memories(lend);
@@ -179,7 +179,7 @@ static void in_turn(ts_backend *backend)
 	free_pieces(p);
 }
 
-static void test_in_turn(void **state)
+static void both_sides_may_write_in_turn(void **state)
 {
 	(void)state;
 	with_memories(in_turn);
@@ -202,7 +202,7 @@ static void fills(ts_backend *backend)
 	}
 }
 
-static void test_fill(void **state)
+static void filling_sets_every_byte(void **state)
 {
 	(void)state;
 	with_memories(fills);
@@ -237,7 +237,7 @@ static void scans(ts_backend *backend)
 	for (u32 i = 0; i < 30; i++) scan(backend, random_bits() % MOST, i % 2 != 0 ? 9 : 0xffffffff);
 }
 
-static void test_scan(void **state)
+static void device_sums_follow_their_definition(void **state)
 {
 	(void)state;
 	with_groups(scans);
@@ -368,7 +368,7 @@ static void pipelines(ts_backend *backend)
 	}
 }
 
-static void test_pipelines(void **state)
+static void whole_pipelines_have_the_bits_of_c(void **state)
 {
 	(void)state;
 	with_memories(pipelines);
@@ -377,8 +377,9 @@ static void test_pipelines(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_launch), cmocka_unit_test(test_lend), cmocka_unit_test(test_in_turn),
-		cmocka_unit_test(test_fill),   cmocka_unit_test(test_scan), cmocka_unit_test(test_pipelines),
+		cmocka_unit_test(a_launch_runs_each_item_once),        cmocka_unit_test(lent_memory_has_what_was_last_written),
+		cmocka_unit_test(both_sides_may_write_in_turn),        cmocka_unit_test(filling_sets_every_byte),
+		cmocka_unit_test(device_sums_follow_their_definition), cmocka_unit_test(whole_pipelines_have_the_bits_of_c),
 	};
 	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);

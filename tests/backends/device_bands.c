@@ -58,7 +58,7 @@ static void sums_of(ts_sums *sums, const char *effect, const char *method, bool 
 }
 
 /* The kernels that draw rows, or points by pieces, get many items for each; points are splatted one by one. */
-static void test_bands(void **state)
+static void bands_have_the_bits_of_whole_items(void **state)
 {
 	(void)state;
 	static const struct {
@@ -93,7 +93,7 @@ static bool knows_bands(const ts_arg_list *list)
 
 /* Each kernel whose arguments have bands gets them, but those that share a struct with one: they are over points or
  * texels. */
-static void test_every_kernel(void **state)
+static void every_kernel_that_knows_bands_gets_them(void **state)
 {
 	(void)state;
 	static u64 args[TS_ARGUMENTS / sizeof(u64)];
@@ -109,7 +109,7 @@ static void test_every_kernel(void **state)
 	}
 }
 
-static void test_points(void **state)
+static void points_by_bands_go_one_by_one(void **state)
 {
 	(void)state;
 	ts_sums by_pieces, by_points;
@@ -122,7 +122,8 @@ static void test_points(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_bands), cmocka_unit_test(test_every_kernel),
-	                                   cmocka_unit_test(test_points)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(bands_have_the_bits_of_whole_items),
+	                                   cmocka_unit_test(every_kernel_that_knows_bands_gets_them),
+	                                   cmocka_unit_test(points_by_bands_go_one_by_one)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

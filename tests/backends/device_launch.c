@@ -54,7 +54,7 @@ static void assert_untouched(size_t from, size_t to)
 }
 
 /* Every kernel, for few items and for many. */
-static void test_bands(void **state)
+static void bands_shorten_the_loops_of_an_item(void **state)
 {
 	(void)state;
 	static const u64 counts[] = {1, 4096, 5000, (1 << 20) - 1, 1 << 20, 1 << 24};
@@ -81,7 +81,7 @@ static void test_bands(void **state)
 }
 
 /* Points by pieces go piece by piece, but where loops end, and where points are marked. */
-static void test_pieces(void **state)
+static void points_by_pieces_go_piece_by_piece(void **state)
 {
 	(void)state;
 	u32 offset[2];
@@ -98,7 +98,7 @@ static void test_pieces(void **state)
 	}
 }
 
-static void test_nothing(void **state)
+static void no_items_launch_nothing(void **state)
 {
 	(void)state;
 	launch(TS_KERNEL_eye, true, 0);
@@ -107,7 +107,8 @@ static void test_nothing(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_bands), cmocka_unit_test(test_pieces),
-	                                   cmocka_unit_test(test_nothing)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(bands_shorten_the_loops_of_an_item),
+	                                   cmocka_unit_test(points_by_pieces_go_piece_by_piece),
+	                                   cmocka_unit_test(no_items_launch_nothing)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,7 +32,7 @@ static void in_parts(const ts_backend_kind *kind)
 	}
 }
 
-static void test_parts(void **state)
+static void arrays_in_parts_have_the_same_bits(void **state)
 {
 	(void)state;
 	device_each(in_parts);
@@ -49,7 +49,7 @@ static void too_many(const ts_backend_kind *kind)
 	backend->close(backend);
 }
 
-static void test_too_many(void **state)
+static void too_many_parts_are_refused(void **state)
 {
 	(void)state;
 	device_each(too_many);
@@ -57,7 +57,8 @@ static void test_too_many(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_parts), cmocka_unit_test(test_too_many)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(arrays_in_parts_have_the_same_bits),
+	                                   cmocka_unit_test(too_many_parts_are_refused)};
 	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,7 +26,7 @@ static void traverse(const ts_backend_kind *kind)
 	ts_scene_free(scene);
 }
 
-static void test_traverse(void **state)
+static void a_device_traverses_the_same_pairs(void **state)
 {
 	(void)state;
 	device_each(traverse);
@@ -34,7 +34,7 @@ static void test_traverse(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_traverse)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(a_device_traverses_the_same_pairs)};
 	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

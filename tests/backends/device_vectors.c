@@ -11,7 +11,7 @@ static void vectors(const ts_backend_kind *kind)
 	backend->close(backend);
 }
 
-static void test_vectors(void **state)
+static void every_device_gives_every_vector(void **state)
 {
 	(void)state;
 	device_each(vectors);
@@ -19,7 +19,7 @@ static void test_vectors(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_vectors)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(every_device_gives_every_vector)};
 	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

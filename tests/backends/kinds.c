@@ -2,7 +2,7 @@
 #include "../model/test.h"
 #include "../../src/backends/backend.h"
 
-static void test_found(void **state)
+static void each_kind_is_found_by_its_name(void **state)
 {
 	(void)state;
 	const ts_backend_kind *kind;
@@ -17,7 +17,7 @@ static void test_found(void **state)
 	for (u32 i = 0; i < n; i++) assert_non_null(strstr(ts_error_message(), ts_backend_kinds[i]->name));
 }
 
-static void test_no_device(void **state)
+static void an_absent_device_leaves_none(void **state)
 {
 	(void)state;
 	for (u32 i = 1; ts_backend_kinds[i] != NULL; i++) {
@@ -33,6 +33,7 @@ static void test_no_device(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_found), cmocka_unit_test(test_no_device)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(each_kind_is_found_by_its_name),
+	                                   cmocka_unit_test(an_absent_device_leaves_none)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@ static void refuses(const char *words, ts_backend_options options)
 	says(words);
 }
 
-static void test_refused(void **state)
+static void wrong_devices_and_builds_are_refused(void **state)
 {
 	(void)state;
 	if (!device_is_there(&ts_opencl_kind)) skip();
@@ -53,7 +53,7 @@ static void breaks(const char *build, const char *primitive)
 	assert_true(a.n_wrong > 0);
 }
 
-static void test_vectors(void **state)
+static void vectors_see_what_options_change(void **state)
 {
 	(void)state;
 	if (!device_is_there(&ts_opencl_kind)) skip();
@@ -72,7 +72,8 @@ static void test_vectors(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_refused), cmocka_unit_test(test_vectors)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(wrong_devices_and_builds_are_refused),
+	                                   cmocka_unit_test(vectors_see_what_options_change)};
 	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

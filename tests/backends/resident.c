@@ -58,7 +58,7 @@ static const u32 *write_and_read(ts_store *store, ts_frame *frame)
 	return ts_frame_data(frame, TS_B_cull_keep);
 }
 
-static void test_failure_once(void **state)
+static void a_failure_is_told_once(void **state)
 {
 	(void)state;
 	ts_store store = store_of();
@@ -74,7 +74,7 @@ static void test_failure_once(void **state)
 }
 
 /* The fetch fails and keeps its message. The next finish tells it, though the device has nothing left to do. */
-static void test_kept(void **state)
+static void a_failed_fetch_keeps_its_message(void **state)
 {
 	(void)state;
 	ts_store store = store_of();
@@ -89,6 +89,7 @@ static void test_kept(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_failure_once), cmocka_unit_test(test_kept)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(a_failure_is_told_once),
+	                                   cmocka_unit_test(a_failed_fetch_keeps_its_message)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

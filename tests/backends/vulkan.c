@@ -18,7 +18,7 @@ static void refuses(const char *words, ts_backend_options options)
 	says(words);
 }
 
-static void test_refused(void **state)
+static void wrong_devices_and_groups_are_refused(void **state)
 {
 	(void)state;
 	need();
@@ -31,7 +31,7 @@ static void test_refused(void **state)
 }
 
 /* Quotients and roots of integers are those of the processor. */
-static void test_repair(void **state)
+static void repaired_quotients_and_roots_are_exact(void **state)
 {
 	(void)state;
 	need();
@@ -62,7 +62,7 @@ static ts_status sum(ts_backend *backend, u32 *counts, u64 *sums, u64 n)
 }
 
 /* Two million items of the first step in dispatches of few groups, and 2 million turns of the second. */
-static void test_many(void **state)
+static void sums_of_many_groups_are_right(void **state)
 {
 	(void)state;
 	need();
@@ -85,8 +85,9 @@ static void test_many(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_refused), cmocka_unit_test(test_repair),
-	                                   cmocka_unit_test(test_many)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(wrong_devices_and_groups_are_refused),
+	                                   cmocka_unit_test(repaired_quotients_and_roots_are_exact),
+	                                   cmocka_unit_test(sums_of_many_groups_are_right)};
 	device_begin();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

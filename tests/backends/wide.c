@@ -20,7 +20,7 @@ static const void *version_with(unsigned lanes)
 	return found;
 }
 
-static void test_versions(void **state)
+static void each_width_has_its_own_version(void **state)
 {
 	(void)state;
 #if defined(__x86_64__)
@@ -39,7 +39,7 @@ static void refused_as(const char *text, const char *why)
 	assert_int_equal(ts_most_lanes, 16);
 }
 
-static void test_chosen(void **state)
+static void lanes_are_chosen_by_the_environment(void **state)
 {
 	(void)state;
 	unsetenv("TS_LANES");
@@ -64,8 +64,8 @@ static void test_chosen(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_versions),
-		cmocka_unit_test(test_chosen),
+		cmocka_unit_test(each_width_has_its_own_version),
+		cmocka_unit_test(lanes_are_chosen_by_the_environment),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

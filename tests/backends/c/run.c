@@ -4,7 +4,7 @@
 #include "../../../src/backends/kernels.h"
 
 /* Prefix sums against their definition; the total may need more than 32 bits. */
-static void test_scan(void **state)
+static void prefix_sums_follow_their_definition(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -24,7 +24,7 @@ static void test_scan(void **state)
 }
 
 /* Filling, by any number of threads. */
-static void test_fill(void **state)
+static void filling_sets_every_byte(void **state)
 {
 	(void)state;
 	for (u32 n = 0; n < 300; n++) {
@@ -39,7 +39,7 @@ static void test_fill(void **state)
 }
 
 /* n pieces culled on `threads` threads are those culled one after another, and nothing beyond the last is touched. */
-static void test_launch(void **state)
+static void every_item_runs_once_on_any_threads(void **state)
 {
 	(void)state;
 	enum { MOST = 20000 };
@@ -70,9 +70,9 @@ static void test_launch(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_scan),
-		cmocka_unit_test(test_fill),
-		cmocka_unit_test(test_launch),
+		cmocka_unit_test(prefix_sums_follow_their_definition),
+		cmocka_unit_test(filling_sets_every_byte),
+		cmocka_unit_test(every_item_runs_once_on_any_threads),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

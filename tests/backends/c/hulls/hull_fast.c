@@ -97,7 +97,7 @@ static ts_hull_args arguments(const world *w, result *r, u32 width)
 	};
 }
 
-static void test_equal(void **state)
+static void fast_hulls_equal_the_kernel(void **state)
 {
 	(void)state;
 	static world w;
@@ -126,6 +126,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
+	const struct CMUnitTest tests[] = {seeded_test(fast_hulls_equal_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,7 +21,7 @@ static void random_piece(ts_piece *piece)
 	}
 }
 
-static void test_equal(void **state)
+static void fast_alignment_equals_the_kernel(void **state)
 {
 	static ts_piece pieces[PIECES];
 	static ts_align frames[2][PIECES];
@@ -49,6 +49,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_alignment_equals_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -58,7 +58,7 @@ static u8 *read_by_kernel(const scene *s)
 	return reads;
 }
 
-static void test_marks(void **state)
+static void just_the_texels_read_are_marked(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -112,7 +112,7 @@ static ts_box random_box(u32 n)
 	return (ts_box){far ? ts_min_i32(a, b) : a, far ? ts_min_i32(c, d) : c, x1, y1};
 }
 
-static void test_boxes(void **state)
+static void boxes_without_a_mark_are_told(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -137,7 +137,7 @@ static void test_boxes(void **state)
 }
 
 /* Closed texels keep a key that nothing beats, and are empty after it; the others never change. */
-static void test_closed(void **state)
+static void closed_texels_keep_a_key_nothing_beats(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -157,7 +157,8 @@ static void test_closed(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_marks), cmocka_unit_test(test_boxes),
-	                                   cmocka_unit_test(test_closed)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(just_the_texels_read_are_marked),
+	                                   cmocka_unit_test(boxes_without_a_mark_are_told),
+	                                   cmocka_unit_test(closed_texels_keep_a_key_nothing_beats)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,7 +15,7 @@ static void check(ts_side_dots d)
 	}
 }
 
-static void test_all_small_numbers(void **state)
+static void small_numbers_stay_on_the_triangle(void **state)
 {
 	(void)state;
 	u32 n = 1;
@@ -41,7 +41,7 @@ static f32 random_number(f32 beside)
 	return sort < 2 ? x : beside + x * 0.00000095367431640625f;
 }
 
-static void test_random_numbers(void **state)
+static void random_numbers_stay_on_the_triangle(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -54,6 +54,7 @@ static void test_random_numbers(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_all_small_numbers), cmocka_unit_test(test_random_numbers)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(small_numbers_stay_on_the_triangle),
+	                                   cmocka_unit_test(random_numbers_stay_on_the_triangle)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -66,7 +66,7 @@ static u32 listed(ts_density_part *p, const ts_density_cube *r, u32 what)
 	return ts_density_may_count(list, p, r);
 }
 
-static void test_bounds(void **state)
+static void cubes_that_may_still_count_are_listed(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -89,6 +89,6 @@ static void test_bounds(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_bounds)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(cubes_that_may_still_count_are_listed)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

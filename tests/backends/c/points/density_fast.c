@@ -42,7 +42,7 @@ static void random_scene(mesh *m, ts_offscreen *views, u32 n_views)
 	}
 }
 
-static void test_equal(void **state)
+static void fast_densities_equal_the_kernel(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -106,7 +106,7 @@ static bool eye_is_in_a_ball(const mesh *m)
 	return is;
 }
 
-static void test_equal_of_the_eye(void **state)
+static void fast_eye_densities_equal_the_kernel(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -147,6 +147,7 @@ static void test_equal_of_the_eye(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_equal_of_the_eye)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_densities_equal_the_kernel),
+	                                   cmocka_unit_test(fast_eye_densities_equal_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

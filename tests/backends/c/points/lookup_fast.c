@@ -7,7 +7,7 @@
 
 enum { N = 400, PIXELS = 61 };
 
-static void test_equal(void **state)
+static void fast_look_ups_equal_the_kernel(void **state)
 {
 	(void)state;
 	static const u32 sizes[] = {0, 1, 2, 7, 16, 33, 64};
@@ -52,6 +52,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_look_ups_equal_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -56,7 +56,7 @@ static u32 find_pixels(const ts_mirror_pixel_args *args, u32 n)
 	return sum;
 }
 
-static void test_equal(void **state)
+static void fast_records_equal_the_kernel(void **state)
 {
 	(void)state;
 	u32 n_pixels = 0;
@@ -89,6 +89,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
+	const struct CMUnitTest tests[] = {seeded_test(fast_records_equal_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -76,7 +76,7 @@ static u32 assert_equal(const mesh *m, const setting *s)
 	return n;
 }
 
-static void test_equal(void **state)
+static void fast_points_equal_the_kernel(void **state)
 {
 	static const i32 half_sizes[] = {129, 128, 0};
 	(void)state;
@@ -105,7 +105,7 @@ static bool is_within(const ts_bounds *of, const f32 *const at[3], u32 i)
 }
 
 /* The bounds of a piece hold all of its points, rounded as these are. */
-static void test_bounds(void **state)
+static void bounds_of_a_piece_hold_its_points(void **state)
 {
 	(void)state;
 	static f32 place[3][1024];
@@ -134,7 +134,7 @@ static void test_bounds(void **state)
 }
 
 /* Room that was not counted: the plain kernel counts what finds none. */
-static void test_no_room(void **state)
+static void without_room_the_kernel_counts(void **state)
 {
 	(void)state;
 	mesh m;
@@ -150,7 +150,8 @@ static void test_no_room(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_bounds),
-	                                   cmocka_unit_test(test_no_room)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_points_equal_the_kernel),
+	                                   cmocka_unit_test(bounds_of_a_piece_hold_its_points),
+	                                   cmocka_unit_test(without_room_the_kernel_counts)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static void random_piece(mesh *m)
 	mesh_align(m);
 }
 
-static void test_equal(void **state)
+static void masks_of_samples_cut_as_the_kernel(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -67,6 +67,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(masks_of_samples_cut_as_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -94,7 +94,7 @@ static void spoil(mesh *m)
 	corner[random_bits() % 3] = uniform(-1, 1) * uniform_power(0, 127);
 }
 
-static void test_equal(void **state)
+static void fast_scattering_equals_the_kernel(void **state)
 {
 	(void)state;
 	i64 n_writes = 0, n_missed = 0;
@@ -140,7 +140,7 @@ static void test_equal(void **state)
 
 /* More points than a pool holds, in rows as long as the lattice allows; and what of a pool is left for the next piece
  * may be less than a row. */
-static void test_more_than_a_pool(void **state)
+static void several_pools_equal_the_kernel(void **state)
 {
 	(void)state;
 	n_random = 1;
@@ -181,7 +181,7 @@ static void test_more_than_a_pool(void **state)
 }
 
 /* More views than it takes, and nothing to write to, it leaves to the kernel. */
-static void test_left_out(void **state)
+static void the_kernel_takes_too_many_views(void **state)
 {
 	(void)state;
 	u32 depth;
@@ -194,7 +194,8 @@ static void test_left_out(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_more_than_a_pool),
-	                                   cmocka_unit_test(test_left_out)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_scattering_equals_the_kernel),
+	                                   cmocka_unit_test(several_pools_equal_the_kernel),
+	                                   cmocka_unit_test(the_kernel_takes_too_many_views)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -99,7 +99,7 @@ static void random_scene(scene *s)
 	random_entries(s);
 }
 
-static void test_equal(void **state)
+static void fast_shading_equals_the_kernel(void **state)
 {
 	(void)state;
 	static scene s;
@@ -130,7 +130,7 @@ static void test_equal(void **state)
 }
 
 /* Where samples end a pixel early, the plain kernel counts. */
-static void test_adaptive(void **state)
+static void the_kernel_shades_adaptively(void **state)
 {
 	(void)state;
 	ts_lookup_args args = {.adaptive = 1};
@@ -139,6 +139,7 @@ static void test_adaptive(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_adaptive)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_shading_equals_the_kernel),
+	                                   cmocka_unit_test(the_kernel_shades_adaptively)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -56,7 +56,7 @@ static void splat(u32 *to, i64 tally[5], const ts_shadow_splat_args *like, u32 n
 	}
 }
 
-static void test_equal(void **state)
+static void fast_shadow_splats_equal_the_kernel(void **state)
 {
 	(void)state;
 	i64 n_writes = 0, n_splats = 0;
@@ -92,6 +92,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_shadow_splats_equal_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

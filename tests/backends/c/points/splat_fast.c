@@ -143,7 +143,7 @@ static u64 assert_asked(const mesh *m, const setting *s, u32 n_pixels)
 	return n_read;
 }
 
-static void test_equal(void **state)
+static void fast_splats_equal_the_kernel(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -169,7 +169,7 @@ static void test_equal(void **state)
 }
 
 /* Pieces of split triangles, in their order. */
-static void test_equal_in_pieces(void **state)
+static void fast_splats_of_pieces_equal_the_kernel(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -197,7 +197,7 @@ static void test_equal_in_pieces(void **state)
 }
 
 /* A piece of several clusters, of which the last may be the nearest, and then pieces of a few points. */
-static void test_asked_in_clusters(void **state)
+static void asked_texels_of_clusters_equal_the_kernel(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -222,7 +222,8 @@ static void test_asked_in_clusters(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_equal_in_pieces),
-	                                   cmocka_unit_test(test_asked_in_clusters)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_splats_equal_the_kernel),
+	                                   cmocka_unit_test(fast_splats_of_pieces_equal_the_kernel),
+	                                   cmocka_unit_test(asked_texels_of_clusters_equal_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

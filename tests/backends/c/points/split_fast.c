@@ -65,7 +65,7 @@ static u32 assert_equal(const mesh *m, ts_density_args args, u32 threads, u32 st
 	return n;
 }
 
-static void test_equal(void **state)
+static void fast_split_equals_the_kernel(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -85,6 +85,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_split_equals_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

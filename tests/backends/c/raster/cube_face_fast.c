@@ -16,7 +16,7 @@ static void random_cubes(ts_face *cubes)
 	}
 }
 
-static void test_equal(void **state)
+static void fast_cube_faces_equal_the_kernel(void **state)
 {
 	static small_scene s;
 	static u64 plain[TEXELS], fast[TEXELS];
@@ -47,6 +47,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
+	const struct CMUnitTest tests[] = {seeded_test(fast_cube_faces_equal_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

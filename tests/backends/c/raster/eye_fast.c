@@ -20,7 +20,7 @@ static ts_view random_view(void)
 	return r;
 }
 
-static void test_equal(void **state)
+static void the_fast_eye_equals_the_kernel(void **state)
 {
 	static small_scene s;
 	static u64 plain[TEXELS], fast[TEXELS];
@@ -49,6 +49,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
+	const struct CMUnitTest tests[] = {seeded_test(the_fast_eye_equals_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -53,7 +53,7 @@ static void check(ts_fragment_batch *b, const ts_arrays *scene, const ts_camera_
 	b->n = 0;
 }
 
-static void test_equal(void **state)
+static void fragments_abreast_equal_the_kernel(void **state)
 {
 	(void)state;
 	static small_scene s;
@@ -80,6 +80,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
+	const struct CMUnitTest tests[] = {seeded_test(fragments_abreast_equal_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

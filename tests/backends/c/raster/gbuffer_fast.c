@@ -23,7 +23,7 @@ static void check(const ts_run *run, u32 n_triangles)
 	assert_memory_equal(plain, fast, sizeof plain);
 }
 
-static void test_equal(void **state)
+static void the_fast_gbuffer_equals_the_kernel(void **state)
 {
 	(void)state;
 	with_run(check, N);
@@ -31,6 +31,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
+	const struct CMUnitTest tests[] = {seeded_test(the_fast_gbuffer_equals_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

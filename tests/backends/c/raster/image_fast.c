@@ -56,7 +56,7 @@ static void check(const ts_run *run, u32 n_triangles)
 	if (memcmp(&plain, &fast, sizeof plain) != 0) fail_msg("random %u: %u pixels", start, n);
 }
 
-static void test_equal(void **state)
+static void the_fast_picture_equals_the_kernel(void **state)
 {
 	(void)state;
 	with_run(check, N);
@@ -64,6 +64,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
+	const struct CMUnitTest tests[] = {seeded_test(the_fast_picture_equals_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

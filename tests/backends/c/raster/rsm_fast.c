@@ -5,7 +5,7 @@
 
 enum { N = 100 };
 
-static void test_equal(void **state)
+static void fast_reflective_maps_equal_the_kernel(void **state)
 {
 	static small_scene s;
 	static u64 plain[TEXELS], fast[TEXELS];
@@ -34,6 +34,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
+	const struct CMUnitTest tests[] = {seeded_test(fast_reflective_maps_equal_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

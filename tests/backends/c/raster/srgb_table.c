@@ -16,7 +16,7 @@ static void check_around(u32 number)
 	for (u32 k = 0; k < 9; k++) check(number - 4 + k);
 }
 
-static void test_equal(void **state)
+static void the_table_equals_the_search(void **state)
 {
 	(void)state;
 	ts_srgb_table_make(&table);
@@ -31,6 +31,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
+	const struct CMUnitTest tests[] = {seeded_test(the_table_equals_the_search)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -127,7 +127,7 @@ static void compare(const void *user, const ts_surface_batch *of, const ts_surfa
 	}
 }
 
-static void test_equal(void **state)
+static void surfaces_abreast_equal_the_kernel(void **state)
 {
 	(void)state;
 	static small_scene s;
@@ -156,6 +156,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
+	const struct CMUnitTest tests[] = {seeded_test(surfaces_abreast_equal_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

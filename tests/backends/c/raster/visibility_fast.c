@@ -56,7 +56,7 @@ static void random_scene(u32 n_cubes)
 	}
 }
 
-static void test_equal(void **state)
+static void fast_visibility_equals_the_kernel(void **state)
 {
 	(void)state;
 	static u64 plain[TRIANGLES * WORDS], fast[TRIANGLES * WORDS];
@@ -89,7 +89,7 @@ static void test_equal(void **state)
 }
 
 /* Faces that have a corner in sight are the kernel's. */
-static void test_not_by_vertices(void **state)
+static void the_kernel_tests_vertices(void **state)
 {
 	(void)state;
 	ts_visibility_args args = {.vertex_mode = 1};
@@ -98,6 +98,7 @@ static void test_not_by_vertices(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_not_by_vertices)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_visibility_equals_the_kernel),
+	                                   cmocka_unit_test(the_kernel_tests_vertices)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -148,7 +148,7 @@ static void check_equal(const frame *f, const passes *a, const passes *b, const 
 static frame one;
 static passes plain, fast;
 
-static void test_equal(void **state)
+static void fast_surfels_equal_the_kernel(void **state)
 {
 	(void)state;
 	i64 n_fragments = 0, n_boxes = 0, n_shaded = 0;
@@ -176,7 +176,7 @@ static void test_equal(void **state)
 }
 
 /* Refused, with nothing done: exact EWA, and boxes that are all of a large image. */
-static void test_refused(void **state)
+static void the_kernel_takes_ewa_and_large_boxes(void **state)
 {
 	(void)state;
 	enum { SMALL = 4, WIDE = 64 * 64, HIGH = 1 };
@@ -204,6 +204,7 @@ static void test_refused(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_equal), seeded_test(test_refused)};
+	const struct CMUnitTest tests[] = {seeded_test(fast_surfels_equal_the_kernel),
+	                                   seeded_test(the_kernel_takes_ewa_and_large_boxes)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

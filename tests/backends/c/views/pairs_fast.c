@@ -133,7 +133,7 @@ static u32 compare(const traversal *t, u32 threads, u32 start)
 	return n;
 }
 
-static void test_equal(void **state)
+static void pairs_at_once_equal_a_traversal(void **state)
 {
 	(void)state;
 	u64 n_pairs = 0, n_all = 0;
@@ -149,7 +149,7 @@ static void test_equal(void **state)
 }
 
 /* What the lists do not take, and nodes of which the views' are not split first. */
-static void test_refused(void **state)
+static void what_lists_do_not_take_is_refused(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -171,6 +171,7 @@ static void test_refused(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_refused)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(pairs_at_once_equal_a_traversal),
+	                                   cmocka_unit_test(what_lists_do_not_take_is_refused)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

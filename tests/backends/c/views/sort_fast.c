@@ -14,7 +14,7 @@ static u32 random_list(u32 *list, u32 how)
 	return n;
 }
 
-static void test_equal(void **state)
+static void fast_sorting_equals_the_kernel(void **state)
 {
 	(void)state;
 	static u32 offset[LISTS + 1], entries[2][ENTRIES];
@@ -35,6 +35,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_sorting_equals_the_kernel)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -171,7 +171,7 @@ static bool compare(const traversal *plain, u32 threads, unsigned lanes, u32 sta
 	return done;
 }
 
-static void test_equal(void **state)
+static void maps_at_once_equal_those_of_queues(void **state)
 {
 	(void)state;
 	i64 sums[TS_TALLIES_AT_ONCE] = {0};
@@ -194,7 +194,7 @@ static void test_equal(void **state)
 }
 
 /* What the traversal for maps never asks; maps that are no power of two; fewer views than threads. */
-static void test_refused(void **state)
+static void what_maps_do_not_ask_is_refused(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -215,7 +215,7 @@ static void test_refused(void **state)
 }
 
 /* Octrees of which no traversal has so many steps, and none at all. */
-static void test_steps(void **state)
+static void octrees_of_too_many_steps_are_refused(void **state)
 {
 	(void)state;
 	enum { DEEP = 13 };
@@ -259,9 +259,9 @@ static int end(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_equal),
-		cmocka_unit_test(test_refused),
-		cmocka_unit_test(test_steps),
+		cmocka_unit_test(maps_at_once_equal_those_of_queues),
+		cmocka_unit_test(what_maps_do_not_ask_is_refused),
+		cmocka_unit_test(octrees_of_too_many_steps_are_refused),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

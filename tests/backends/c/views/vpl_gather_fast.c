@@ -149,7 +149,7 @@ static u32 compare(ts_vpl_gather_args args, u32 threads, u32 start)
 	return n_lit;
 }
 
-static void test_equal(void **state)
+static void fast_gathering_equals_the_kernel(void **state)
 {
 	(void)state;
 	u32 n_lit = 0;
@@ -163,7 +163,7 @@ static void test_equal(void **state)
 }
 
 /* Maps that are not fused are asked by the plain kernel. */
-static void test_refused(void **state)
+static void the_kernel_takes_maps_not_fused(void **state)
 {
 	(void)state;
 	n_random = 0;
@@ -175,6 +175,7 @@ static void test_refused(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_refused)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(fast_gathering_equals_the_kernel),
+	                                   cmocka_unit_test(the_kernel_takes_maps_not_fused)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
