@@ -155,7 +155,7 @@ static void check_free(const ts_scene *scene)
 
 static const f32 low[3] = {-5.0f, 0.0f, -4.0f}, high[3] = {5.0f, 3.0f, 4.0f};
 
-static void test_room_on_ground(void **state)
+static void a_room_on_ground_keeps_its_box(void **state)
 {
 	(void)state;
 	ts_build *build = start();
@@ -175,7 +175,7 @@ static void test_room_on_ground(void **state)
 }
 
 /* A thing is seen whole from outside, and fills nine tenths of the height or the width, with a ground or without. */
-static void test_thing(void **state)
+static void a_thing_is_seen_whole_from_outside(void **state)
 {
 	(void)state;
 	for (u32 with = 0; with < 3; with++) {
@@ -222,7 +222,7 @@ static void make(ts_build *build, u32 kind)
 }
 
 /* Wherever rays place the mirrors, their mean size at these places is what was asked for, as long as they fit. */
-static void test_mean_size(void **state)
+static void mirrors_have_the_mean_size_asked_for(void **state)
 {
 	(void)state;
 	u32 n_exact = 0, n = 0;
@@ -244,7 +244,7 @@ static void test_mean_size(void **state)
 }
 
 /* Where mirrors that grow again would find too few places they stay as they were, and do not shrink. */
-static void test_no_room_to_grow(void **state)
+static void mirrors_without_room_stay_as_they_were(void **state)
 {
 	(void)state;
 	ts_build *build = start();
@@ -260,7 +260,7 @@ static void test_no_room_to_grow(void **state)
 }
 
 /* "circle" has nothing that rays found. */
-static void test_circle(void **state)
+static void the_circle_asks_no_rays(void **state)
 {
 	(void)state;
 	const ts_scene_options circle = {.camera = TS_CAMERA_CIRCLE};
@@ -278,7 +278,7 @@ static void test_circle(void **state)
 }
 
 /* The first camera is the eye unless another is asked for; its field of view is its own unless fov is said. */
-static void test_cameras(void **state)
+static void the_first_camera_is_the_eye(void **state)
 {
 	(void)state;
 	const f32 eye[3] = {0, 1, 9}, target[3] = {0, 1, 0}, up[3] = {0, 20, 0};
@@ -312,7 +312,7 @@ static void test_cameras(void **state)
 	}
 }
 
-static void test_given(void **state)
+static void given_mirrors_and_lamps_stand_where_told(void **state)
 {
 	(void)state;
 	const f32 mirrors[2][4] = {{1, 1, 1, 0.5f}, {-1, 2, 0, 0.25f}}, lamp[3] = {2, 2.5f, 1};
@@ -338,7 +338,7 @@ static void test_given(void **state)
 }
 
 /* A cupboard stands where the hall would have its lamp. */
-static void test_lamp_in_a_cavity(void **state)
+static void the_lamp_avoids_the_cupboard(void **state)
 {
 	(void)state;
 	ts_build *build = start();
@@ -356,7 +356,7 @@ static void test_lamp_in_a_cavity(void **state)
 
 /* A shelf of two-sided boards, into which the eye looks: the lamp lights the middle of its back through the open front,
  * and not the boards' other sides from above. */
-static void test_lamp_before_a_shelf(void **state)
+static void the_lamp_lights_a_shelf_from_ahead(void **state)
 {
 	(void)state;
 	static const f32 boards[5][2][3] = {{{-1, 0, -0.3f}, {1, 0, 0.3f}},
@@ -383,15 +383,15 @@ static void test_lamp_before_a_shelf(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_room_on_ground),
-		cmocka_unit_test(test_thing),
-		cmocka_unit_test(test_mean_size),
-		cmocka_unit_test(test_no_room_to_grow),
-		cmocka_unit_test(test_circle),
-		cmocka_unit_test(test_cameras),
-		cmocka_unit_test(test_given),
-		cmocka_unit_test(test_lamp_in_a_cavity),
-		cmocka_unit_test(test_lamp_before_a_shelf),
+		cmocka_unit_test(a_room_on_ground_keeps_its_box),
+		cmocka_unit_test(a_thing_is_seen_whole_from_outside),
+		cmocka_unit_test(mirrors_have_the_mean_size_asked_for),
+		cmocka_unit_test(mirrors_without_room_stay_as_they_were),
+		cmocka_unit_test(the_circle_asks_no_rays),
+		cmocka_unit_test(the_first_camera_is_the_eye),
+		cmocka_unit_test(given_mirrors_and_lamps_stand_where_told),
+		cmocka_unit_test(the_lamp_avoids_the_cupboard),
+		cmocka_unit_test(the_lamp_lights_a_shelf_from_ahead),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

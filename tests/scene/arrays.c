@@ -77,7 +77,7 @@ static void of_file(const char *path, u32 n_materials)
 	ts_scene_free(bare);
 }
 
-static void test_files(void **state)
+static void arrays_make_the_scene_of_the_file(void **state)
 {
 	(void)state;
 	of_file("scenes/instances.gltf", 0);
@@ -112,7 +112,7 @@ static ts_scene_arrays square(const ts_material *material, const ts_slot *slot, 
 }
 
 /* A texture becomes a mip chain of linear texels: the four, and their mean. */
-static void test_texture(void **state)
+static void a_texture_becomes_a_mip_chain(void **state)
 {
 	(void)state;
 	ts_params params;
@@ -146,7 +146,7 @@ static void refuses(const ts_scene_arrays *arrays, const ts_scene_options *optio
 	says(words);
 }
 
-static void test_refusals(void **state)
+static void arrays_that_make_no_scene_are_refused(void **state)
 {
 	(void)state;
 	ts_material material = ts_material_default();
@@ -207,9 +207,9 @@ static void test_refusals(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_files),
-		cmocka_unit_test(test_texture),
-		cmocka_unit_test(test_refusals),
+		cmocka_unit_test(arrays_make_the_scene_of_the_file),
+		cmocka_unit_test(a_texture_becomes_a_mip_chain),
+		cmocka_unit_test(arrays_that_make_no_scene_are_refused),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

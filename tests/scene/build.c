@@ -53,7 +53,7 @@ static void refuse(ts_build *build, const char *words)
 	says(words);
 }
 
-static void test_defaults(void **state)
+static void what_is_not_said_has_its_default(void **state)
 {
 	(void)state;
 	ts_scene *scene = finish(start());
@@ -69,7 +69,7 @@ static void test_defaults(void **state)
 }
 
 /* Nothing to draw is a scene too. */
-static void test_empty(void **state)
+static void an_empty_scene_is_a_scene(void **state)
 {
 	(void)state;
 	ts_scene *scene = finish(ts_build_new("empty"));
@@ -80,7 +80,7 @@ static void test_empty(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_sun(void **state)
+static void a_scene_without_lights_gets_a_sun(void **state)
 {
 	(void)state;
 	params.light_irradiance = 5.0f;
@@ -97,7 +97,7 @@ static void test_sun(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_own_lights(void **state)
+static void own_lights_leave_out_the_sun(void **state)
 {
 	(void)state;
 	ts_build *build = start();
@@ -109,7 +109,7 @@ static void test_own_lights(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_sanitized(void **state)
+static void wild_numbers_are_sanitized(void **state)
 {
 	(void)state;
 	ts_build *build = start();
@@ -138,7 +138,7 @@ static void test_sanitized(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_indices_refused(void **state)
+static void wrong_indices_are_refused(void **state)
 {
 	(void)state;
 	ts_build *build = start();
@@ -158,7 +158,7 @@ static void test_indices_refused(void **state)
 	refuse(build, "image 0");
 }
 
-static void test_ranges_refused(void **state)
+static void values_out_of_range_are_refused(void **state)
 {
 	(void)state;
 	const u8 white[4] = {255, 255, 255, 255};
@@ -191,7 +191,7 @@ static void test_ranges_refused(void **state)
 	refuse(build, "flags 8");
 }
 
-static void test_far_coordinates(void **state)
+static void coordinates_beyond_the_limit_are_refused(void **state)
 {
 	(void)state;
 	const f32 limit = 0x1p24f, beyond = 0x1.000002p24f;
@@ -210,7 +210,7 @@ static void test_far_coordinates(void **state)
 	refuse(build, "coordinate");
 }
 
-static void test_first_failure_sticks(void **state)
+static void the_first_failure_sticks(void **state)
 {
 	(void)state;
 	ts_build *build = start();
@@ -224,7 +224,7 @@ static void test_first_failure_sticks(void **state)
 	refuse(build, "first");
 }
 
-static void test_cameras(void **state)
+static void a_camera_is_chosen_by_its_name(void **state)
 {
 	(void)state;
 	for (int i = 0; i < 3; i++) {
@@ -248,7 +248,7 @@ static void test_cameras(void **state)
 }
 
 /* Vertices come in turns for three objects; each object must end as one range that holds its own. */
-static void test_objects_become_ranges(void **state)
+static void objects_become_ranges(void **state)
 {
 	(void)state;
 	ts_build *build = start();
@@ -281,7 +281,7 @@ static void test_objects_become_ranges(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_objects_refused(void **state)
+static void objects_without_vertices_are_refused(void **state)
 {
 	(void)state;
 	ts_object still = {.period = 0};
@@ -296,7 +296,7 @@ static void test_objects_refused(void **state)
 }
 
 /* A scene whose only mesh is a reflector still has a box. */
-static void test_box_of_a_lone_reflector(void **state)
+static void a_lone_reflector_has_a_box(void **state)
 {
 	(void)state;
 	ts_build *build = ts_build_new("reflector");
@@ -310,7 +310,7 @@ static void test_box_of_a_lone_reflector(void **state)
 
 static u32 channel(u64 texel, u32 k) { return (u32)(texel >> (16 * k) & 65535); }
 
-static void test_srgb_table(void **state)
+static void coded_texels_follow_the_curve(void **state)
 {
 	(void)state;
 	u8 codes[256][4];
@@ -357,7 +357,7 @@ static void check_mips(const u8 *rgba, u32 width, u32 height)
 	ts_scene_free(scene);
 }
 
-static void test_mips(void **state)
+static void every_texel_of_mips_is_a_mean(void **state)
 {
 	(void)state;
 	enum { SIDE = 21 };
@@ -371,7 +371,7 @@ static void test_mips(void **state)
 	}
 }
 
-static void test_constant_mips(void **state)
+static void mips_of_a_constant_image_are_constant(void **state)
 {
 	(void)state;
 	u8 rgba[13 * 7 * 4];
@@ -387,22 +387,22 @@ static void test_constant_mips(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_defaults, set_up),
-		cmocka_unit_test_setup(test_empty, set_up),
-		cmocka_unit_test_setup(test_sun, set_up),
-		cmocka_unit_test_setup(test_own_lights, set_up),
-		cmocka_unit_test_setup(test_sanitized, set_up),
-		cmocka_unit_test_setup(test_indices_refused, set_up),
-		cmocka_unit_test_setup(test_ranges_refused, set_up),
-		cmocka_unit_test_setup(test_far_coordinates, set_up),
-		cmocka_unit_test_setup(test_first_failure_sticks, set_up),
-		cmocka_unit_test_setup(test_cameras, set_up),
-		cmocka_unit_test_setup(test_objects_become_ranges, set_up),
-		cmocka_unit_test_setup(test_objects_refused, set_up),
-		cmocka_unit_test_setup(test_box_of_a_lone_reflector, set_up),
-		cmocka_unit_test_setup(test_srgb_table, set_up),
-		cmocka_unit_test_setup(test_mips, set_up),
-		cmocka_unit_test_setup(test_constant_mips, set_up),
+		cmocka_unit_test_setup(what_is_not_said_has_its_default, set_up),
+		cmocka_unit_test_setup(an_empty_scene_is_a_scene, set_up),
+		cmocka_unit_test_setup(a_scene_without_lights_gets_a_sun, set_up),
+		cmocka_unit_test_setup(own_lights_leave_out_the_sun, set_up),
+		cmocka_unit_test_setup(wild_numbers_are_sanitized, set_up),
+		cmocka_unit_test_setup(wrong_indices_are_refused, set_up),
+		cmocka_unit_test_setup(values_out_of_range_are_refused, set_up),
+		cmocka_unit_test_setup(coordinates_beyond_the_limit_are_refused, set_up),
+		cmocka_unit_test_setup(the_first_failure_sticks, set_up),
+		cmocka_unit_test_setup(a_camera_is_chosen_by_its_name, set_up),
+		cmocka_unit_test_setup(objects_become_ranges, set_up),
+		cmocka_unit_test_setup(objects_without_vertices_are_refused, set_up),
+		cmocka_unit_test_setup(a_lone_reflector_has_a_box, set_up),
+		cmocka_unit_test_setup(coded_texels_follow_the_curve, set_up),
+		cmocka_unit_test_setup(every_texel_of_mips_is_a_mean, set_up),
+		cmocka_unit_test_setup(mips_of_a_constant_image_are_constant, set_up),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -74,14 +74,14 @@ static void expect(ts_build *build, double x0, double z0, double x1, double z1)
 	ts_scene_free(scene);
 }
 
-static void test_one_room(void **state)
+static void the_hall_is_the_house(void **state)
 {
 	(void)state;
 	expect(house(), -19.0, -9.5, 19.0, 9.5);
 }
 
 /* A room in the house, beside its middle: the hall is that room. */
-static void test_room_beside_the_middle(void **state)
+static void a_room_off_the_middle_is_found(void **state)
 {
 	(void)state;
 	const f32 low[2] = {-6.0f, -1.0f}, high[2] = {2.0f, 7.0f};
@@ -91,7 +91,7 @@ static void test_room_beside_the_middle(void **state)
 }
 
 /* Backs of walls are not walls, unless the material has two sides. */
-static void test_sides(void **state)
+static void only_two_sided_backs_are_walls(void **state)
 {
 	(void)state;
 	const f32 low[2] = {-4.0f, -4.0f}, high[2] = {4.0f, 4.0f};
@@ -104,7 +104,7 @@ static void test_sides(void **state)
 }
 
 /* Furniture, what hangs from the ceiling, leaves, a post and what stands in the very middle. */
-static void test_not_walls(void **state)
+static void furniture_and_leaves_are_no_walls(void **state)
 {
 	(void)state;
 	const f32 low[2] = {-4.0f, -4.0f}, high[2] = {4.0f, 4.0f};
@@ -128,7 +128,7 @@ static void test_not_walls(void **state)
 }
 
 /* Without a fourth wall it is no hall. */
-static void test_open(void **state)
+static void three_walls_are_no_hall(void **state)
 {
 	(void)state;
 	ts_build *build = start();
@@ -142,7 +142,7 @@ static void test_open(void **state)
 }
 
 /* The added reflectors belong to other objects. */
-static void test_reflectors_are_no_walls(void **state)
+static void reflectors_are_no_walls(void **state)
 {
 	(void)state;
 	const f32 low[2] = {-4.0f, -4.0f}, high[2] = {4.0f, 4.0f};
@@ -156,9 +156,9 @@ static void test_reflectors_are_no_walls(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_one_room), cmocka_unit_test(test_room_beside_the_middle),
-		cmocka_unit_test(test_sides),    cmocka_unit_test(test_not_walls),
-		cmocka_unit_test(test_open),     cmocka_unit_test(test_reflectors_are_no_walls),
+		cmocka_unit_test(the_hall_is_the_house),          cmocka_unit_test(a_room_off_the_middle_is_found),
+		cmocka_unit_test(only_two_sided_backs_are_walls), cmocka_unit_test(furniture_and_leaves_are_no_walls),
+		cmocka_unit_test(three_walls_are_no_hall),        cmocka_unit_test(reflectors_are_no_walls),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,7 +21,7 @@ static double dot4(const f32 *a, const f32 *b)
 }
 
 /* From a about an axis by s of the whole angle, on the shorter of the two arcs. */
-static void test_turn(void **state)
+static void a_turn_follows_the_shorter_arc(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < N; k++) {
@@ -41,7 +41,7 @@ static void test_turn(void **state)
 }
 
 /* Half a degree down to nothing: neither a jump where the arc becomes a line nor a division by 0. */
-static void test_small_turns(void **state)
+static void small_turns_do_not_jump(void **state)
 {
 	(void)state;
 	for (double angle = 0.01; angle > 1e-9; angle *= 0.9) {
@@ -53,7 +53,7 @@ static void test_small_turns(void **state)
 }
 
 /* Quaternions that are opposite turn nothing; those at a right angle have a middle. */
-static void test_far_turns(void **state)
+static void opposite_quaternions_turn_nothing(void **state)
 {
 	(void)state;
 	const f32 a[4] = {0, 0, 0, 1}, opposite[4] = {0, 0, 0, -5}, half[4] = {0, 1, 0, 0};
@@ -65,7 +65,7 @@ static void test_far_turns(void **state)
 	assert_near(to[3], sqrt(0.5), 1e-6);
 }
 
-static void test_line(void **state)
+static void a_line_is_in_proportion(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < N; k++) {
@@ -78,7 +78,7 @@ static void test_line(void **state)
 }
 
 /* A cubic in seconds is its own interpolation: its values and slopes at the ends give it back. */
-static void test_cubic(void **state)
+static void a_cubic_gives_itself_back(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < N; k++) {
@@ -93,8 +93,7 @@ static void test_cubic(void **state)
 	}
 }
 
-/* Keyframes give themselves, without rounding. */
-static void test_ends(void **state)
+static void keyframes_give_themselves_unrounded(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < N; k++) {
@@ -110,7 +109,7 @@ static void test_ends(void **state)
 	}
 }
 
-static void test_count(void **state)
+static void a_path_has_thirty_frames_a_second(void **state)
 {
 	(void)state;
 	assert_int_equal(ts_keyframe_count(0), 1);
@@ -124,8 +123,10 @@ static void test_count(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_turn),  seeded_test(test_small_turns), seeded_test(test_far_turns), seeded_test(test_line),
-		seeded_test(test_cubic), seeded_test(test_ends),        seeded_test(test_count),
+		seeded_test(a_turn_follows_the_shorter_arc),    seeded_test(small_turns_do_not_jump),
+		seeded_test(opposite_quaternions_turn_nothing), seeded_test(a_line_is_in_proportion),
+		seeded_test(a_cubic_gives_itself_back),         seeded_test(keyframes_give_themselves_unrounded),
+		seeded_test(a_path_has_thirty_frames_a_second),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

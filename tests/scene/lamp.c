@@ -59,7 +59,7 @@ static double3 project(const ts_offscreen *view, double3 p)
 
 /* Of spot and point lights on the disc across the axis: the k-th of n within sqrt((k + 1) / n) of the radius, no two
  * alike; one alone in the middle. All look the same way. */
-static void test_disc(void **state)
+static void samples_of_a_disc_lie_within_it(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -89,7 +89,7 @@ static void test_disc(void **state)
 }
 
 /* A spot light looks along its direction, as wide as its cone; a point light, which has none, into the hall. */
-static void test_axes(void **state)
+static void a_spot_looks_along_its_direction(void **state)
 {
 	(void)state;
 	lens.own = true;
@@ -112,7 +112,7 @@ static void test_axes(void **state)
 }
 
 /* A sun's views see all of the scene's box, from outside of it, from directions within the tangent of its radius. */
-static void test_sun(void **state)
+static void a_sun_sees_all_of_the_box(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -144,7 +144,7 @@ static void test_sun(void **state)
 
 /* The lamp: in the box, above its target. Where its light falls at the target's distance all samples' maps reach, up to
  * a radius of 1/36 of the hall's half diagonal; its irradiance there is what was asked for. */
-static void test_spot(void **state)
+static void maps_reach_where_the_spot_shines(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -204,7 +204,7 @@ static double ramp(const ts_light *light, double3 p)
 
 /* Of a thing without walls all is in the full light, and in the maps of all samples; where it throws shadows the maps
  * reach, too, as these are on the same rays. No farther than that: some thing fills the cone. */
-static void test_whole_thing(void **state)
+static void things_are_in_full_light(void **state)
 {
 	(void)state;
 	double least = INFINITY;
@@ -236,7 +236,7 @@ static void test_whole_thing(void **state)
 }
 
 /* The ball's samples: on the sphere, and evenly; one alone in its middle; near is a part of the scene's size. */
-static void test_ball(void **state)
+static void samples_of_balls_lie_on_their_sphere(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
@@ -261,8 +261,9 @@ static void test_ball(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		lamp_test(test_disc), lamp_test(test_axes),        lamp_test(test_sun),
-		lamp_test(test_spot), lamp_test(test_whole_thing), lamp_test(test_ball),
+		lamp_test(samples_of_a_disc_lie_within_it), lamp_test(a_spot_looks_along_its_direction),
+		lamp_test(a_sun_sees_all_of_the_box),       lamp_test(maps_reach_where_the_spot_shines),
+		lamp_test(things_are_in_full_light),        lamp_test(samples_of_balls_lie_on_their_sphere),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -67,7 +67,7 @@ static double truth(double frame, int i)
 	       (s3 - s2) * n * m[1];
 }
 
-static void test_closed_form(void **state)
+static void paths_follow_their_closed_form(void **state)
 {
 	(void)state;
 	ts_scene *scene = open_path(text, false);
@@ -90,7 +90,7 @@ static void test_closed_form(void **state)
 }
 
 /* Keyframes are met, no step is larger than the curve allows, and the eye stands still before and behind. */
-static void test_still(void **state)
+static void the_eye_stands_still_before_and_behind(void **state)
 {
 	(void)state;
 	ts_scene *scene = open_path(text, true);
@@ -116,7 +116,7 @@ static void test_still(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_one_key(void **state)
+static void one_keyframe_is_a_path(void **state)
 {
 	(void)state;
 	ts_scene *scene = open_path("0 1,2,3 4,5,6", false);
@@ -126,7 +126,7 @@ static void test_one_key(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_refused(void **state)
+static void wrong_lines_of_a_path_are_refused(void **state)
 {
 	(void)state;
 	static const char *const rows[][2] = {
@@ -166,7 +166,7 @@ static void test_refused(void **state)
 	}
 }
 
-static void test_large(void **state)
+static void a_path_too_large_is_refused(void **state)
 {
 	(void)state;
 	size_t n = TS_PATH_MAX_BYTES + 1;
@@ -182,7 +182,7 @@ static void test_large(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_locale(void **state)
+static void the_locale_changes_no_number(void **state)
 {
 	(void)state;
 	comma_begin();
@@ -196,8 +196,9 @@ static void test_locale(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_closed_form), cmocka_unit_test(test_still), cmocka_unit_test(test_one_key),
-		cmocka_unit_test(test_refused),     cmocka_unit_test(test_large), cmocka_unit_test(test_locale),
+		cmocka_unit_test(paths_follow_their_closed_form), cmocka_unit_test(the_eye_stands_still_before_and_behind),
+		cmocka_unit_test(one_keyframe_is_a_path),         cmocka_unit_test(wrong_lines_of_a_path_are_refused),
+		cmocka_unit_test(a_path_too_large_is_refused),    cmocka_unit_test(the_locale_changes_no_number),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

@@ -27,7 +27,7 @@ static uint64_t bytes_of(const ts_scene *s)
 	return sum;
 }
 
-static void test_figures(void **state)
+static void text_and_json_have_the_same_figures(void **state)
 {
 	(void)state;
 	static const char *const specs[] = {"atrium:triangles=10000:texels=32", "checkerboard"};
@@ -62,6 +62,6 @@ static void test_figures(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_figures)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(text_and_json_have_the_same_figures)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,7 +87,7 @@ static u32 nearest(double *distance, bool *doubt, const ts_scene *s, const doubl
 	return hit;
 }
 
-static void test_cast(void **state)
+static void rays_meet_the_nearest_triangle(void **state)
 {
 	(void)state;
 	ts_build *build = soup();
@@ -117,7 +117,7 @@ static void test_cast(void **state)
 }
 
 /* No sample of any triangle is nearer, and one is as near. */
-static void test_clearance(void **state)
+static void clearance_is_the_distance_to_the_nearest(void **state)
 {
 	(void)state;
 	ts_build *build = soup();
@@ -148,7 +148,7 @@ static void test_clearance(void **state)
 }
 
 /* The middle of a tetrahedron that faces outwards is inside; other points are not, nor is that of one turned over. */
-static void test_inside(void **state)
+static void only_the_middle_of_bodies_is_inside(void **state)
 {
 	(void)state;
 	static const f32 p[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
@@ -170,7 +170,7 @@ static void test_inside(void **state)
 }
 
 /* Triangles without corners, beyond the limit, or in one place by the thousand: no crash, no hit. */
-static void test_odd(void **state)
+static void odd_triangles_are_never_hit(void **state)
 {
 	(void)state;
 	ts_build *build = ts_build_new("odd");
@@ -199,10 +199,10 @@ static void test_odd(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_cast),
-		cmocka_unit_test(test_clearance),
-		cmocka_unit_test(test_inside),
-		cmocka_unit_test(test_odd),
+		cmocka_unit_test(rays_meet_the_nearest_triangle),
+		cmocka_unit_test(clearance_is_the_distance_to_the_nearest),
+		cmocka_unit_test(only_the_middle_of_bodies_is_inside),
+		cmocka_unit_test(odd_triangles_are_never_hit),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

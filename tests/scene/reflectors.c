@@ -91,7 +91,7 @@ static void check_size(f32 x, f32 y, f32 z, const char *camera)
 	ts_scene_free(scene);
 }
 
-static void test_mean_size(void **state)
+static void mirrors_have_the_mean_size_asked_for(void **state)
 {
 	(void)state;
 	const u32 counts[] = {1, 2, 10, 37, 100};
@@ -112,7 +112,7 @@ static void test_mean_size(void **state)
 }
 
 /* 10 mirrors of half the default size in a picture of half the default size: all have room in these files. */
-static void test_mean_size_in_files(void **state)
+static void mirrors_have_their_mean_size_in_files(void **state)
 {
 	(void)state;
 	static const char *const files[] = {
@@ -153,7 +153,7 @@ static void check_inside(const ts_scene *scene, const ts_object *object, u32 fra
 }
 
 /* For a whole turn and every shape, with bobbing and spinning, in a high room and in one that barely holds them. */
-static void test_stay_inside(void **state)
+static void mirrors_stay_inside_for_a_whole_turn(void **state)
 {
 	(void)state;
 	const f32 heights[2] = {6.0f, 1.05f};
@@ -169,7 +169,7 @@ static void test_stay_inside(void **state)
 }
 
 /* Paths within the inner 60 %, golden phases, one turn in 240 frames. */
-static void test_paths(void **state)
+static void mirrors_turn_once_in_240_frames(void **state)
 {
 	(void)state;
 	params.reflectors_count = 50;
@@ -188,7 +188,7 @@ static void test_paths(void **state)
 }
 
 /* No two of ten reflectors meet, and none comes over the eye, at any frame. */
-static void test_apart(void **state)
+static void no_two_mirrors_meet(void **state)
 {
 	(void)state;
 	for (params.eye_distance = TS_EYE_NEAR; params.eye_distance <= TS_EYE_FAR; params.eye_distance++) {
@@ -214,7 +214,7 @@ static void test_apart(void **state)
 }
 
 /* However many there are, none comes near the eye's ellipse where the eye is. */
-static void test_clear_of_the_eye(void **state)
+static void no_mirror_comes_near_the_eye(void **state)
 {
 	(void)state;
 	params.eye_distance = TS_EYE_NEAR;
@@ -229,7 +229,7 @@ static void test_clear_of_the_eye(void **state)
 }
 
 /* Between a tenth and six tenths of the room's height, evenly: about as many in each fifth of that. */
-static void test_heights(void **state)
+static void mirrors_stand_evenly_in_height(void **state)
 {
 	(void)state;
 	u32 fifths[5] = {0};
@@ -246,7 +246,7 @@ static void test_heights(void **state)
 }
 
 /* At least two thirds of the reflectors are in the picture of frame 0. */
-static void test_in_the_picture(void **state)
+static void two_thirds_of_mirrors_are_in_sight(void **state)
 {
 	(void)state;
 	params.reflectors_count = 30;
@@ -265,7 +265,7 @@ static void test_in_the_picture(void **state)
 }
 
 /* A file's camera stands still: it sees every mirror in frame 0. */
-static void test_all_seen_by_a_standing_eye(void **state)
+static void a_standing_eye_sees_every_mirror(void **state)
 {
 	(void)state;
 	params.reflectors_count = 5;
@@ -284,7 +284,7 @@ static void test_all_seen_by_a_standing_eye(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_materials(void **state)
+static void mirrors_are_smooth_metal(void **state)
 {
 	(void)state;
 	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
@@ -297,7 +297,7 @@ static void test_materials(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_mixed_shapes(void **state)
+static void mixed_shapes_come_in_turns(void **state)
 {
 	(void)state;
 	params.reflectors_count = 1;
@@ -313,7 +313,7 @@ static void test_mixed_shapes(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_same_bytes(void **state)
+static void mirrors_are_the_same_every_time(void **state)
 {
 	(void)state;
 	params.reflectors_shape = TS_SHAPE_MIXED;
@@ -325,7 +325,7 @@ static void test_same_bytes(void **state)
 	ts_scene_free(b);
 }
 
-static void test_none(void **state)
+static void no_mirrors_add_nothing(void **state)
 {
 	(void)state;
 	params.reflectors_count = 0;
@@ -336,7 +336,7 @@ static void test_none(void **state)
 }
 
 /* Reflectors too large for the room are made smaller, and a note says so. */
-static void test_too_large(void **state)
+static void mirrors_too_large_are_made_smaller(void **state)
 {
 	(void)state;
 	params.reflectors_px = 4096.0f;
@@ -348,7 +348,7 @@ static void test_too_large(void **state)
 }
 
 /* A wall, a floor and a needle can hold reflectors too. */
-static void test_flat_scenes(void **state)
+static void flat_scenes_hold_mirrors_too(void **state)
 {
 	(void)state;
 	const f32 boxes[3][3] = {{20.0f, 6.0f, 0.0f}, {20.0f, 0.0f, 14.0f}, {0.0f, 6.0f, 0.0f}};
@@ -362,21 +362,21 @@ static void test_flat_scenes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_mean_size, set_up),
-		cmocka_unit_test_setup(test_mean_size_in_files, set_up),
-		cmocka_unit_test_setup(test_stay_inside, set_up),
-		cmocka_unit_test_setup(test_paths, set_up),
-		cmocka_unit_test_setup(test_apart, set_up),
-		cmocka_unit_test_setup(test_clear_of_the_eye, set_up),
-		cmocka_unit_test_setup(test_heights, set_up),
-		cmocka_unit_test_setup(test_in_the_picture, set_up),
-		cmocka_unit_test_setup(test_materials, set_up),
-		cmocka_unit_test_setup(test_mixed_shapes, set_up),
-		cmocka_unit_test_setup(test_same_bytes, set_up),
-		cmocka_unit_test_setup(test_none, set_up),
-		cmocka_unit_test_setup(test_too_large, set_up),
-		cmocka_unit_test_setup(test_flat_scenes, set_up),
-		cmocka_unit_test_setup(test_all_seen_by_a_standing_eye, set_up),
+		cmocka_unit_test_setup(mirrors_have_the_mean_size_asked_for, set_up),
+		cmocka_unit_test_setup(mirrors_have_their_mean_size_in_files, set_up),
+		cmocka_unit_test_setup(mirrors_stay_inside_for_a_whole_turn, set_up),
+		cmocka_unit_test_setup(mirrors_turn_once_in_240_frames, set_up),
+		cmocka_unit_test_setup(no_two_mirrors_meet, set_up),
+		cmocka_unit_test_setup(no_mirror_comes_near_the_eye, set_up),
+		cmocka_unit_test_setup(mirrors_stand_evenly_in_height, set_up),
+		cmocka_unit_test_setup(two_thirds_of_mirrors_are_in_sight, set_up),
+		cmocka_unit_test_setup(mirrors_are_smooth_metal, set_up),
+		cmocka_unit_test_setup(mixed_shapes_come_in_turns, set_up),
+		cmocka_unit_test_setup(mirrors_are_the_same_every_time, set_up),
+		cmocka_unit_test_setup(no_mirrors_add_nothing, set_up),
+		cmocka_unit_test_setup(mirrors_too_large_are_made_smaller, set_up),
+		cmocka_unit_test_setup(flat_scenes_hold_mirrors_too, set_up),
+		cmocka_unit_test_setup(a_standing_eye_sees_every_mirror, set_up),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -28,7 +28,7 @@ static ts_v3 normal(const ts_scene *scene, u32 triangle)
 }
 
 /* Every wall faces the middle of the room, every face of the reflector away from its own. */
-static void test_room(void **state)
+static void every_wall_faces_the_rooms_middle(void **state)
 {
 	(void)state;
 	const ts_v3 middle = ts_v3_make(0.0f, 2.0f, 0.0f), centre = ts_v3_make(1.0f, 1.5f, -1.0f);
@@ -51,7 +51,7 @@ static void test_room(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_camera(void **state)
+static void the_door_looks_into_the_room(void **state)
 {
 	(void)state;
 	const ts_scene_options door = {.camera = "door"};
@@ -66,7 +66,7 @@ static void test_camera(void **state)
 }
 
 /* The corner that the sparse accessor moves is at (0, 2, 0) before doubling; the second strip is mirrored in x. */
-static void test_instances(void **state)
+static void instances_are_doubled_and_mirrored(void **state)
 {
 	(void)state;
 	ts_scene *scene = open_scene("scenes/instances.gltf", 0, NULL);
@@ -78,7 +78,7 @@ static void test_instances(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_points(void **state)
+static void points_draw_nothing_but_open(void **state)
 {
 	(void)state;
 	ts_scene *scene = open_scene("scenes/points.gltf", 2, NULL);
@@ -89,7 +89,7 @@ static void test_points(void **state)
 }
 
 /* The same three ellipses in both formats. */
-static void test_splats(void **state)
+static void both_formats_hold_the_same_splats(void **state)
 {
 	(void)state;
 	ts_scene *gltf = open_scene("scenes/splats.gltf", 2, NULL), *ply = open_scene("scenes/splats.ply", 2, NULL);
@@ -105,8 +105,9 @@ static void test_splats(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_room),   cmocka_unit_test(test_camera), cmocka_unit_test(test_instances),
-		cmocka_unit_test(test_points), cmocka_unit_test(test_splats),
+		cmocka_unit_test(every_wall_faces_the_rooms_middle),  cmocka_unit_test(the_door_looks_into_the_room),
+		cmocka_unit_test(instances_are_doubled_and_mirrored), cmocka_unit_test(points_draw_nothing_but_open),
+		cmocka_unit_test(both_formats_hold_the_same_splats),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static int compare_u64(const void *a, const void *b)
 }
 
 /* Every edge once in each direction, and vertices - edges + faces. */
-static void test_closed(void **state)
+static void every_shape_is_closed(void **state)
 {
 	(void)state;
 	const int euler[4] = {2, 2, 0, 2};
@@ -80,7 +80,7 @@ static ts_v3 corner(const ts_scene *scene, u32 triangle, u32 k)
 
 /* By the divergence theorem; positive only if the faces look outwards. The vase's is that of its spline, turned: cones
  * between its points, summed by another program. */
-static void test_volume(void **state)
+static void every_shape_has_its_volume(void **state)
 {
 	(void)state;
 	const double expected[4] = {4.0 / 3.0 * pi, pi * 0.36 * 1.6, 2.0 * pi * pi * 0.6875 * 0.3125 * 0.3125, 1.791};
@@ -97,7 +97,7 @@ static void test_volume(void **state)
 	}
 }
 
-static void test_normals(void **state)
+static void normals_agree_with_their_faces(void **state)
 {
 	(void)state;
 	for (u32 kind = 0; kind < 4; kind++) {
@@ -116,7 +116,7 @@ static void test_normals(void **state)
 	}
 }
 
-static void test_radius(void **state)
+static void every_shape_fills_its_radius(void **state)
 {
 	(void)state;
 	for (u32 kind = 0; kind < 4; kind++) {
@@ -129,7 +129,7 @@ static void test_radius(void **state)
 	}
 }
 
-static void test_sphere_is_round(void **state)
+static void the_sphere_is_round(void **state)
 {
 	(void)state;
 	ts_scene *scene = shape(TS_SHAPE_SPHERE);
@@ -140,7 +140,7 @@ static void test_sphere_is_round(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_unknown(void **state)
+static void an_unknown_shape_fails(void **state)
 {
 	(void)state;
 	ts_build *build = ts_build_new("shape");
@@ -153,8 +153,12 @@ static void test_unknown(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_closed), cmocka_unit_test(test_volume),          cmocka_unit_test(test_normals),
-		cmocka_unit_test(test_radius), cmocka_unit_test(test_sphere_is_round), cmocka_unit_test(test_unknown),
+		cmocka_unit_test(every_shape_is_closed),
+		cmocka_unit_test(every_shape_has_its_volume),
+		cmocka_unit_test(normals_agree_with_their_faces),
+		cmocka_unit_test(every_shape_fills_its_radius),
+		cmocka_unit_test(the_sphere_is_round),
+		cmocka_unit_test(an_unknown_shape_fails),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -59,7 +59,7 @@ static ts_info found(const ts_v3 *post)
 	return info;
 }
 
-static void test_room(void **state)
+static void a_room_beside_the_open_is_found(void **state)
 {
 	(void)state;
 	ts_info info = found(NULL);
@@ -83,7 +83,7 @@ static ts_v3 eye_of(const ts_info *info)
 	return ts_load3(view.eye);
 }
 
-static void test_drawn_in(void **state)
+static void the_hall_shrinks_around_a_post(void **state)
 {
 	(void)state;
 	ts_info free_room = found(NULL);
@@ -101,6 +101,7 @@ static void test_drawn_in(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_room), cmocka_unit_test(test_drawn_in)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(a_room_beside_the_open_is_found),
+	                                   cmocka_unit_test(the_hall_shrinks_around_a_post)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,7 +48,7 @@ static void check_orthonormal(const ts_view *v)
 	assert_true(ts_dot(cross, ts_load3(v->back)) > 0.99f);
 }
 
-static void test_orthonormal(void **state)
+static void axes_of_the_eye_are_orthonormal(void **state)
 {
 	(void)state;
 	for (u32 frame = 0; frame < 240; frame++) {
@@ -58,7 +58,7 @@ static void test_orthonormal(void **state)
 	}
 }
 
-static void test_ellipse(void **state)
+static void the_eye_circles_on_its_ellipse(void **state)
 {
 	(void)state;
 	const double factors[2] = {0.35, 0.9};
@@ -75,7 +75,7 @@ static void test_ellipse(void **state)
 }
 
 /* The vertical axis through the middle of the box is in the middle column. */
-static void test_looks_at_the_middle(void **state)
+static void the_eye_looks_at_the_middle(void **state)
 {
 	(void)state;
 	for (u32 frame = 0; frame < 240; frame += 7) {
@@ -86,7 +86,7 @@ static void test_looks_at_the_middle(void **state)
 	}
 }
 
-static void test_one_turn(void **state)
+static void a_turn_later_nothing_has_changed(void **state)
 {
 	(void)state;
 	ts_view first = view_of(17), later = view_of(17 + 240);
@@ -95,7 +95,7 @@ static void test_one_turn(void **state)
 	assert_memory_not_equal(&first, &later, sizeof first);
 }
 
-static void test_projection(void **state)
+static void field_of_view_sets_focal_length(void **state)
 {
 	(void)state;
 	const f32 degrees[] = {1.0f, 30.0f, 60.0f, 90.0f, 150.0f};
@@ -110,7 +110,7 @@ static void test_projection(void **state)
 	}
 }
 
-static void test_named_camera(void **state)
+static void a_named_camera_is_the_eye(void **state)
 {
 	(void)state;
 	ts_view_choose(&room, &camera);
@@ -128,7 +128,7 @@ static void test_named_camera(void **state)
 }
 
 /* Twice as fast it is where it would be in the frame of twice the number; without turns it stands still. */
-static void test_turns(void **state)
+static void turns_multiply_the_frame(void **state)
 {
 	(void)state;
 	for (params.eye_distance = TS_EYE_NEAR; params.eye_distance <= TS_EYE_OUTSIDE; params.eye_distance++) {
@@ -146,7 +146,7 @@ static void test_turns(void **state)
 }
 
 /* The eye keeps to a hall that is smaller than the box and beside its middle; near is the box's. */
-static void test_hall(void **state)
+static void the_eye_keeps_to_the_hall(void **state)
 {
 	(void)state;
 	f32 near = view_of(0).near;
@@ -165,7 +165,7 @@ static void test_hall(void **state)
 }
 
 /* Boxes without thickness, and a point: still a view. */
-static void test_flat_boxes(void **state)
+static void flat_boxes_still_have_a_view(void **state)
 {
 	(void)state;
 	for (u32 flat = 1; flat < 8; flat++) {
@@ -187,15 +187,15 @@ static void test_flat_boxes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_orthonormal, set_up),
-		cmocka_unit_test_setup(test_ellipse, set_up),
-		cmocka_unit_test_setup(test_looks_at_the_middle, set_up),
-		cmocka_unit_test_setup(test_one_turn, set_up),
-		cmocka_unit_test_setup(test_turns, set_up),
-		cmocka_unit_test_setup(test_projection, set_up),
-		cmocka_unit_test_setup(test_named_camera, set_up),
-		cmocka_unit_test_setup(test_hall, set_up),
-		cmocka_unit_test_setup(test_flat_boxes, set_up),
+		cmocka_unit_test_setup(axes_of_the_eye_are_orthonormal, set_up),
+		cmocka_unit_test_setup(the_eye_circles_on_its_ellipse, set_up),
+		cmocka_unit_test_setup(the_eye_looks_at_the_middle, set_up),
+		cmocka_unit_test_setup(a_turn_later_nothing_has_changed, set_up),
+		cmocka_unit_test_setup(turns_multiply_the_frame, set_up),
+		cmocka_unit_test_setup(field_of_view_sets_focal_length, set_up),
+		cmocka_unit_test_setup(a_named_camera_is_the_eye, set_up),
+		cmocka_unit_test_setup(the_eye_keeps_to_the_hall, set_up),
+		cmocka_unit_test_setup(flat_boxes_still_have_a_view, set_up),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

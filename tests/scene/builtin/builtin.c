@@ -35,7 +35,7 @@ static ts_scene *make_count(u32 which, const char *count)
 	return make(spec, 0);
 }
 
-static void test_table(void **state)
+static void the_table_names_each_scene(void **state)
 {
 	(void)state;
 	const ts_builtin_info *b;
@@ -51,7 +51,7 @@ static void test_table(void **state)
 	assert_false(ts_builtin_is("./atrium"));
 }
 
-static void test_names(void **state)
+static void the_names_are_listed_and_cut(void **state)
 {
 	(void)state;
 	char text[256] = "", right[256] = "";
@@ -65,7 +65,7 @@ static void test_names(void **state)
 	assert_string_equal(text, "atrium, g");
 }
 
-static void test_unknown(void **state)
+static void an_unknown_scene_is_refused(void **state)
 {
 	(void)state;
 	ts_params params;
@@ -79,7 +79,7 @@ static void test_unknown(void **state)
 	assert_string_equal(ts_error_message(), right);
 }
 
-static void test_counts(void **state)
+static void scenes_have_as_many_triangles_as_asked(void **state)
 {
 	(void)state;
 	static const struct {
@@ -98,7 +98,7 @@ static void test_counts(void **state)
 	}
 }
 
-static void test_refused(void **state)
+static void wrong_options_are_refused_in_one_line(void **state)
 {
 	(void)state;
 	static const char *const bad[][2] = {{"atrium:", "unknown option"},
@@ -146,7 +146,7 @@ static bool same(const ts_scene *a, const ts_scene *b)
 	       memcmp(a->texels, b->texels, a->n_texels * sizeof *a->texels) == 0;
 }
 
-static void test_same_on_any_threads(void **state)
+static void any_threads_build_the_same_scene(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 3; k++) {
@@ -157,7 +157,7 @@ static void test_same_on_any_threads(void **state)
 }
 
 /* The same shapes with smaller textures, in either order of the options. */
-static void test_texels(void **state)
+static void smaller_textures_keep_the_shapes(void **state)
 {
 	(void)state;
 	ts_scene *small = make("dining:triangles=10k:texels=16", 0), *turned = make("dining:texels=16:triangles=10k", 0);
@@ -171,7 +171,7 @@ static void test_texels(void **state)
 	ts_scene_free(full);
 }
 
-static void test_seed_changes_the_scene(void **state)
+static void another_seed_changes_the_scene(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 3; k++) {
@@ -195,7 +195,7 @@ static ts_v3 face(const ts_scene *scene, u32 i)
 	return ts_cross(ts_sub(corner(scene, i, 1), a), ts_sub(corner(scene, i, 2), a));
 }
 
-static void test_normals(void **state)
+static void normals_agree_with_their_faces(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 3; k++) {
@@ -233,7 +233,7 @@ static bool hits_front(const ts_scene *scene, ts_v3 o, ts_v3 d)
 
 /* From everywhere on the eye's path, nothing but the roof's opening shows the outside: no ray to the floor or the walls
  * escapes. The dining room's windows are open to the sky, so only its floor is asked for. */
-static void test_rooms_are_closed(void **state)
+static void rooms_are_closed(void **state)
 {
 	(void)state;
 	ts_params params;
@@ -257,7 +257,7 @@ static void test_rooms_are_closed(void **state)
 	}
 }
 
-static void test_eye_path_is_free(void **state)
+static void the_path_of_the_eye_is_free(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 3; k++) {
@@ -284,7 +284,7 @@ static int by_size(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-static void test_triangles_of_all_sizes(void **state)
+static void triangles_are_of_all_sizes(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 3; k++) {
@@ -300,7 +300,7 @@ static void test_triangles_of_all_sizes(void **state)
 	}
 }
 
-static void test_every_slot_is_used(void **state)
+static void every_slot_is_used(void **state)
 {
 	(void)state;
 	u32 used[TS_N_SLOTS] = {0}, flags = 0;
@@ -342,19 +342,19 @@ static int end(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_table),
-		cmocka_unit_test(test_names),
-		cmocka_unit_test(test_unknown),
-		cmocka_unit_test(test_counts),
-		cmocka_unit_test(test_refused),
-		cmocka_unit_test(test_same_on_any_threads),
-		cmocka_unit_test(test_texels),
-		cmocka_unit_test(test_seed_changes_the_scene),
-		cmocka_unit_test(test_normals),
-		cmocka_unit_test(test_rooms_are_closed),
-		cmocka_unit_test(test_eye_path_is_free),
-		cmocka_unit_test(test_triangles_of_all_sizes),
-		cmocka_unit_test(test_every_slot_is_used),
+		cmocka_unit_test(the_table_names_each_scene),
+		cmocka_unit_test(the_names_are_listed_and_cut),
+		cmocka_unit_test(an_unknown_scene_is_refused),
+		cmocka_unit_test(scenes_have_as_many_triangles_as_asked),
+		cmocka_unit_test(wrong_options_are_refused_in_one_line),
+		cmocka_unit_test(any_threads_build_the_same_scene),
+		cmocka_unit_test(smaller_textures_keep_the_shapes),
+		cmocka_unit_test(another_seed_changes_the_scene),
+		cmocka_unit_test(normals_agree_with_their_faces),
+		cmocka_unit_test(rooms_are_closed),
+		cmocka_unit_test(the_path_of_the_eye_is_free),
+		cmocka_unit_test(triangles_are_of_all_sizes),
+		cmocka_unit_test(every_slot_is_used),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

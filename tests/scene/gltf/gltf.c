@@ -86,7 +86,7 @@ static ts_v3 area(const ts_scene *scene, u32 triangle)
 	return ts_cross(ts_sub(ts_load3(corner(scene, triangle, 1)), a), ts_sub(ts_load3(corner(scene, triangle, 2)), a));
 }
 
-static void test_triangle(void **state)
+static void a_triangle_is_read_as_it_is(void **state)
 {
 	(void)state;
 	ts_build *build = load(ONE_NODE "," TRIANGLE);
@@ -101,7 +101,7 @@ static void test_triangle(void **state)
 	ts_build_free(build);
 }
 
-static void test_indices(void **state)
+static void indices_of_any_width_are_read(void **state)
 {
 	(void)state;
 	for (int accessor = 3; accessor < 6; accessor++) {
@@ -121,7 +121,7 @@ static void test_indices(void **state)
 }
 
 /* Only what triangles use becomes a vertex. */
-static void test_unused_vertices(void **state)
+static void only_used_vertices_are_kept(void **state)
 {
 	(void)state;
 	ts_build *build = load(ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":2},\"indices\":3}]}]");
@@ -130,7 +130,7 @@ static void test_unused_vertices(void **state)
 }
 
 /* All triangles of a strip face alike; a fan turns about its first corner. */
-static void test_strip_and_fan(void **state)
+static void strips_and_fans_become_triangles(void **state)
 {
 	(void)state;
 	ts_build *build = load(ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"mode\":5},"
@@ -143,7 +143,7 @@ static void test_strip_and_fan(void **state)
 	ts_build_free(build);
 }
 
-static void test_points_draw_nothing(void **state)
+static void points_without_normals_draw_nothing(void **state)
 {
 	(void)state;
 	ts_build *build = load(ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":0},"
@@ -154,7 +154,7 @@ static void test_points_draw_nothing(void **state)
 }
 
 /* Index 2 of the three positions is replaced by the fourth one. */
-static void test_sparse(void **state)
+static void sparse_items_replace_others(void **state)
 {
 	static const char sparse[] =
 		",{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":3,\"sparse\":{\"count\":1,\"indices\":"
@@ -169,7 +169,7 @@ static void test_sparse(void **state)
 }
 
 /* Accessors without a buffer view are zeros, and where they are sparse the file's items among zeros. */
-static void test_zeros(void **state)
+static void accessors_without_a_view_are_zeros(void **state)
 {
 	static const char more[] =
 		",{\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}"
@@ -197,7 +197,7 @@ static void test_zeros(void **state)
 	ts_build_free(build);
 }
 
-static void test_too_many_zeros(void **state)
+static void too_many_zeros_are_refused(void **state)
 {
 	static const char *const more[3] = {
 		",{\"componentType\":5126,\"type\":\"VEC3\",\"count\":2000000000}",
@@ -215,7 +215,7 @@ static void test_too_many_zeros(void **state)
 }
 
 /* A file that holds no buffer at all. */
-static void test_nothing_but_zeros(void **state)
+static void a_file_without_a_buffer_is_read(void **state)
 {
 	(void)state;
 	ts_build *build = load_text("{\"asset\":{\"version\":\"2.0\"},\"accessors\":[{\"componentType\":5126,\"type\":"
@@ -228,7 +228,7 @@ static void test_nothing_but_zeros(void **state)
 	ts_build_free(build);
 }
 
-static void test_normalized(void **state)
+static void normalized_integers_are_accepted(void **state)
 {
 	static const char more[] =
 		",{\"bufferView\":0,\"byteOffset\":116,\"componentType\":5121,\"type\":\"VEC4\",\"count\":1,\"normalized\":"
@@ -247,7 +247,7 @@ static void test_normalized(void **state)
 	ts_build_free(build);
 }
 
-static void test_vertex_colour(void **state)
+static void colours_of_vertices_are_read(void **state)
 {
 	static const char more[] =
 		",{\"bufferView\":0,\"byteOffset\":108,\"componentType\":5121,\"type\":\"VEC4\",\"count\":3,"
@@ -263,7 +263,7 @@ static void test_vertex_colour(void **state)
 }
 
 /* Translation after rotation after scale: (1,0,0) is doubled, turned a quarter about z, moved. */
-static void test_trs(void **state)
+static void nodes_scale_then_turn_then_move(void **state)
 {
 	(void)state;
 	ts_build *build =
@@ -277,7 +277,7 @@ static void test_trs(void **state)
 }
 
 /* The positions serve as normals too: (1,0,0) under a shear-free non-uniform scale that mirrors. */
-static void test_mirroring(void **state)
+static void mirroring_nodes_keep_fronts_in_front(void **state)
 {
 	(void)state;
 	ts_build *build = load("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"scale\":[-1,1,1]}],"
@@ -292,7 +292,7 @@ static void test_mirroring(void **state)
 }
 
 /* Normals of a sheared mesh stay perpendicular to its images: x' = x + y carries normal (1,0,0) to (1,-1,0). */
-static void test_shear(void **state)
+static void sheared_normals_stay_perpendicular(void **state)
 {
 	(void)state;
 	ts_build *build =
@@ -306,7 +306,7 @@ static void test_shear(void **state)
 	ts_build_free(build);
 }
 
-static void test_flat(void **state)
+static void flattened_normals_are_none(void **state)
 {
 	(void)state;
 	ts_build *build = load("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"scale\":[1,0,1]}],"
@@ -315,7 +315,7 @@ static void test_flat(void **state)
 	ts_build_free(build);
 }
 
-static void test_graph(void **state)
+static void wrong_graphs_of_nodes_are_refused(void **state)
 {
 	(void)state;
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"children\":[0]}]," TRIANGLE,
@@ -356,7 +356,7 @@ static void assert_drawn_once(const char *roots, const char *plain)
 }
 
 /* As UniGLTF and others write it. A root whose parents the scene does not draw is a root. */
-static void test_root_and_child(void **state)
+static void a_root_and_child_is_drawn_once(void **state)
 {
 	(void)state;
 	assert_drawn_once("0,1,2,3", "0,3");
@@ -370,7 +370,7 @@ static void test_root_and_child(void **state)
 }
 
 /* Of a tree with names: what has triangles at or below it, parents first, whatever is a mirror. */
-static void test_names(void **state)
+static void names_of_nodes_come_parents_first(void **state)
 {
 	(void)state;
 	static const char tree[] = "\"scenes\":[{\"nodes\":[0,4]}],\"nodes\":[{\"name\":\"all\",\"children\":[1,3]},"
@@ -386,7 +386,7 @@ static void test_names(void **state)
 	}
 }
 
-static void test_camera(void **state)
+static void only_perspective_cameras_are_read(void **state)
 {
 	(void)state;
 	ts_build *build =
@@ -407,7 +407,7 @@ static void test_camera(void **state)
 }
 
 /* Inner half angle 0, outer 60 degrees: 1 / (1 - 1/2), and -1/2 of that. */
-static void test_lights(void **state)
+static void lights_have_their_cones_and_colours(void **state)
 {
 	(void)state;
 	ts_build *build =
@@ -438,7 +438,7 @@ static void test_lights(void **state)
 	"\"wrapT\":33648,\"minFilter\":9728}]"
 #define TEXTURED "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}]"
 
-static void test_material(void **state)
+static void materials_keep_what_is_drawn(void **state)
 {
 	(void)state;
 	ts_build *build =
@@ -470,7 +470,7 @@ static void test_material(void **state)
 }
 
 /* A quarter turn maps u to -v and v to u: (0,1) of the extension's picture lands on (1,0) plus the offset. */
-static void test_texture_transform(void **state)
+static void a_texture_transform_turns_and_moves(void **state)
 {
 	(void)state;
 	ts_build *build =
@@ -484,7 +484,7 @@ static void test_texture_transform(void **state)
 	ts_build_free(build);
 }
 
-static void test_refused_materials(void **state)
+static void wrong_materials_are_refused(void **state)
 {
 	(void)state;
 	refuse(ONE_NODE "," TEXTURED ",\"materials\":[{\"alphaMode\":\"GLASS\"}]", "one of OPAQUE MASK BLEND");
@@ -496,7 +496,7 @@ static void test_refused_materials(void **state)
 	refuse(ONE_NODE "," TEXTURED, "meshes/0/primitives/0/material is 0; the file has no materials");
 }
 
-static void test_reflectors(void **state)
+static void reflectors_are_named_or_marked(void **state)
 {
 	static const char body[] =
 		"\"scenes\":[{\"nodes\":[0,1,3]}],\"nodes\":[{\"name\":\"floor\",\"mesh\":0},{\"name\":\"ball\","
@@ -520,7 +520,7 @@ static void test_reflectors(void **state)
 	       "\"void\" has no triangles");
 }
 
-static void test_extensions(void **state)
+static void only_required_extensions_are_refused(void **state)
 {
 	(void)state;
 	ts_build *build = load(ONE_NODE "," TRIANGLE ",\"extensionsUsed\":[\"VENDOR_thing\"]");
@@ -531,7 +531,7 @@ static void test_extensions(void **state)
 }
 
 /* Compressed data are refused by the name of what compressed them; uncompressed copies beside them are read. */
-static void test_compression(void **state)
+static void compressed_data_are_refused_by_name(void **state)
 {
 	static const char *const names[3] = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
 	                                     "KHR_meshopt_compression"};
@@ -558,43 +558,42 @@ static void test_compression(void **state)
 	               "buffers/0 is compressed by EXT_meshopt_compression");
 }
 
-/* A file refused leaves the next one loadable. */
-static void test_after_refusal(void **state)
+static void a_refusal_leaves_the_next_file_loadable(void **state)
 {
 	refuse("\"nodes\":7", "nodes is 7");
-	test_triangle(state);
+	a_triangle_is_read_as_it_is(state);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_triangle),
-		cmocka_unit_test(test_indices),
-		cmocka_unit_test(test_unused_vertices),
-		cmocka_unit_test(test_strip_and_fan),
-		cmocka_unit_test(test_points_draw_nothing),
-		cmocka_unit_test(test_sparse),
-		cmocka_unit_test(test_zeros),
-		cmocka_unit_test(test_too_many_zeros),
-		cmocka_unit_test(test_nothing_but_zeros),
-		cmocka_unit_test(test_normalized),
-		cmocka_unit_test(test_vertex_colour),
-		cmocka_unit_test(test_trs),
-		cmocka_unit_test(test_mirroring),
-		cmocka_unit_test(test_shear),
-		cmocka_unit_test(test_flat),
-		cmocka_unit_test(test_graph),
-		cmocka_unit_test(test_root_and_child),
-		cmocka_unit_test(test_camera),
-		cmocka_unit_test(test_names),
-		cmocka_unit_test(test_lights),
-		cmocka_unit_test(test_material),
-		cmocka_unit_test(test_texture_transform),
-		cmocka_unit_test(test_refused_materials),
-		cmocka_unit_test(test_reflectors),
-		cmocka_unit_test(test_extensions),
-		cmocka_unit_test(test_compression),
-		cmocka_unit_test(test_after_refusal),
+		cmocka_unit_test(a_triangle_is_read_as_it_is),
+		cmocka_unit_test(indices_of_any_width_are_read),
+		cmocka_unit_test(only_used_vertices_are_kept),
+		cmocka_unit_test(strips_and_fans_become_triangles),
+		cmocka_unit_test(points_without_normals_draw_nothing),
+		cmocka_unit_test(sparse_items_replace_others),
+		cmocka_unit_test(accessors_without_a_view_are_zeros),
+		cmocka_unit_test(too_many_zeros_are_refused),
+		cmocka_unit_test(a_file_without_a_buffer_is_read),
+		cmocka_unit_test(normalized_integers_are_accepted),
+		cmocka_unit_test(colours_of_vertices_are_read),
+		cmocka_unit_test(nodes_scale_then_turn_then_move),
+		cmocka_unit_test(mirroring_nodes_keep_fronts_in_front),
+		cmocka_unit_test(sheared_normals_stay_perpendicular),
+		cmocka_unit_test(flattened_normals_are_none),
+		cmocka_unit_test(wrong_graphs_of_nodes_are_refused),
+		cmocka_unit_test(a_root_and_child_is_drawn_once),
+		cmocka_unit_test(only_perspective_cameras_are_read),
+		cmocka_unit_test(names_of_nodes_come_parents_first),
+		cmocka_unit_test(lights_have_their_cones_and_colours),
+		cmocka_unit_test(materials_keep_what_is_drawn),
+		cmocka_unit_test(a_texture_transform_turns_and_moves),
+		cmocka_unit_test(wrong_materials_are_refused),
+		cmocka_unit_test(reflectors_are_named_or_marked),
+		cmocka_unit_test(only_required_extensions_are_refused),
+		cmocka_unit_test(compressed_data_are_refused_by_name),
+		cmocka_unit_test(a_refusal_leaves_the_next_file_loadable),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
 }

@@ -32,7 +32,7 @@ static ts_build *load(const char *leaf)
 	return build;
 }
 
-static void test_scenes(void **state)
+static void large_files_are_refused_by_their_beginning(void **state)
 {
 	static const struct {
 		const char *leaf, *head, *words;
@@ -65,7 +65,7 @@ static void write_scene(void)
 	fclose(file);
 }
 
-static void test_buffers_and_images(void **state)
+static void the_beginning_of_a_large_image_decides(void **state)
 {
 	(void)state;
 	write_scene();
@@ -115,7 +115,7 @@ static void make_flat_image(const char *leaf)
 	free(packed);
 }
 
-static void test_bytes_of_images_count(void **state)
+static void bytes_of_images_justify_their_texels(void **state)
 {
 	(void)state;
 	write_scene();
@@ -132,9 +132,9 @@ static void test_bytes_of_images_count(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_scenes),
-		cmocka_unit_test(test_buffers_and_images),
-		cmocka_unit_test(test_bytes_of_images_count),
+		cmocka_unit_test(large_files_are_refused_by_their_beginning),
+		cmocka_unit_test(the_beginning_of_a_large_image_decides),
+		cmocka_unit_test(bytes_of_images_justify_their_texels),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

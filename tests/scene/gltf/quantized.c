@@ -82,13 +82,13 @@ static void assert_same(const char *attribute, u32 components, coding c)
 	ts_build_free(plain);
 }
 
-static void test_positions(void **state)
+static void positions_of_integers_are_those_of_floats(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < CODINGS; i++) assert_same("POSITION", 3, codings[i]);
 }
 
-static void test_texture_coordinates(void **state)
+static void coordinates_of_integers_are_those_of_floats(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < CODINGS; i++) {
@@ -97,8 +97,7 @@ static void test_texture_coordinates(void **state)
 	}
 }
 
-/* Of signed integers, normalized, only. */
-static void test_directions(void **state)
+static void only_signed_normalized_directions_are_read(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < CODINGS; i++) {
@@ -113,7 +112,7 @@ static void test_directions(void **state)
 }
 
 /* Colours are as without the extension: unsigned and normalized. */
-static void test_colours(void **state)
+static void only_unsigned_normalized_colours_are_read(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < CODINGS; i++) {
@@ -124,7 +123,7 @@ static void test_colours(void **state)
 	}
 }
 
-static void test_without_the_extension(void **state)
+static void integers_without_the_extension_are_refused(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < CODINGS; i++) {
@@ -137,11 +136,11 @@ static void test_without_the_extension(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_positions),
-		cmocka_unit_test(test_texture_coordinates),
-		cmocka_unit_test(test_directions),
-		cmocka_unit_test(test_colours),
-		cmocka_unit_test(test_without_the_extension),
+		cmocka_unit_test(positions_of_integers_are_those_of_floats),
+		cmocka_unit_test(coordinates_of_integers_are_those_of_floats),
+		cmocka_unit_test(only_signed_normalized_directions_are_read),
+		cmocka_unit_test(only_unsigned_normalized_colours_are_read),
+		cmocka_unit_test(integers_without_the_extension_are_refused),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

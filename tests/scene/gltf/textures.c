@@ -64,7 +64,7 @@ static void assert_left_out(const char *rest, const char *note)
 	ts_build_free(plain);
 }
 
-static void test_formats(void **state)
+static void unknown_formats_are_left_out(void **state)
 {
 	(void)state;
 	assert_left_out(IMAGE(KTX2), "images/0 is KTX2, neither PNG nor JPEG");
@@ -79,7 +79,7 @@ static void test_formats(void **state)
 }
 
 /* What such extensions name is left out, required or not; an image beside it is read. */
-static void test_extensions(void **state)
+static void an_image_beside_an_extension_is_read(void **state)
 {
 	static const char *const names[4] = {"KHR_texture_basisu", "EXT_texture_webp", "EXT_texture_avif",
 	                                     "MSFT_texture_dds"};
@@ -129,14 +129,14 @@ static void assert_sets(int base, int emissive)
 	ts_build_free(build);
 }
 
-static void test_sets(void **state)
+static void slots_read_the_sets_they_name(void **state)
 {
 	(void)state;
 	for (int base = 0; base < 3; base++)
 		for (int emissive = 0; emissive < 3; emissive++) assert_sets(base, emissive);
 }
 
-static void test_third_set(void **state)
+static void a_third_set_is_left_out(void **state)
 {
 	(void)state;
 	ts_build *build = load("{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"texCoord\":2}},"
@@ -151,7 +151,7 @@ static void test_third_set(void **state)
 	ts_build_free(build);
 }
 
-static void test_absent_set(void **state)
+static void an_absent_set_is_read_at_zero(void **state)
 {
 	(void)state;
 	ts_build *build = load("{\"emissiveTexture\":{\"index\":0,\"texCoord\":2147483647}}", IMAGE(PNG), SETS);
@@ -167,8 +167,9 @@ static void test_absent_set(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_formats),   cmocka_unit_test(test_extensions), cmocka_unit_test(test_sets),
-		cmocka_unit_test(test_third_set), cmocka_unit_test(test_absent_set),
+		cmocka_unit_test(unknown_formats_are_left_out),  cmocka_unit_test(an_image_beside_an_extension_is_read),
+		cmocka_unit_test(slots_read_the_sets_they_name), cmocka_unit_test(a_third_set_is_left_out),
+		cmocka_unit_test(an_absent_set_is_read_at_zero),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -46,7 +46,7 @@ static void assert_positions(const char *head, const char *data)
 	ts_build_free(build);
 }
 
-static void test_base64(void **state)
+static void base64_gives_the_same_buffer(void **state)
 {
 	(void)state;
 	char data[BYTES / 3 * 4 + 5], longer[64];
@@ -60,7 +60,7 @@ static void test_base64(void **state)
 	}
 }
 
-static void test_percent(void **state)
+static void percent_encoding_gives_the_same_buffer(void **state)
 {
 	(void)state;
 	char data[3 * BYTES + 1];
@@ -71,7 +71,7 @@ static void test_percent(void **state)
 	}
 }
 
-static void test_refused(void **state)
+static void wrong_data_uris_are_refused(void **state)
 {
 	(void)state;
 	char data[3 * BYTES + 1], coded[BYTES / 3 * 4 + 1];
@@ -98,9 +98,9 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_base64),
-		cmocka_unit_test(test_percent),
-		cmocka_unit_test(test_refused),
+		cmocka_unit_test(base64_gives_the_same_buffer),
+		cmocka_unit_test(percent_encoding_gives_the_same_buffer),
+		cmocka_unit_test(wrong_data_uris_are_refused),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
 }

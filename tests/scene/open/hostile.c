@@ -122,7 +122,7 @@ static u32 walk(FILE *list, const char *folder, bool with_words)
 	return wrong;
 }
 
-static void test_made(void **state)
+static void hostile_files_end_as_their_manifest_says(void **state)
 {
 	(void)state;
 	char command[2 * SCRATCH_PATH];
@@ -133,7 +133,7 @@ static void test_made(void **state)
 	assert_int_equal(walk(list, scratch_path("made/files"), true), 0);
 }
 
-static void test_validator(void **state)
+static void files_of_the_validator_end_as_listed(void **state)
 {
 	(void)state;
 	char folder[PATH_MAX], path[PATH_MAX + 16], titles[4096];
@@ -149,7 +149,7 @@ static void test_validator(void **state)
 }
 
 /* The good scenes beside the corpus, as far as they are there. */
-static void test_good_scenes(void **state)
+static void good_scenes_have_all_their_triangles(void **state)
 {
 	static const struct {
 		const char *file;
@@ -205,9 +205,9 @@ static void test_good_scenes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_made),
-		cmocka_unit_test(test_validator),
-		cmocka_unit_test(test_good_scenes),
+		cmocka_unit_test(hostile_files_end_as_their_manifest_says),
+		cmocka_unit_test(files_of_the_validator_end_as_listed),
+		cmocka_unit_test(good_scenes_have_all_their_triangles),
 	};
 	/* So that not each process begins with it. */
 	if (dlopen(TS_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL) == NULL) print_message("%s\n", dlerror());

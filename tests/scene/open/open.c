@@ -30,7 +30,7 @@ static void refuse(const char *spec, const ts_scene_options *options, const char
 	if (!strstr(message, spec) || !strstr(message, words)) fail_msg("\"%s\" does not say \"%s\"", message, words);
 }
 
-static void test_missing(void **state)
+static void a_missing_scene_is_refused(void **state)
 {
 	(void)state;
 	refuse("no-such-scene", NULL, "built in are atrium, gallery, ");
@@ -40,7 +40,7 @@ static void test_missing(void **state)
 	refuse(scratch_path("nothing.obj"), NULL, "No such file");
 }
 
-static void test_not_a_scene(void **state)
+static void what_is_no_scene_is_refused(void **state)
 {
 	(void)state;
 	refuse(scratch_root, NULL, "is a directory");
@@ -56,7 +56,7 @@ static void test_not_a_scene(void **state)
 	assert_int_equal(unlink(path), 0);
 }
 
-static void test_not_a_file_of_ours(void **state)
+static void an_empty_file_is_refused(void **state)
 {
 	(void)state;
 	const char *const names[2] = {"empty.gltf", "empty.glb"};
@@ -70,7 +70,7 @@ static void test_not_a_file_of_ours(void **state)
 	}
 }
 
-static void test_options_of_builtin_scenes(void **state)
+static void wrong_options_of_scenes_are_refused(void **state)
 {
 	(void)state;
 	const ts_scene_options reflector = {.reflector = "teapot"}, camera = {.camera = "nowhere"};
@@ -80,7 +80,7 @@ static void test_options_of_builtin_scenes(void **state)
 	refuse("atrium:colour=red", NULL, "atrium");
 }
 
-static void test_builtin(void **state)
+static void built_in_scenes_open_with_their_mirrors(void **state)
 {
 	(void)state;
 	ts_scene *scene;
@@ -128,7 +128,7 @@ static char *print(const ts_scene *scene, int json)
 	return text;
 }
 
-static void test_text(void **state)
+static void texts_of_a_scene_are_cleaned(void **state)
 {
 	(void)state;
 	ts_scene *scene = described();
@@ -143,7 +143,7 @@ static void test_text(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_json(void **state)
+static void json_keeps_names_and_numbers(void **state)
 {
 	(void)state;
 	ts_scene *scene = described();
@@ -164,7 +164,7 @@ static void test_json(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_full_disk(void **state)
+static void a_full_disk_is_an_error(void **state)
 {
 	(void)state;
 	FILE *out = fopen("/dev/full", "w");
@@ -178,14 +178,14 @@ static void test_full_disk(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_missing),
-		cmocka_unit_test(test_not_a_scene),
-		cmocka_unit_test(test_not_a_file_of_ours),
-		cmocka_unit_test(test_options_of_builtin_scenes),
-		cmocka_unit_test(test_builtin),
-		cmocka_unit_test(test_text),
-		cmocka_unit_test(test_json),
-		cmocka_unit_test(test_full_disk),
+		cmocka_unit_test(a_missing_scene_is_refused),
+		cmocka_unit_test(what_is_no_scene_is_refused),
+		cmocka_unit_test(an_empty_file_is_refused),
+		cmocka_unit_test(wrong_options_of_scenes_are_refused),
+		cmocka_unit_test(built_in_scenes_open_with_their_mirrors),
+		cmocka_unit_test(texts_of_a_scene_are_cleaned),
+		cmocka_unit_test(json_keeps_names_and_numbers),
+		cmocka_unit_test(a_full_disk_is_an_error),
 	};
 	return cmocka_run_group_tests(tests, set_up, scratch_end);
 }
