@@ -29,7 +29,7 @@ static void derive(double *values, double a, double b, const double *before)
 	ts_bench_derive(values, before, figures);
 }
 
-static void test_derived(void **state)
+static void derived_figures_follow_their_closed_form(void **state)
 {
 	(void)state;
 	double v[TS_BENCH_FIGURES], before[TS_BENCH_FIGURES];
@@ -52,7 +52,7 @@ static void test_derived(void **state)
 	assert_true(isnan(v[GROWTH]));
 }
 
-static void test_given(void **state)
+static void a_given_figure_is_not_derived(void **state)
 {
 	(void)state;
 	double v[TS_BENCH_FIGURES] = {6, 3, NAN, 7, NAN, NAN, NAN, NAN, NAN, NAN};
@@ -61,7 +61,7 @@ static void test_given(void **state)
 }
 
 /* A time, and all that is made of one. */
-static void test_timed(void **state)
+static void figures_made_of_a_time_are_timed(void **state)
 {
 	(void)state;
 	static const bool right[N] = {[B] = true,    [RATIO] = true, [SAVED] = true,  [PERCENT] = true,
@@ -70,7 +70,7 @@ static void test_timed(void **state)
 }
 
 /* Every parameter that is a number, by its name. */
-static void test_parameters(void **state)
+static void every_parameter_is_measured_by_its_name(void **state)
 {
 	(void)state;
 	size_t n;
@@ -112,7 +112,7 @@ static ts_paper_line compared(bool by_triangles, const char *spec, u32 objects, 
 	return line;
 }
 
-static void test_named_row(void **state)
+static void a_scenes_name_finds_its_row(void **state)
 {
 	(void)state;
 	static const struct {
@@ -137,7 +137,7 @@ static void test_named_row(void **state)
 }
 
 /* The row whose triangles are the nearest as a ratio. */
-static void test_nearest_row(void **state)
+static void the_nearest_ratio_finds_its_row(void **state)
 {
 	(void)state;
 	for (double triangles = 1; triangles < 1e7; triangles *= 1.07) {
@@ -151,8 +151,12 @@ static void test_nearest_row(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_derived),    cmocka_unit_test(test_given),     cmocka_unit_test(test_timed),
-		cmocka_unit_test(test_parameters), cmocka_unit_test(test_named_row), cmocka_unit_test(test_nearest_row),
+		cmocka_unit_test(derived_figures_follow_their_closed_form),
+		cmocka_unit_test(a_given_figure_is_not_derived),
+		cmocka_unit_test(figures_made_of_a_time_are_timed),
+		cmocka_unit_test(every_parameter_is_measured_by_its_name),
+		cmocka_unit_test(a_scenes_name_finds_its_row),
+		cmocka_unit_test(the_nearest_ratio_finds_its_row),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -111,7 +111,7 @@ static void judge_rows(const char *objects, const u32 *counts, u32 n)
 	json_decref(root);
 }
 
-static void test_rows(void **state)
+static void each_scene_and_number_has_a_row(void **state)
 {
 	(void)state;
 	const u32 typed[] = {4, 2}, own[] = {1, 2, 3};
@@ -120,7 +120,7 @@ static void test_rows(void **state)
 }
 
 /* A table of counts runs once, whatever is said; one of times as often as is said, variants that run once but once. */
-static void test_runs(void **state)
+static void only_tables_of_times_run_again(void **state)
 {
 	(void)state;
 	u64 once, counts, times;
@@ -135,7 +135,7 @@ static void test_runs(void **state)
 static double exposure(const ts_run *run) { return TS_PARAM(&run->params, image_exposure); }
 
 /* What is set for a model that stands alone goes before the table's defaults, for that model alone. */
-static void test_alone(void **state)
+static void what_stands_alone_sets_its_own(void **state)
 {
 	(void)state;
 	static const struct {
@@ -155,7 +155,7 @@ static void test_alone(void **state)
 }
 
 /* What is typed stays, even where it is the parameter's own default. */
-static void test_typed(void **state)
+static void what_is_typed_stays(void **state)
 {
 	(void)state;
 	size_t n, row = 0;
@@ -171,7 +171,7 @@ static void test_typed(void **state)
 	}
 }
 
-static void test_refused(void **state)
+static void wrong_numbers_of_objects_are_refused(void **state)
 {
 	(void)state;
 	static const char *const bad[] = {"0", "1001", "2,x", "2,"};
@@ -186,8 +186,9 @@ static void test_refused(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows), cmocka_unit_test(test_runs),
-	                                   cmocka_unit_test(test_alone), cmocka_unit_test(test_typed),
-	                                   cmocka_unit_test(test_refused)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(each_scene_and_number_has_a_row), cmocka_unit_test(only_tables_of_times_run_again),
+		cmocka_unit_test(what_stands_alone_sets_its_own), cmocka_unit_test(what_is_typed_stays),
+		cmocka_unit_test(wrong_numbers_of_objects_are_refused)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

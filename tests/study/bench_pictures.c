@@ -38,7 +38,7 @@ static void check(u8 *first, const char *const *wanted)
 	free(c);
 }
 
-static void test_pictures(void **state)
+static void differences_are_from_the_first_picture(void **state)
 {
 	(void)state;
 	u8 first[SIDE * SIDE * 3] = {0};
@@ -50,6 +50,6 @@ static void test_pictures(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_pictures)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(differences_are_from_the_first_picture)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

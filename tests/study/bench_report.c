@@ -49,7 +49,7 @@ static void check(double others, const char *const wanted[7])
 	ts_report_discard(&report);
 }
 
-static void test_verdicts(void **state)
+static void times_of_busy_machines_are_not_judged(void **state)
 {
 	(void)state;
 	const char *const quiet[7] = {
@@ -64,7 +64,7 @@ static void test_verdicts(void **state)
 }
 
 /* Of two frames; only programs are told. */
-static void test_frames(void **state)
+static void figures_over_frames_have_their_extremes(void **state)
 {
 	(void)state;
 	ts_report report;
@@ -89,6 +89,7 @@ static void test_frames(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_verdicts), cmocka_unit_test(test_frames)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(times_of_busy_machines_are_not_judged),
+	                                   cmocka_unit_test(figures_over_frames_have_their_extremes)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -69,7 +69,7 @@ static ts_bench_started apart(const char *backend, u32 device, char *set)
 	return started;
 }
 
-static void test_apart(void **state)
+static void starts_are_measured_in_a_process_apart(void **state)
 {
 	(void)state;
 	char set[] = "TS_TEST_CACHE=abc";
@@ -83,7 +83,7 @@ static void test_apart(void **state)
 	unsetenv("TS_TEST_CACHE");
 }
 
-static void test_fails(void **state)
+static void a_process_that_fails_is_an_error(void **state)
 {
 	(void)state;
 	const ts_job job = {.n_typed = 0};
@@ -95,7 +95,7 @@ static void test_fails(void **state)
 }
 
 /* A driver in a process of its own writes to a standard error that nobody reads. */
-static void test_silent(void **state)
+static void the_process_apart_is_silent(void **state)
 {
 	(void)state;
 	char heard[64] = "";
@@ -111,7 +111,7 @@ static void test_silent(void **state)
 }
 
 /* The first frame is told by itself, and the median of those behind it. */
-static void test_told(void **state)
+static void the_first_frame_is_told_by_itself(void **state)
 {
 	(void)state;
 	const ts_backend_kind kind = {.name = "fake"};
@@ -148,7 +148,7 @@ static void add(ts_bench_table *table, ts_backend *backend, const char *name, co
 }
 
 /* Every column behind the reference has its rows: two where an empty cache can be had, else one and a note. */
-static void test_builds(void **state)
+static void every_column_of_builds_has_its_rows(void **state)
 {
 	(void)state;
 	ts_backend other = {.compiler = "of its own"}, mesa = {.compiler = "Mesa 1"};
@@ -182,8 +182,7 @@ static void test_builds(void **state)
 	unsetenv("TS_TEST_CACHE");
 }
 
-/* Without a device there is no table. */
-static void test_no_builds(void **state)
+static void without_a_device_there_is_no_table(void **state)
 {
 	(void)state;
 	const ts_job job = {.n_typed = 0};
@@ -199,8 +198,12 @@ static void test_no_builds(void **state)
 int main(int n, char **arguments)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_apart), cmocka_unit_test(test_fails),  cmocka_unit_test(test_silent),
-		cmocka_unit_test(test_told),  cmocka_unit_test(test_builds), cmocka_unit_test(test_no_builds),
+		cmocka_unit_test(starts_are_measured_in_a_process_apart),
+		cmocka_unit_test(a_process_that_fails_is_an_error),
+		cmocka_unit_test(the_process_apart_is_silent),
+		cmocka_unit_test(the_first_frame_is_told_by_itself),
+		cmocka_unit_test(every_column_of_builds_has_its_rows),
+		cmocka_unit_test(without_a_device_there_is_no_table),
 	};
 	if (n > 1) return answer(n, arguments);
 	setenv("TS_TEST_CACHE_OTHER", "stays", 1);

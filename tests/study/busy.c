@@ -15,7 +15,7 @@ static void spin(double seconds)
 
 static double own_of(const ts_busy *a, const ts_busy *b) { return b->own - a->own; }
 
-static void test_others(void **state)
+static void another_process_counts_as_busy(void **state)
 {
 	(void)state;
 	ts_busy before = ts_busy_now();
@@ -36,7 +36,7 @@ static void test_others(void **state)
 }
 
 /* The work of this process is in the system's count, and not others'. */
-static void test_own(void **state)
+static void own_work_does_not_count(void **state)
 {
 	(void)state;
 	ts_busy before = ts_busy_now();
@@ -48,8 +48,7 @@ static void test_own(void **state)
 	assert_true(ts_busy_others(&before, &after) <= fmax(all - own, 0) / (after.seconds - before.seconds));
 }
 
-/* A count of ticks says nothing of a moment. */
-static void test_ticks(void **state)
+static void ticks_say_nothing_of_a_moment(void **state)
 {
 	(void)state;
 	double tick = 1 / (double)sysconf(_SC_CLK_TCK), n = (double)sysconf(_SC_NPROCESSORS_ONLN);
@@ -59,7 +58,7 @@ static void test_ticks(void **state)
 	assert_float_equal(ts_busy_others(&before, &second), 0.5, 1e-9);
 }
 
-static void test_unknown(void **state)
+static void an_unknown_count_says_nothing(void **state)
 {
 	(void)state;
 	ts_busy none = {.known = false}, now = ts_busy_now();
@@ -70,10 +69,10 @@ static void test_unknown(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_others),
-		cmocka_unit_test(test_own),
-		cmocka_unit_test(test_ticks),
-		cmocka_unit_test(test_unknown),
+		cmocka_unit_test(another_process_counts_as_busy),
+		cmocka_unit_test(own_work_does_not_count),
+		cmocka_unit_test(ticks_say_nothing_of_a_moment),
+		cmocka_unit_test(an_unknown_count_says_nothing),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

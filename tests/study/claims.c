@@ -37,7 +37,7 @@ static void check(const ts_claim *claim)
 	if (row->paper != NULL) check_rows(claim, row->paper);
 }
 
-static void test_claims(void **state)
+static void each_claim_is_asked_or_excused(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -53,7 +53,7 @@ static void test_claims(void **state)
 }
 
 /* Tables that measure a paper's are asked by some claim. */
-static void test_tables(void **state)
+static void each_table_of_a_paper_is_asked(void **state)
 {
 	(void)state;
 	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) {
@@ -68,7 +68,7 @@ static void test_tables(void **state)
 }
 
 /* Whose fault it is where a claim does not hold. */
-static void test_classes(void **state)
+static void each_cause_has_a_class(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -85,7 +85,8 @@ static void test_classes(void **state)
 int main(void)
 {
 	ts_tools_begin();
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_claims), cmocka_unit_test(test_tables),
-	                                   cmocka_unit_test(test_classes)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(each_claim_is_asked_or_excused),
+	                                   cmocka_unit_test(each_table_of_a_paper_is_asked),
+	                                   cmocka_unit_test(each_cause_has_a_class)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

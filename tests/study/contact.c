@@ -15,7 +15,7 @@ static const u8 *cell(const ts_contact *c, u32 column, u32 row, u32 x, u32 y)
 }
 
 /* Pictures that are not wider than a cell are copied; what nothing was put on stays dark. */
-static void test_copies(void **state)
+static void small_pictures_are_copied(void **state)
 {
 	(void)state;
 	enum { W = 5, H = 3 };
@@ -34,7 +34,7 @@ static void test_copies(void **state)
 }
 
 /* A wide picture: the mean of each pixel's block, whatever the sizes; a narrow one is repeated. */
-static void test_means(void **state)
+static void wide_pictures_become_means_of_blocks(void **state)
 {
 	(void)state;
 	enum { W = 1000, H = 777 };
@@ -65,8 +65,8 @@ static void test_means(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_copies),
-		cmocka_unit_test(test_means),
+		cmocka_unit_test(small_pictures_are_copied),
+		cmocka_unit_test(wide_pictures_become_means_of_blocks),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

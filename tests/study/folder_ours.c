@@ -3,7 +3,7 @@
 #include "../trace/folder.h"
 
 /* All names of up to five of these characters, against the rule as it is written: "name" or "sub/name", none hidden. */
-static void test_names(void **state)
+static void names_of_ours_follow_their_rule(void **state)
 {
 	(void)state;
 	static const char letters[] = "a./";
@@ -55,7 +55,7 @@ static void make(const char *report, const char *text)
 	spoil_stack();
 }
 
-static void test_ours(void **state)
+static void a_listed_folder_is_ours(void **state)
 {
 	(void)state;
 	make("report.json", REPORT);
@@ -68,7 +68,7 @@ static void test_ours(void **state)
 	remove_all();
 }
 
-static void test_others(void **state)
+static void unlisted_files_are_not_ours(void **state)
 {
 	(void)state;
 	make("report.json", REPORT);
@@ -93,7 +93,7 @@ static void test_others(void **state)
 }
 
 /* A folder that no list of this program is in. */
-static void test_no_list(void **state)
+static void a_folder_without_list_is_foreign(void **state)
 {
 	(void)state;
 	static const char *const lists[] = {"{\"program\": \"other\", \"files\": [\"a\", \"sub/b\"]}",
@@ -115,7 +115,8 @@ static void test_no_list(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_names), cmocka_unit_test(test_ours),
-	                                   cmocka_unit_test(test_others), cmocka_unit_test(test_no_list)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(names_of_ours_follow_their_rule), cmocka_unit_test(a_listed_folder_is_ours),
+		cmocka_unit_test(unlisted_files_are_not_ours), cmocka_unit_test(a_folder_without_list_is_foreign)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

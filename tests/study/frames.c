@@ -3,7 +3,7 @@
 #include "../../src/study/frames.h"
 #include "../model/test.h"
 
-static void test_frames(void **state)
+static void frames_go_by_steps_to_the_last(void **state)
 {
 	(void)state;
 	ts_params params;
@@ -20,7 +20,7 @@ static void test_frames(void **state)
 	assert_int_equal(params.frame, 11);
 }
 
-static void test_spread(void **state)
+static void a_spread_has_its_extremes_and_mean(void **state)
 {
 	(void)state;
 	ts_frame_spread spread = {.n = 0};
@@ -34,6 +34,7 @@ static void test_spread(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_frames), cmocka_unit_test(test_spread)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(frames_go_by_steps_to_the_last),
+	                                   cmocka_unit_test(a_spread_has_its_extremes_and_mean)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

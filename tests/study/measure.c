@@ -40,7 +40,7 @@ static ts_status look(ts_run *run, void *user)
 	return status == TS_OK ? ts_picture_truth(&a->truth, ts_truths()[0], run) : status;
 }
 
-static void test_run(void **state)
+static void a_run_tells_what_its_buffers_hold(void **state)
 {
 	(void)state;
 	ts_params params = few_mirrors();
@@ -70,7 +70,7 @@ static void test_run(void **state)
 }
 
 /* A run without cubes in sight has no mean. */
-static void test_no_faces(void **state)
+static void a_run_without_cubes_has_no_mean(void **state)
 {
 	(void)state;
 	ts_params params = small_params(WIDTH, HEIGHT);
@@ -101,7 +101,7 @@ static void begin_truths(const ts_truth_kind *kind, u32 asked, u32 of_its_run, c
 }
 
 /* Truths in a run of their own: those that are meant and begin alike, and no others. */
-static void test_begun(void **state)
+static void truths_begin_alike_in_their_run(void **state)
 {
 	(void)state;
 	ts_params params = small_params(16, 9);
@@ -124,7 +124,7 @@ static void test_begun(void **state)
 
 /* ---- pictures ---- */
 
-static void test_differences(void **state)
+static void differences_of_pictures_are_scaled(void **state)
 {
 	(void)state;
 	u8 a[] = {0, 10, 255, 100, 7, 250}, b[] = {0, 20, 0, 90, 7, 255};
@@ -146,7 +146,7 @@ static void test_differences(void **state)
 }
 
 /* Display values of a radiance (IEC 61966-2-1). */
-static void test_made(void **state)
+static void radiance_is_displayed_by_the_curve(void **state)
 {
 	(void)state;
 	ts_params params = small_params(4, 1);
@@ -168,8 +168,9 @@ static void test_made(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_run), cmocka_unit_test(test_no_faces),
-	                                   cmocka_unit_test(test_begun), cmocka_unit_test(test_differences),
-	                                   cmocka_unit_test(test_made)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(a_run_tells_what_its_buffers_hold), cmocka_unit_test(a_run_without_cubes_has_no_mean),
+		cmocka_unit_test(truths_begin_alike_in_their_run), cmocka_unit_test(differences_of_pictures_are_scaled),
+		cmocka_unit_test(radiance_is_displayed_by_the_curve)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -17,7 +17,7 @@ static void refuses(const char *effect, const char *names, const char *words)
 }
 
 /* "all" has every method of the effect, nothing said those that need not be named. */
-static void test_all(void **state)
+static void all_names_every_method_of_an_effect(void **state)
 {
 	(void)state;
 	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
@@ -34,7 +34,7 @@ static void test_all(void **state)
 	}
 }
 
-static void test_named(void **state)
+static void named_methods_come_once_in_order(void **state)
 {
 	(void)state;
 	const ts_pipeline *methods[TS_MAX_METHODS];
@@ -43,7 +43,7 @@ static void test_named(void **state)
 	assert_string_equal(methods[1]->name, "epr");
 }
 
-static void test_refused(void **state)
+static void unknown_methods_are_refused_by_the_nearest(void **state)
 {
 	(void)state;
 	refuses("reflection", NULL, "no effect \"reflection\"; the nearest is reflections");
@@ -52,7 +52,7 @@ static void test_refused(void **state)
 }
 
 /* Shadows are shown without mirrors, unless some were said. */
-static void test_params(void **state)
+static void shadows_are_shown_without_mirrors(void **state)
 {
 	(void)state;
 	static const struct {
@@ -70,7 +70,9 @@ static void test_params(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_all), cmocka_unit_test(test_named),
-	                                   cmocka_unit_test(test_refused), cmocka_unit_test(test_params)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(all_names_every_method_of_an_effect),
+	                                   cmocka_unit_test(named_methods_come_once_in_order),
+	                                   cmocka_unit_test(unknown_methods_are_refused_by_the_nearest),
+	                                   cmocka_unit_test(shadows_are_shown_without_mirrors)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -74,7 +74,7 @@ static void judge(u32 round, u32 n)
 	free(run);
 }
 
-static void test_near(void **state)
+static void pixels_near_light_are_all_found(void **state)
 {
 	(void)state;
 	for (u32 round = 0; round < 40; round++) judge(round, round % 8 == 7 ? 0 : 1 + round);
@@ -82,6 +82,6 @@ static void test_near(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_near)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(pixels_near_light_are_all_found)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -28,7 +28,7 @@ static u32 word(char text[LETTERS + 1], u32 k)
 }
 
 /* Every word beside every one. */
-static void test_distance(void **state)
+static void distances_are_those_of_a_recursion(void **state)
 {
 	(void)state;
 	u32 n_words = 0;
@@ -50,7 +50,7 @@ static const char *hint(const char *typed, const char *name)
 	return ts_nearest_hint(&nearest, NULL);
 }
 
-static void test_near(void **state)
+static void near_names_are_hinted_at(void **state)
 {
 	(void)state;
 	static const char *const near[][2] = {
@@ -66,7 +66,7 @@ static void test_near(void **state)
 }
 
 /* The text: nearest and list, one of them, or none; nothing of a long name is lost but its end. */
-static void test_hint(void **state)
+static void a_hint_names_nearest_and_list(void **state)
 {
 	(void)state;
 	ts_nearest nearest = ts_nearest_begin("metod");
@@ -92,7 +92,8 @@ static void test_hint(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_distance), cmocka_unit_test(test_near),
-	                                   cmocka_unit_test(test_hint)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(distances_are_those_of_a_recursion),
+	                                   cmocka_unit_test(near_names_are_hinted_at),
+	                                   cmocka_unit_test(a_hint_names_nearest_and_list)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,7 +49,7 @@ static bool makes(const ts_pipeline *method, ts_buffer_id id, const char *param)
 	return reads;
 }
 
-static void test_making(void **state)
+static void a_buffer_reads_what_its_stages_read(void **state)
 {
 	(void)state;
 	size_t n;
@@ -74,7 +74,7 @@ static void test_making(void **state)
 	assert_true(n_reads > 20 && n_not > 1000);
 }
 
-static void test_rows(void **state)
+static void rows_tell_who_reads_a_parameter(void **state)
 {
 	(void)state;
 	const ts_buffer_id none[] = {TS_N_BUFFERS};
@@ -107,7 +107,7 @@ static bool sum(ways *n, const ts_pipeline *method, const ts_params *params, con
 	return !own && (row || stages);
 }
 
-static void test_methods(void **state)
+static void a_method_reads_what_its_steps_read(void **state)
 {
 	(void)state;
 	size_t n;
@@ -126,8 +126,7 @@ static void test_methods(void **state)
 	assert_true(found.by_row > 0 && found.by_step > 0 && found.own > 0);
 }
 
-/* What makes two buffers reads what makes either. */
-static void test_together(void **state)
+static void two_buffers_read_what_either_does(void **state)
 {
 	(void)state;
 	size_t n;
@@ -151,7 +150,7 @@ static void test_together(void **state)
 }
 
 /* Some kind of scene reads a parameter if a row of scenes has it, whatever stages and truths read. */
-static void test_scenes(void **state)
+static void scenes_read_what_their_rows_say(void **state)
 {
 	(void)state;
 	size_t n;
@@ -169,8 +168,9 @@ static void test_scenes(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_making), cmocka_unit_test(test_rows),
-	                                   cmocka_unit_test(test_methods), cmocka_unit_test(test_together),
-	                                   cmocka_unit_test(test_scenes)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(a_buffer_reads_what_its_stages_read), cmocka_unit_test(rows_tell_who_reads_a_parameter),
+		cmocka_unit_test(a_method_reads_what_its_steps_read), cmocka_unit_test(two_buffers_read_what_either_does),
+		cmocka_unit_test(scenes_read_what_their_rows_say)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

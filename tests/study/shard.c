@@ -6,7 +6,7 @@
 enum { MOST = 40 };
 
 /* All tables of up to so many cases, in up to as many shards, either way. */
-static void test_partition(void **state)
+static void each_case_is_in_exactly_one_shard(void **state)
 {
 	(void)state;
 	for (u32 n = 1; n <= MOST; n++) {
@@ -32,7 +32,7 @@ static void test_partition(void **state)
 }
 
 /* Cases of a block follow one another, and blocks their shards. */
-static void test_blocks(void **state)
+static void blocks_follow_one_another(void **state)
 {
 	(void)state;
 	for (u32 n = 1; n <= MOST; n++) {
@@ -47,13 +47,13 @@ static void test_blocks(void **state)
 	}
 }
 
-static void test_all(void **state)
+static void no_shard_has_every_case(void **state)
 {
 	(void)state;
 	assert_true(ts_shard_has((ts_shard){0, 0}, 7) && ts_shard_has_block((ts_shard){0, 0}, 7, 9));
 }
 
-static void test_text(void **state)
+static void only_texts_of_shards_are_read(void **state)
 {
 	(void)state;
 	static const char *const bad[] = {"",       "/",       "1",     "1/",  "/1",   "0/1", "2/1",
@@ -74,10 +74,10 @@ static void test_text(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_partition),
-		cmocka_unit_test(test_blocks),
-		cmocka_unit_test(test_all),
-		cmocka_unit_test(test_text),
+		cmocka_unit_test(each_case_is_in_exactly_one_shard),
+		cmocka_unit_test(blocks_follow_one_another),
+		cmocka_unit_test(no_shard_has_every_case),
+		cmocka_unit_test(only_texts_of_shards_are_read),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,7 +21,7 @@ double ts_seconds(void)
 	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static void test_memory(void **state)
+static void limits_of_memory_are_measured(void **state)
 {
 	(void)state;
 	double small, large, stream;
@@ -35,7 +35,7 @@ static void test_memory(void **state)
 }
 
 /* In one second: what one thread offers, and what all threads read and write in four passes. */
-static void test_units(void **state)
+static void limits_count_what_is_offered_and_moved(void **state)
 {
 	(void)state;
 	for (u32 threads = 1; threads <= 2; threads++) {
@@ -52,7 +52,7 @@ static void test_units(void **state)
 enum { SIDE = 8, POINTS = 100000 };
 
 /* A cube in a room 2 wide: every texel has a point, on the wall of its own face, at depth 1. */
-static void test_points(void **state)
+static void every_texel_of_a_room_is_drawn(void **state)
 {
 	(void)state;
 	world *w = malloc(sizeof *w);
@@ -83,7 +83,8 @@ static void test_points(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_memory), cmocka_unit_test(test_units),
-	                                   cmocka_unit_test(test_points)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(limits_of_memory_are_measured),
+	                                   cmocka_unit_test(limits_count_what_is_offered_and_moved),
+	                                   cmocka_unit_test(every_texel_of_a_room_is_drawn)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

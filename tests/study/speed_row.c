@@ -14,7 +14,7 @@ static void assert_value(ts_speed_value value, double median, double spread, boo
 	assert_int_equal(value.quiet, quiet);
 }
 
-static void test_sums(void **state)
+static void medians_are_of_quiet_runs(void **state)
 {
 	(void)state;
 	const double values[] = {9, 2, 4, 3, 1};
@@ -26,7 +26,7 @@ static void test_sums(void **state)
 	assert_value(ts_speed_sum(values, some, 1), 9, 0, false);
 }
 
-static void test_missing(void **state)
+static void missing_values_do_not_count(void **state)
 {
 	(void)state;
 	const double values[] = {NAN, 6, NAN}, nothing[] = {NAN, NAN};
@@ -52,7 +52,7 @@ static ts_status refuse(double *values, void *of)
 }
 
 /* Where nothing counts as quiet, a run is measured once. */
-static void test_runs(void **state)
+static void a_busy_run_is_measured_once(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -74,7 +74,7 @@ static void test_runs(void **state)
 }
 
 /* A loop that takes longer than it may is no quiet machine: three times, and the run stays busy. */
-static void test_slow(void **state)
+static void a_slow_loop_stays_busy(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -90,7 +90,8 @@ static void test_slow(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_sums), cmocka_unit_test(test_missing),
-	                                   cmocka_unit_test(test_runs), cmocka_unit_test(test_slow)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(medians_are_of_quiet_runs), cmocka_unit_test(missing_values_do_not_count),
+		cmocka_unit_test(a_busy_run_is_measured_once), cmocka_unit_test(a_slow_loop_stays_busy)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

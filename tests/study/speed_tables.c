@@ -89,7 +89,7 @@ static const char *verdict_of(const ts_speed_figure *figure, double value)
 	return figure->bound == TS_SPEED_SHOWN ? "" : met ? "met" : "not met";
 }
 
-static void test_figures(void **state)
+static void figures_follow_from_their_rows(void **state)
 {
 	(void)state;
 	static world w[2];
@@ -137,7 +137,7 @@ static ts_status refuse(double *values, void *of)
 }
 
 /* Rows that have something to measure are measured, the others have no values; after a failure nothing is. */
-static void test_set(void **state)
+static void only_rows_with_something_are_measured(void **state)
 {
 	(void)state;
 	for (u32 mask = 0; mask < 16; mask++) {
@@ -167,7 +167,7 @@ static void test_set(void **state)
 
 static void refuses(const ts_job *job, const char *words) { refused(ts_bench_speed(job), words); }
 
-static void test_names(void **state)
+static void unknown_names_are_refused(void **state)
 {
 	(void)state;
 	static const ts_speed_scene scenes[] = {
@@ -188,7 +188,8 @@ static void test_names(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_figures), cmocka_unit_test(test_set),
-	                                   cmocka_unit_test(test_names)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(figures_follow_from_their_rows),
+	                                   cmocka_unit_test(only_rows_with_something_are_measured),
+	                                   cmocka_unit_test(unknown_names_are_refused)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

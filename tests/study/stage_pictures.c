@@ -2,7 +2,7 @@
 #include "../../src/study/stage_pictures.h"
 #include "../model/test.h"
 
-static void test_added(void **state)
+static void pictures_are_found_by_their_names(void **state)
 {
 	(void)state;
 	ts_stage_pictures pictures = {.n = 0};
@@ -25,7 +25,7 @@ static void test_added(void **state)
 }
 
 /* Of a picture three times as large as the image, and of one without a mask. */
-static void test_finished(void **state)
+static void what_a_mask_leaves_out_is_grey(void **state)
 {
 	(void)state;
 	enum { W = 4, H = 3, ZOOM = 3 };
@@ -52,6 +52,7 @@ static void test_finished(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_added), cmocka_unit_test(test_finished)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(pictures_are_found_by_their_names),
+	                                   cmocka_unit_test(what_a_mask_leaves_out_is_grey)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

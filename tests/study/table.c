@@ -27,7 +27,7 @@ static void assert_prints(ts_table *table, const char *right)
 	ts_table_end(table);
 }
 
-static void test_aligned(void **state)
+static void columns_are_aligned(void **state)
 {
 	(void)state;
 	static const ts_column columns[] = {{"a", "name", false}, {"b", "figure", true}, {0}};
@@ -43,7 +43,7 @@ static void test_aligned(void **state)
 }
 
 /* A table of one text as wide as the line is printed in one line, and one that is wider on two. */
-static void test_widest(void **state)
+static void a_text_as_wide_as_lines_fits(void **state)
 {
 	(void)state;
 	static const ts_column columns[] = {{"a", "a", false}, {"b", "b", false}, {0}};
@@ -67,7 +67,7 @@ static void test_widest(void **state)
 }
 
 /* Wide tables of words keep every word, in order, within the line. */
-static void test_wrapped(void **state)
+static void wrapped_tables_keep_every_word(void **state)
 {
 	(void)state;
 	static const ts_column columns[] = {
@@ -115,7 +115,7 @@ static size_t widest_of(u32 n, const char *cell, bool right)
 
 /* Nine columns of 13 characters are 133 wide: text is wrapped down to 12, figures to 10; text alone takes what is
  * left. */
-static void test_narrow(void **state)
+static void narrow_columns_wrap_down_to_their_least(void **state)
 {
 	(void)state;
 	widest_of(9, "aaaaaaa bbbbb", false);
@@ -126,7 +126,7 @@ static void test_narrow(void **state)
 }
 
 /* A line may end behind a bar or an asterisk, as it may before a blank. */
-static void test_bars(void **state)
+static void a_line_may_end_behind_a_bar(void **state)
 {
 	(void)state;
 	static const ts_column columns[] = {{"a", "a", false}, {0}};
@@ -148,7 +148,7 @@ static void test_bars(void **state)
 }
 
 /* A head that is wider than its cells has its room. */
-static void test_wide_head(void **state)
+static void a_wide_head_has_its_room(void **state)
 {
 	(void)state;
 	static const ts_column columns[] = {{"a", "wide head", false}, {"b", "b", false}, {0}};
@@ -158,7 +158,7 @@ static void test_wide_head(void **state)
 	assert_prints(&table, "wide head  b\nx          y\n");
 }
 
-static void test_said(void **state)
+static void a_row_is_said_in_a_line(void **state)
 {
 	(void)state;
 	static const ts_column columns[] = {{"a", "first", false}, {"b", "second", true}, {0}};
@@ -185,7 +185,7 @@ static void assert_cell(void (*put)(ts_table *table, i64 value), i64 value, cons
 
 static void put_bytes(ts_table *table, i64 value) { ts_table_bytes(table, (u64)value); }
 
-static void test_cells(void **state)
+static void cells_print_counts_and_bytes(void **state)
 {
 	(void)state;
 	static const struct {
@@ -208,7 +208,7 @@ static void test_cells(void **state)
 	assert_cell(ts_table_count, -1234, "-1,234");
 }
 
-static void test_json(void **state)
+static void rows_become_objects_in_json(void **state)
 {
 	(void)state;
 	static const ts_column columns[] = {{"a", "", false}, {"b", "", true}, {"c", "", true}, {0}};
@@ -246,7 +246,7 @@ static void say_both(ts_report *report)
 }
 
 /* Lines are told unless the report is quiet, failures always, in JSON neither. */
-static void test_lines(void **state)
+static void quiet_reports_tell_failures_only(void **state)
 {
 	(void)state;
 	ts_report report;
@@ -267,7 +267,7 @@ static void test_lines(void **state)
 }
 
 /* A table is in the text, unless it is silent, and in the object in any case. */
-static void test_reported(void **state)
+static void a_silent_table_is_not_in_text(void **state)
 {
 	(void)state;
 	static const ts_column columns[] = {{"a", "head", false}, {0}};
@@ -286,7 +286,7 @@ static void test_reported(void **state)
 }
 
 /* A table that failed is a report that failed; one that is quiet has no table in its text. */
-static void test_unprinted(void **state)
+static void a_failed_table_fails_its_report(void **state)
 {
 	(void)state;
 	static const ts_column columns[] = {{"a", "head", false}, {0}};
@@ -305,7 +305,7 @@ static void test_unprinted(void **state)
 }
 
 /* Figures have nine digits; what is no number is null, and no failure. */
-static void test_figures(void **state)
+static void figures_have_nine_digits(void **state)
 {
 	(void)state;
 	static const ts_column columns[] = {{"a", "", true}, {0}};
@@ -326,11 +326,19 @@ static void test_figures(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_aligned),   cmocka_unit_test(test_widest), cmocka_unit_test(test_wrapped),
-		cmocka_unit_test(test_cells),     cmocka_unit_test(test_json),   cmocka_unit_test(test_lines),
-		cmocka_unit_test(test_reported),  cmocka_unit_test(test_narrow), cmocka_unit_test(test_bars),
-		cmocka_unit_test(test_wide_head), cmocka_unit_test(test_said),   cmocka_unit_test(test_unprinted),
-		cmocka_unit_test(test_figures),
+		cmocka_unit_test(columns_are_aligned),
+		cmocka_unit_test(a_text_as_wide_as_lines_fits),
+		cmocka_unit_test(wrapped_tables_keep_every_word),
+		cmocka_unit_test(cells_print_counts_and_bytes),
+		cmocka_unit_test(rows_become_objects_in_json),
+		cmocka_unit_test(quiet_reports_tell_failures_only),
+		cmocka_unit_test(a_silent_table_is_not_in_text),
+		cmocka_unit_test(narrow_columns_wrap_down_to_their_least),
+		cmocka_unit_test(a_line_may_end_behind_a_bar),
+		cmocka_unit_test(a_wide_head_has_its_room),
+		cmocka_unit_test(a_row_is_said_in_a_line),
+		cmocka_unit_test(a_failed_table_fails_its_report),
+		cmocka_unit_test(figures_have_nine_digits),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

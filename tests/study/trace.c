@@ -12,7 +12,7 @@ static ts_status made(ts_tracing *tracing, const char *only, const char *crop)
 	return ts_tracing_make(tracing, &job, epr());
 }
 
-static void test_only(void **state)
+static void only_named_stages_are_traced(void **state)
 {
 	(void)state;
 	ts_tracing tracing;
@@ -29,7 +29,7 @@ static void test_only(void **state)
 	says("--trace-only: \"splat9\" is no stage of epr");
 }
 
-static void test_crop(void **state)
+static void wrong_crops_are_refused(void **state)
 {
 	(void)state;
 	static const char *const bad[] = {"0,0,65,36", "1,0,64,36", "0,1,64,36", "0,0,0,5",
@@ -46,7 +46,7 @@ static void test_crop(void **state)
 }
 
 /* There is room for a small run, also where the folder is not there yet, and none for more than any disk holds. */
-static void test_room(void **state)
+static void traces_without_room_are_refused(void **state)
 {
 	(void)state;
 	static const char *const folders[] = {"a/b/c", "", "a", "a//b/"};
@@ -76,7 +76,8 @@ static void test_room(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_only), cmocka_unit_test(test_crop),
-	                                   cmocka_unit_test(test_room)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(only_named_stages_are_traced),
+	                                   cmocka_unit_test(wrong_crops_are_refused),
+	                                   cmocka_unit_test(traces_without_room_are_refused)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -10,7 +10,7 @@ static void assert_list(const char *effect, const char *last, const char *right)
 	assert_string_equal(text, right);
 }
 
-static void test_lists(void **state)
+static void truths_of_an_effect_are_listed(void **state)
 {
 	(void)state;
 	assert_list("reflections", " and ", "A, B and C");
@@ -27,7 +27,7 @@ static u32 found(const char *effect, const char *names)
 }
 
 /* Every truth by its name has its own bit, and all of an effect have those of each. */
-static void test_bits(void **state)
+static void every_truth_has_its_own_bit(void **state)
 {
 	(void)state;
 	u32 t = 0, all = 0;
@@ -49,7 +49,7 @@ static void test_bits(void **state)
 	assert_int_equal(found("reflections", "a,C"), found("reflections", "A") | found("reflections", "C"));
 }
 
-static void test_refused(void **state)
+static void truths_of_other_effects_are_refused(void **state)
 {
 	(void)state;
 	u32 truths;
@@ -61,7 +61,7 @@ static void test_refused(void **state)
 }
 
 /* The one truth that a table compares with: what was typed, or else its own. */
-static void test_judge(void **state)
+static void one_truth_is_compared_with(void **state)
 {
 	(void)state;
 	const ts_truth_kind *judge = NULL;
@@ -82,7 +82,7 @@ static void test_judge(void **state)
 	assert_int_equal(ts_bench_truth(&judge, &job, "reflections", "B"), TS_ERROR);
 }
 
-static void test_median(void **state)
+static void the_median_is_in_the_middle(void **state)
 {
 	(void)state;
 	double odd[] = {5, 1, 4, 4, 9}, even[] = {8, 2, 3, 7}, one[] = {6};
@@ -92,8 +92,9 @@ static void test_median(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_lists), cmocka_unit_test(test_bits),
-	                                   cmocka_unit_test(test_refused), cmocka_unit_test(test_judge),
-	                                   cmocka_unit_test(test_median)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(truths_of_an_effect_are_listed), cmocka_unit_test(every_truth_has_its_own_bit),
+		cmocka_unit_test(truths_of_other_effects_are_refused), cmocka_unit_test(one_truth_is_compared_with),
+		cmocka_unit_test(the_median_is_in_the_middle)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
