@@ -55,7 +55,7 @@ static void assert_entry(const ts_entry *e, u32 line, const char *name, const ch
 	assert_string_equal(e->reason, reason);
 }
 
-static void test_differences(void **state)
+static void known_differences_are_found_by_case(void **state)
 {
 	(void)state;
 	ts_baseline b;
@@ -74,7 +74,7 @@ static void test_differences(void **state)
 	assert_null(ts_baseline_find(&b, "case-1", NULL));
 }
 
-static void test_names(void **state)
+static void known_names_are_found(void **state)
 {
 	(void)state;
 	ts_baseline b;
@@ -89,7 +89,7 @@ static void test_names(void **state)
 	ts_baseline_free(&b);
 }
 
-static void test_refused(void **state)
+static void wrong_lines_are_refused_by_number(void **state)
 {
 	(void)state;
 	const char *good = "case-1 image image.srgb why\n";
@@ -110,9 +110,9 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_differences),
-		cmocka_unit_test(test_names),
-		cmocka_unit_test(test_refused),
+		cmocka_unit_test(known_differences_are_found_by_case),
+		cmocka_unit_test(known_names_are_found),
+		cmocka_unit_test(wrong_lines_are_refused_by_number),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

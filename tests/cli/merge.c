@@ -98,7 +98,7 @@ static void assert_keys(const json_t *rows, const char *key, const char *right)
 }
 
 /* Whatever the order in which the folders are named. */
-static void test_whole(void **state)
+static void shards_merge_in_any_order(void **state)
 {
 	(void)state;
 	static const char *const files[] = {"one.png", "two.png", "three-cube-0.png", "three-cube-2.png"};
@@ -133,7 +133,7 @@ static void assert_refused(const char *why)
 	assert_int_not_equal(access(scratch_path("refused"), F_OK), 0);
 }
 
-static void test_damaged(void **state)
+static void damaged_shards_are_refused(void **state)
 {
 	(void)state;
 	write_text(scratch_path("s1/two.png"), "two.pnG");
@@ -155,7 +155,7 @@ static void forge(const char *text)
 	write_sums(1, "report.json");
 }
 
-static void test_forged(void **state)
+static void forged_reports_are_refused(void **state)
 {
 	(void)state;
 	forge("[]");
@@ -178,9 +178,9 @@ static void test_forged(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_whole, write_shards),
-		cmocka_unit_test_setup(test_damaged, write_shards),
-		cmocka_unit_test_setup(test_forged, write_shards),
+		cmocka_unit_test_setup(shards_merge_in_any_order, write_shards),
+		cmocka_unit_test_setup(damaged_shards_are_refused, write_shards),
+		cmocka_unit_test_setup(forged_reports_are_refused, write_shards),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

@@ -33,7 +33,7 @@ static void assert_prints(const char *rows, size_t n, const char *relaxed, const
 	free(text);
 }
 
-static void test_each_end(void **state)
+static void each_outcome_has_its_line(void **state)
 {
 	(void)state;
 	assert_prints(
@@ -49,7 +49,7 @@ static void test_each_end(void **state)
 	assert_prints("[]", 0, "--ulp 1", "# relaxed: --ulp 1\n1..0\n");
 }
 
-static void test_one_line_each(void **state)
+static void no_text_breaks_its_line(void **state)
 {
 	(void)state;
 	assert_prints(
@@ -60,8 +60,7 @@ static void test_one_line_each(void **state)
 		"DO known: b?ok 3?\n# c??ok 4??\n# ?d\n1..1\n");
 }
 
-/* A text that is longer than a line ends within it. */
-static void test_long(void **state)
+static void a_long_text_ends_within_its_line(void **state)
 {
 	(void)state;
 	static char rows[20000];
@@ -76,7 +75,7 @@ static void test_long(void **state)
 }
 
 /* What passed is counted alone; no text ends its cell or is markup. */
-static void test_markdown(void **state)
+static void no_text_is_markup(void **state)
 {
 	(void)state;
 	in_markdown = true;
@@ -96,10 +95,10 @@ static void test_markdown(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_each_end),
-		cmocka_unit_test(test_one_line_each),
-		cmocka_unit_test(test_long),
-		cmocka_unit_test(test_markdown),
+		cmocka_unit_test(each_outcome_has_its_line),
+		cmocka_unit_test(no_text_breaks_its_line),
+		cmocka_unit_test(a_long_text_ends_within_its_line),
+		cmocka_unit_test(no_text_is_markup),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

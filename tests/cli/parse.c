@@ -8,7 +8,7 @@ static void assert_refused(const char *line, const char *why)
 	assert_string_equal(ts_error_message(), why);
 }
 
-static void test_values(void **state)
+static void options_want_their_values(void **state)
 {
 	(void)state;
 	assert_refused("render -o", "render: option -o needs a value, DIR");
@@ -22,7 +22,7 @@ static void test_values(void **state)
 }
 
 /* Each byte as a letter: a character of text as it is, any other as its number. */
-static void test_letters(void **state)
+static void unknown_letters_are_refused_as_typed(void **state)
 {
 	(void)state;
 	for (u32 letter = 1; letter < 256; letter++) {
@@ -37,7 +37,7 @@ static void test_letters(void **state)
 }
 
 /* A command line that was refused within a word leaves nothing to the next one. */
-static void test_again(void **state)
+static void a_refused_line_leaves_nothing_behind(void **state)
 {
 	(void)state;
 	assert_refused("compare -xq", "compare: no option -x; \"touchstone help compare\" lists all");
@@ -51,7 +51,7 @@ static void assert_floats(const f32 *found, const f32 *right, u32 n)
 	for (u32 i = 0; i < n; i++) assert_true(found[i] == right[i]);
 }
 
-static void test_places(void **state)
+static void places_have_three_numbers(void **state)
 {
 	(void)state;
 	static const char *const options[] = {"eye", "target", "lamp"};
@@ -71,7 +71,7 @@ static void test_places(void **state)
 }
 
 /* Balls are the only mirrors, unless others were asked for. */
-static void test_mirrors(void **state)
+static void given_balls_are_the_only_mirrors(void **state)
 {
 	(void)state;
 	char line[TYPED_LINE] = "render reflections";
@@ -91,7 +91,7 @@ static void test_mirrors(void **state)
 	assert_refused(line, "--mirror: at most 64 can be given");
 }
 
-static void test_defaults(void **state)
+static void what_was_not_typed_has_its_default(void **state)
 {
 	(void)state;
 	assert_int_equal(typed_parse("compare a b"), TS_OK);
@@ -113,8 +113,12 @@ static void test_defaults(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_values), cmocka_unit_test(test_letters), cmocka_unit_test(test_again),
-		cmocka_unit_test(test_places), cmocka_unit_test(test_mirrors), cmocka_unit_test(test_defaults),
+		cmocka_unit_test(options_want_their_values),
+		cmocka_unit_test(unknown_letters_are_refused_as_typed),
+		cmocka_unit_test(a_refused_line_leaves_nothing_behind),
+		cmocka_unit_test(places_have_three_numbers),
+		cmocka_unit_test(given_balls_are_the_only_mirrors),
+		cmocka_unit_test(what_was_not_typed_has_its_default),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -66,7 +66,7 @@ static double number_at(const json_t *root, const char *table, size_t row, const
 	return json_number_value(json_object_get(json_array_get(json_object_get(root, table), row), key));
 }
 
-static void test_light(void **state)
+static void errors_of_light_are_reported_by_part(void **state)
 {
 	(void)state;
 	begin("indirect", "hulls");
@@ -95,7 +95,7 @@ static void test_light(void **state)
 	ts_report_discard(&report);
 }
 
-static void test_missed(void **state)
+static void missed_look_ups_are_reported(void **state)
 {
 	(void)state;
 	begin("reflections", "epr");
@@ -127,7 +127,7 @@ static void count(ts_measure *measure, const char *name, i64 value)
 	measure->counters[measure->n_counters++] = (ts_counter){.name = name, .value = value};
 }
 
-static void test_shading(void **state)
+static void shading_is_reported_by_its_ratios(void **state)
 {
 	(void)state;
 	begin("reflections", "epr,mvr");
@@ -153,7 +153,7 @@ static void test_shading(void **state)
 }
 
 /* A row of each picture that is written, in the order of methods, stages and truths. */
-static void test_pictures(void **state)
+static void each_written_picture_has_a_row(void **state)
 {
 	(void)state;
 	begin("reflections", "epr,mvr");
@@ -180,10 +180,10 @@ static void test_pictures(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_light),
-		cmocka_unit_test(test_missed),
-		cmocka_unit_test(test_shading),
-		cmocka_unit_test(test_pictures),
+		cmocka_unit_test(errors_of_light_are_reported_by_part),
+		cmocka_unit_test(missed_look_ups_are_reported),
+		cmocka_unit_test(shading_is_reported_by_its_ratios),
+		cmocka_unit_test(each_written_picture_has_a_row),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

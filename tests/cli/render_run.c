@@ -38,7 +38,7 @@ static void paint(ts_picture *picture, u32 at, const u8 *marks, f32 light)
 	*picture = (ts_picture){.radiance = radiance[at], .srgb = srgb[at], .seen = seen};
 }
 
-static void test_parts(void **state)
+static void light_is_compared_near_and_elsewhere(void **state)
 {
 	(void)state;
 	begin();
@@ -62,7 +62,7 @@ static void test_parts(void **state)
 }
 
 /* Without triangles of light there is one part; without frames before no flicker, and without mirrors none of them. */
-static void test_whole(void **state)
+static void without_lights_there_is_one_part(void **state)
 {
 	(void)state;
 	begin();
@@ -87,6 +87,7 @@ static void test_whole(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_parts), cmocka_unit_test(test_whole)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(light_is_compared_near_and_elsewhere),
+	                                   cmocka_unit_test(without_lights_there_is_one_part)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,7 +32,7 @@ static const json_t *only(const json_t *said)
 	return json_array_get(json_object_get(said, "stages"), 0);
 }
 
-static void test_one_stage(void **state)
+static void one_stage_has_its_number_and_verdict(void **state)
 {
 	(void)state;
 	static const char *const stages[] = {"eye.view", "mirror_pixel", "cube_size", "lookup", "shade", "image"};
@@ -49,7 +49,7 @@ static void test_one_stage(void **state)
 	}
 }
 
-static void test_different(void **state)
+static void a_wrong_output_is_different(void **state)
 {
 	(void)state;
 	json_t *said;
@@ -73,7 +73,7 @@ static void test_different(void **state)
 	json_decref(said);
 }
 
-static void test_no_stage(void **state)
+static void what_is_no_stage_is_refused(void **state)
 {
 	(void)state;
 	json_t *said;
@@ -85,9 +85,9 @@ static void test_no_stage(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_one_stage),
-		cmocka_unit_test(test_different),
-		cmocka_unit_test(test_no_stage),
+		cmocka_unit_test(one_stage_has_its_number_and_verdict),
+		cmocka_unit_test(a_wrong_output_is_different),
+		cmocka_unit_test(what_is_no_stage_is_refused),
 	};
 	return cmocka_run_group_tests(tests, begin, scratch_remove);
 }

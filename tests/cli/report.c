@@ -50,7 +50,7 @@ static u32 verdicts(const json_t *part, const char *verdict)
 	return n;
 }
 
-static void test_same(void **state)
+static void a_trace_is_the_same_as_itself(void **state)
 {
 	(void)state;
 	json_t *page = page_of("epr", "epr");
@@ -59,7 +59,7 @@ static void test_same(void **state)
 	json_decref(page);
 }
 
-static void test_different(void **state)
+static void a_wrong_pixel_is_different(void **state)
 {
 	(void)state;
 	size_t bytes;
@@ -75,7 +75,7 @@ static void test_different(void **state)
 }
 
 /* Traces of different methods are shown beside each other, without a verdict. */
-static void test_other_method(void **state)
+static void traces_of_other_methods_have_no_verdict(void **state)
 {
 	(void)state;
 	json_t *page = page_of("epr", "mvr");
@@ -86,9 +86,9 @@ static void test_other_method(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_same),
-		cmocka_unit_test(test_different),
-		cmocka_unit_test(test_other_method),
+		cmocka_unit_test(a_trace_is_the_same_as_itself),
+		cmocka_unit_test(a_wrong_pixel_is_different),
+		cmocka_unit_test(traces_of_other_methods_have_no_verdict),
 	};
 	return cmocka_run_group_tests(tests, begin, scratch_remove);
 }

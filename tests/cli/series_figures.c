@@ -48,7 +48,7 @@ static void assert_figure(const char *name, double value)
 	assert_true(named(name)->value == value);
 }
 
-static void test_whole_truth(void **state)
+static void a_whole_truth_has_its_figures(void **state)
 {
 	(void)state;
 	begin();
@@ -61,7 +61,7 @@ static void test_whole_truth(void **state)
 }
 
 /* Errors of estimates are told where a truth may be made in part: by the parameter, or by a value of a sweep. */
-static void test_part_of_truth(void **state)
+static void a_truth_in_part_tells_its_error(void **state)
 {
 	(void)state;
 	begin();
@@ -80,7 +80,7 @@ static void test_part_of_truth(void **state)
 	assert_null(named("rmse_error_truth-b"));
 }
 
-static void test_mirrors(void **state)
+static void mirrors_have_figures_of_their_own(void **state)
 {
 	(void)state;
 	begin();
@@ -100,7 +100,7 @@ static void test_mirrors(void **state)
 }
 
 /* A method that counts something has 0 of all else; a truth has none, nor errors against itself. */
-static void test_counters(void **state)
+static void what_others_count_is_zero(void **state)
 {
 	(void)state;
 	begin();
@@ -118,10 +118,10 @@ static void test_counters(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_whole_truth),
-		cmocka_unit_test(test_part_of_truth),
-		cmocka_unit_test(test_mirrors),
-		cmocka_unit_test(test_counters),
+		cmocka_unit_test(a_whole_truth_has_its_figures),
+		cmocka_unit_test(a_truth_in_part_tells_its_error),
+		cmocka_unit_test(mirrors_have_figures_of_their_own),
+		cmocka_unit_test(what_others_count_is_zero),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

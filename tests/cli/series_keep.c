@@ -35,7 +35,7 @@ static void paint(u32 method, u32 n)
 }
 
 /* Four bytes a pixel of a stage's picture: three of its colour, one of its mask. */
-static void test_bytes(void **state)
+static void kept_pictures_count_their_bytes(void **state)
 {
 	(void)state;
 	u64 bytes[3];
@@ -52,7 +52,7 @@ static void test_bytes(void **state)
 }
 
 /* A truth in part holds its pixels twice: by some samples, and by all. */
-static void test_bytes_of_part(void **state)
+static void a_truth_in_part_counts_twice(void **state)
 {
 	(void)state;
 	u64 bytes[2];
@@ -67,7 +67,7 @@ static void test_bytes_of_part(void **state)
 	assert_int_equal(bytes[1] - bytes[0], WIDTH * HEIGHT * 20);
 }
 
-static void test_given_back(void **state)
+static void pictures_come_back_where_nothing_changed(void **state)
 {
 	(void)state;
 	begin("epr,mvr");
@@ -95,7 +95,8 @@ static void test_given_back(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_bytes), cmocka_unit_test(test_bytes_of_part),
-	                                   cmocka_unit_test(test_given_back)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(kept_pictures_count_their_bytes),
+	                                   cmocka_unit_test(a_truth_in_part_counts_twice),
+	                                   cmocka_unit_test(pictures_come_back_where_nothing_changed)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

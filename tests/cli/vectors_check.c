@@ -75,7 +75,7 @@ static void assert_apart(const char *primitive, size_t width, u64 now, i64 right
 	put(primitive, width, before);
 }
 
-static void test_integers(void **state)
+static void wrong_integers_are_apart_by_their_difference(void **state)
 {
 	(void)state;
 	static const char *const dtypes[] = {"<u4", "<i4", "<u8", "<i8"};
@@ -95,7 +95,7 @@ static void test_integers(void **state)
 	json_decref(index);
 }
 
-static void test_floats(void **state)
+static void wrong_floats_are_apart_by_their_steps(void **state)
 {
 	(void)state;
 	json_t *index = json_load_file(scratch_path("v/vectors.json"), 0, NULL);
@@ -116,6 +116,7 @@ static void test_floats(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_integers), cmocka_unit_test(test_floats)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(wrong_integers_are_apart_by_their_difference),
+	                                   cmocka_unit_test(wrong_floats_are_apart_by_their_steps)};
 	return cmocka_run_group_tests(tests, begin, scratch_remove);
 }

@@ -35,7 +35,7 @@ static void assert_refused(const char *why)
 	assert_non_null(strstr(ts_error_message(), why));
 }
 
-static void test_read(void **state)
+static void elements_are_read_as_they_stand(void **state)
 {
 	(void)state;
 	u32 found[2 * N];
@@ -51,7 +51,7 @@ static void test_read(void **state)
 	unlink(path);
 }
 
-static void test_refused(void **state)
+static void wrong_shapes_and_types_are_refused(void **state)
 {
 	(void)state;
 	const char *path = scratch_path("a.npy");
@@ -67,7 +67,7 @@ static void test_refused(void **state)
 }
 
 /* Opening a pipe that nobody writes to would wait for a writer. */
-static void test_no_file(void **state)
+static void a_pipe_is_refused_without_waiting(void **state)
 {
 	(void)state;
 	const char *path = scratch_path("a.npy");
@@ -84,9 +84,9 @@ static void test_no_file(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_read),
-		cmocka_unit_test(test_refused),
-		cmocka_unit_test(test_no_file),
+		cmocka_unit_test(elements_are_read_as_they_stand),
+		cmocka_unit_test(wrong_shapes_and_types_are_refused),
+		cmocka_unit_test(a_pipe_is_refused_without_waiting),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }
