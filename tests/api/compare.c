@@ -2,7 +2,7 @@
  * right or wrong given the candidate's own inputs. */
 #include "run.h"
 
-static void test_same(void **state)
+static void a_copy_is_the_same(void **state)
 {
 	(void)state;
 	ts_verdicts *verdicts;
@@ -25,7 +25,7 @@ static void test_same(void **state)
 }
 
 /* Changes the lowest bit of the last element's last word in a copy of each buffer of stages in turn. */
-static void test_planted(void **state)
+static void a_planted_bit_is_found(void **state)
 {
 	(void)state;
 	const ts_buffer_info *buffer;
@@ -64,7 +64,7 @@ static void test_planted(void **state)
 	ts_trace_close(trace);
 }
 
-static void test_replay(void **state)
+static void a_replay_judges_by_the_given_inputs(void **state)
 {
 	(void)state;
 	ts_trace *trace;
@@ -122,7 +122,7 @@ static void test_replay(void **state)
 	free(moved);
 }
 
-static void test_relaxed(void **state)
+static void relaxations_allow_what_they_say(void **state)
 {
 	(void)state;
 	ts_trace *trace = candidate_of(reference, 0);
@@ -173,7 +173,7 @@ static void test_relaxed(void **state)
 }
 
 /* Points as they come are those of the reference; and with margins only what they decide is judged. */
-static void test_arrival(void **state)
+static void points_in_order_of_arrival_are_right(void **state)
 {
 	(void)state;
 	ts_trace *arrived, *whole;
@@ -206,7 +206,7 @@ static void test_arrival(void **state)
 	ts_trace_close(arrived);
 }
 
-static void test_nothing(void **state)
+static void nothing_to_judge_is_refused(void **state)
 {
 	(void)state;
 	ts_trace *trace, *other;
@@ -226,8 +226,12 @@ static void test_nothing(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_same),    cmocka_unit_test(test_planted), cmocka_unit_test(test_replay),
-		cmocka_unit_test(test_relaxed), cmocka_unit_test(test_arrival), cmocka_unit_test(test_nothing),
+		cmocka_unit_test(a_copy_is_the_same),
+		cmocka_unit_test(a_planted_bit_is_found),
+		cmocka_unit_test(a_replay_judges_by_the_given_inputs),
+		cmocka_unit_test(relaxations_allow_what_they_say),
+		cmocka_unit_test(points_in_order_of_arrival_are_right),
+		cmocka_unit_test(nothing_to_judge_is_refused),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

@@ -6,7 +6,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
-static void test_options(void **state)
+static void wrong_options_of_a_context_are_refused(void **state)
 {
 	(void)state;
 	ts_context *context = NULL;
@@ -62,7 +62,7 @@ static int cancelled(void *user)
 }
 
 /* At whatever stage a host ends a run, the run fails, and the next one is whole. */
-static void test_cancel(void **state)
+static void a_run_ends_at_any_stage(void **state)
 {
 	(void)state;
 	host h = {.end_at = 0};
@@ -104,7 +104,7 @@ static int n_stages(const char *effect, const char *method)
 }
 
 /* A host is asked within stages too, and ends the run at once. */
-static void test_cancel_within_stages(void **state)
+static void a_run_ends_within_a_stage(void **state)
 {
 	(void)state;
 	static const struct {
@@ -179,8 +179,7 @@ static int unshare(void **state)
 	return 0;
 }
 
-/* Of one scene. */
-static void test_threads(void **state)
+static void threads_may_share_a_scene(void **state)
 {
 	(void)state;
 	pthread_t threads[4];
@@ -191,7 +190,7 @@ static void test_threads(void **state)
 }
 
 /* Nothing is printed, of failures neither, and the locale stays. */
-static void test_silence(void **state)
+static void the_library_prints_nothing(void **state)
 {
 	(void)state;
 	char path[] = "/tmp/touchstone-api-XXXXXX", hex[65];
@@ -217,7 +216,7 @@ static void test_silence(void **state)
 }
 
 /* Devices of each backend end somewhere; the backend in C has one, exact. */
-static void test_devices(void **state)
+static void devices_of_each_backend_end_somewhere(void **state)
 {
 	(void)state;
 	const char *backend;
@@ -253,8 +252,12 @@ static void test_devices(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_options), cmocka_unit_test(test_cancel),  cmocka_unit_test(test_cancel_within_stages),
-		cmocka_unit_test(test_threads), cmocka_unit_test(test_silence), cmocka_unit_test(test_devices),
+		cmocka_unit_test(wrong_options_of_a_context_are_refused),
+		cmocka_unit_test(a_run_ends_at_any_stage),
+		cmocka_unit_test(a_run_ends_within_a_stage),
+		cmocka_unit_test(threads_may_share_a_scene),
+		cmocka_unit_test(the_library_prints_nothing),
+		cmocka_unit_test(devices_of_each_backend_end_somewhere),
 	};
 	return cmocka_run_group_tests(tests, share, unshare);
 }

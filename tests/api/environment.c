@@ -36,7 +36,7 @@ static void left(ts_status status, const char *call)
 		left(call, #call); \
 	} while (0)
 
-static void test_runs(void **state)
+static void runs_keep_the_rounding_of_the_host(void **state)
 {
 	(void)state;
 	char folder[FOLDER], path[PATH];
@@ -74,7 +74,7 @@ static void no_digest(void *user, const char *buffer, const char *hex)
 	(void)hex;
 }
 
-static void test_answers(void **state)
+static void answers_keep_the_rounding_of_the_host(void **state)
 {
 	(void)state;
 	ts_trace *candidate = candidate_of(reference, 0), *trace;
@@ -98,7 +98,7 @@ static void test_answers(void **state)
 	ts_trace_close(candidate);
 }
 
-static void test_pages(void **state)
+static void pages_keep_the_rounding_of_the_host(void **state)
 {
 	(void)state;
 	char folder[FOLDER], path[PATH];
@@ -126,9 +126,9 @@ static void test_pages(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_runs),
-		cmocka_unit_test(test_answers),
-		cmocka_unit_test(test_pages),
+		cmocka_unit_test(runs_keep_the_rounding_of_the_host),
+		cmocka_unit_test(answers_keep_the_rounding_of_the_host),
+		cmocka_unit_test(pages_keep_the_rounding_of_the_host),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

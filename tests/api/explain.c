@@ -3,7 +3,7 @@
 #include "run.h"
 
 /* Ten values of the picture: the store that is told is of that element, and has its bits. */
-static void test_stores(void **state)
+static void the_store_told_is_of_the_element(void **state)
 {
 	(void)state;
 	const ts_buffer_view *image = ts_trace_buffer(reference, "image.radiance");
@@ -32,7 +32,7 @@ static void test_stores(void **state)
 }
 
 /* The eye one bit further: the first line that differs is of another value; as text both sides are marked. */
-static void test_beside(void **state)
+static void the_first_line_that_differs_is_told(void **state)
 {
 	(void)state;
 	ts_trace *other;
@@ -68,7 +68,7 @@ static void test_beside(void **state)
 	free(moved);
 }
 
-static void test_refused(void **state)
+static void wrong_questions_are_refused(void **state)
 {
 	(void)state;
 	ts_tree *answer;
@@ -92,9 +92,9 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_stores),
-		cmocka_unit_test(test_beside),
-		cmocka_unit_test(test_refused),
+		cmocka_unit_test(the_store_told_is_of_the_element),
+		cmocka_unit_test(the_first_line_that_differs_is_told),
+		cmocka_unit_test(wrong_questions_are_refused),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

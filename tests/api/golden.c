@@ -30,7 +30,7 @@ static ts_status check(ts_golden_judged *judged)
 	return ts_golden_check(context, judged, path);
 }
 
-static void test_same(void **state)
+static void the_golden_of_the_repository_holds(void **state)
 {
 	(void)state;
 	ts_golden_judged judged = {.bytes = sizeof judged};
@@ -41,7 +41,7 @@ static void test_same(void **state)
 }
 
 /* The last byte of a file that is stored, and its digest with it: where it differs is told by element. */
-static void test_element(void **state)
+static void a_wrong_element_is_told(void **state)
 {
 	(void)state;
 	ts_golden_judged judged;
@@ -59,7 +59,7 @@ static void test_element(void **state)
 	refused(check(&judged), "SHA256SUMS");
 }
 
-static void test_params(void **state)
+static void wrong_parameters_of_a_golden_are_refused(void **state)
 {
 	(void)state;
 	ts_golden_judged judged;
@@ -77,7 +77,7 @@ static void test_params(void **state)
 	assert_int_equal(judged.scene[0], 0);
 }
 
-static void test_beside(void **state)
+static void wrong_files_beside_a_golden_are_told(void **state)
 {
 	(void)state;
 	ts_golden_judged judged;
@@ -122,10 +122,10 @@ static int tear_down(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_same),
-		cmocka_unit_test(test_element),
-		cmocka_unit_test(test_params),
-		cmocka_unit_test(test_beside),
+		cmocka_unit_test(the_golden_of_the_repository_holds),
+		cmocka_unit_test(a_wrong_element_is_told),
+		cmocka_unit_test(wrong_parameters_of_a_golden_are_refused),
+		cmocka_unit_test(wrong_files_beside_a_golden_are_told),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

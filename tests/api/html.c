@@ -59,7 +59,7 @@ static char *compared_page(const char *path, size_t *bytes, const char *json)
 	return read_all(path, bytes);
 }
 
-static void test_comparison(void **state)
+static void a_page_is_the_same_each_time(void **state)
 {
 	(void)state;
 	char folder[FOLDER], path[PATH];
@@ -82,7 +82,7 @@ static void test_comparison(void **state)
 }
 
 /* Of two candidates of one name the one that was judged is shown. */
-static void test_judged_pair(void **state)
+static void the_judged_candidate_is_shown(void **state)
 {
 	(void)state;
 	char folder[FOLDER], path[PATH];
@@ -112,7 +112,7 @@ static void test_judged_pair(void **state)
 	remove_folder(folder);
 }
 
-static void test_pictures(void **state)
+static void a_page_holds_its_pictures(void **state)
 {
 	(void)state;
 	char folder[FOLDER], path[PATH];
@@ -141,7 +141,7 @@ static void test_pictures(void **state)
 	remove_folder(folder);
 }
 
-static void test_options(void **state)
+static void wrong_options_of_a_page_are_refused(void **state)
 {
 	(void)state;
 	ts_html *page;
@@ -174,10 +174,10 @@ static int tear_down(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_comparison),
-		cmocka_unit_test(test_judged_pair),
-		cmocka_unit_test(test_pictures),
-		cmocka_unit_test(test_options),
+		cmocka_unit_test(a_page_is_the_same_each_time),
+		cmocka_unit_test(the_judged_candidate_is_shown),
+		cmocka_unit_test(a_page_holds_its_pictures),
+		cmocka_unit_test(wrong_options_of_a_page_are_refused),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -16,7 +16,7 @@ static void *kind_at_first(void *kind)
 	return NULL;
 }
 
-static void test_none(void **state)
+static void before_a_failure_there_is_no_kind(void **state)
 {
 	(void)state;
 	ts_kind kind = TS_KIND_FILE;
@@ -26,7 +26,7 @@ static void test_none(void **state)
 	assert_int_equal(kind, TS_KIND_NONE);
 }
 
-static void test_argument(void **state)
+static void wrong_arguments_are_of_their_kind(void **state)
 {
 	(void)state;
 	ts_scene *made;
@@ -47,7 +47,7 @@ static void test_argument(void **state)
 	fails_as(TS_KIND_ARGUMENT, ts_trace_run(context, &trace, scene, params, "reflections", "magic", NULL), "magic");
 }
 
-static void test_file(void **state)
+static void missing_files_are_of_their_kind(void **state)
 {
 	(void)state;
 	ts_scene *made;
@@ -74,7 +74,7 @@ static void write_file(const char *path, const char *text)
 	assert_int_equal(fclose(file), 0);
 }
 
-static void test_format(void **state)
+static void damaged_files_are_of_their_kind(void **state)
 {
 	(void)state;
 	static const char *const scenes[][2] = {
@@ -113,7 +113,7 @@ static void test_format(void **state)
 }
 
 /* A sanitizer has an address space of its own. */
-static void test_memory(void **state)
+static void too_little_memory_is_of_its_kind(void **state)
 {
 	(void)state;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -128,7 +128,7 @@ static void test_memory(void **state)
 	fails_as(TS_KIND_MEMORY, status, "no memory");
 }
 
-static void test_device(void **state)
+static void missing_devices_are_of_their_kind(void **state)
 {
 	(void)state;
 	ts_context *none;
@@ -147,7 +147,7 @@ static int at_once(void *user)
 	return 1;
 }
 
-static void test_cancelled(void **state)
+static void ended_runs_are_of_their_kind(void **state)
 {
 	(void)state;
 	ts_context *ended;
@@ -163,9 +163,10 @@ static void test_cancelled(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_none),      cmocka_unit_test(test_argument), cmocka_unit_test(test_file),
-		cmocka_unit_test(test_format),    cmocka_unit_test(test_memory),   cmocka_unit_test(test_device),
-		cmocka_unit_test(test_cancelled),
+		cmocka_unit_test(before_a_failure_there_is_no_kind), cmocka_unit_test(wrong_arguments_are_of_their_kind),
+		cmocka_unit_test(missing_files_are_of_their_kind),   cmocka_unit_test(damaged_files_are_of_their_kind),
+		cmocka_unit_test(too_little_memory_is_of_its_kind),  cmocka_unit_test(missing_devices_are_of_their_kind),
+		cmocka_unit_test(ended_runs_are_of_their_kind),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

@@ -4,7 +4,7 @@
 
 #define REFUSED(call, name) refused(call, name " is NULL")
 
-static void test_release(void **state)
+static void releasing_null_does_nothing(void **state)
 {
 	(void)state;
 	ts_context_close(NULL);
@@ -15,7 +15,7 @@ static void test_release(void **state)
 	ts_tree_free(NULL);
 }
 
-static void test_params(void **state)
+static void null_parameters_are_refused(void **state)
 {
 	(void)state;
 	ts_params *copy;
@@ -32,7 +32,7 @@ static void test_params(void **state)
 	REFUSED(ts_params_get(params, "width", NULL, sizeof text), "text");
 }
 
-static void test_scenes(void **state)
+static void null_scenes_are_refused(void **state)
 {
 	(void)state;
 	ts_scene *made;
@@ -65,7 +65,7 @@ static void ignore(void *user, const char *buffer, const char *hex)
 	(void)hex;
 }
 
-static void test_traces(void **state)
+static void null_traces_are_refused(void **state)
 {
 	(void)state;
 	ts_trace *made;
@@ -118,7 +118,7 @@ static void test_traces(void **state)
 	assert_int_equal(ts_trace_counter(reference, NULL), 0);
 }
 
-static void test_verdicts(void **state)
+static void null_verdicts_are_refused(void **state)
 {
 	(void)state;
 	ts_verdicts *verdicts;
@@ -151,7 +151,7 @@ static void test_verdicts(void **state)
 	REFUSED(ts_compare_marks(context, marks, 4, "eye.view", reference, NULL, NULL), "candidate");
 }
 
-static void test_pages(void **state)
+static void null_pages_are_refused(void **state)
 {
 	(void)state;
 	ts_html *page;
@@ -182,7 +182,7 @@ static void test_pages(void **state)
 	ts_html_close(NULL);
 }
 
-static void test_explained(void **state)
+static void null_explanations_are_refused(void **state)
 {
 	(void)state;
 	ts_tree *answer;
@@ -217,7 +217,7 @@ static void test_explained(void **state)
 	REFUSED(ts_trace_write(context, "/tmp/none", scene, params, "reflections", NULL, NULL), "method");
 }
 
-static void test_truth(void **state)
+static void null_truths_are_refused(void **state)
 {
 	(void)state;
 	ts_truth_image *image;
@@ -231,7 +231,7 @@ static void test_truth(void **state)
 	ts_truth_image_free(NULL);
 }
 
-static void test_answers(void **state)
+static void null_answers_are_refused(void **state)
 {
 	(void)state;
 	ts_tree *answer;
@@ -261,7 +261,7 @@ static void test_answers(void **state)
 	assert_null(ts_tree_json(NULL));
 }
 
-static void test_vectors(void **state)
+static void null_vectors_are_refused(void **state)
 {
 	(void)state;
 	static uint32_t found[1 << 20];
@@ -286,7 +286,7 @@ static void test_vectors(void **state)
 	REFUSED(ts_device_at(&device, NULL, 0), "backend");
 }
 
-static void test_images(void **state)
+static void null_images_are_refused(void **state)
 {
 	(void)state;
 	uint8_t *rgba, bytes[4] = {0};
@@ -314,7 +314,7 @@ static void test_images(void **state)
 	REFUSED(ts_image_read_bytes(&pixels, &width, &height, &channels, bytes, 4, NULL), "what");
 }
 
-static void test_encoders(void **state)
+static void null_encoders_are_refused(void **state)
 {
 	(void)state;
 	static const uint8_t codes[4] = {0};
@@ -332,7 +332,7 @@ static void test_encoders(void **state)
 	assert_null(file);
 }
 
-static void test_metrics(void **state)
+static void null_metrics_give_nothing(void **state)
 {
 	(void)state;
 	uint8_t grey[3] = {9, 9, 9}, marks[1] = {7};
@@ -356,11 +356,13 @@ static void test_metrics(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_release),   cmocka_unit_test(test_params),   cmocka_unit_test(test_scenes),
-		cmocka_unit_test(test_traces),    cmocka_unit_test(test_verdicts), cmocka_unit_test(test_answers),
-		cmocka_unit_test(test_truth),     cmocka_unit_test(test_vectors),  cmocka_unit_test(test_images),
-		cmocka_unit_test(test_encoders),  cmocka_unit_test(test_metrics),  cmocka_unit_test(test_pages),
-		cmocka_unit_test(test_explained),
+		cmocka_unit_test(releasing_null_does_nothing),   cmocka_unit_test(null_parameters_are_refused),
+		cmocka_unit_test(null_scenes_are_refused),       cmocka_unit_test(null_traces_are_refused),
+		cmocka_unit_test(null_verdicts_are_refused),     cmocka_unit_test(null_answers_are_refused),
+		cmocka_unit_test(null_truths_are_refused),       cmocka_unit_test(null_vectors_are_refused),
+		cmocka_unit_test(null_images_are_refused),       cmocka_unit_test(null_encoders_are_refused),
+		cmocka_unit_test(null_metrics_give_nothing),     cmocka_unit_test(null_pages_are_refused),
+		cmocka_unit_test(null_explanations_are_refused),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

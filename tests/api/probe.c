@@ -2,7 +2,7 @@
 #include "run.h"
 #include <inttypes.h>
 
-static void test_answers(void **state)
+static void memory_and_folder_give_the_same_answers(void **state)
 {
 	(void)state;
 	const uint64_t *keys = ts_trace_buffer(reference, "eye.depth_triangle")->data;
@@ -46,7 +46,7 @@ static void test_answers(void **state)
 }
 
 /* Each row is of an option of the command, and all rows of one stand together. */
-static void test_table(void **state)
+static void rows_of_one_option_stand_together(void **state)
 {
 	(void)state;
 	static const char *const options[] = {"--pixel X,Y", "--pixel X,Y --view VIEW", "--triangle T", "--point P"};
@@ -63,6 +63,7 @@ static void test_table(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_answers), cmocka_unit_test(test_table)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(memory_and_folder_give_the_same_answers),
+	                                   cmocka_unit_test(rows_of_one_option_stand_together)};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

@@ -1,7 +1,7 @@
 /* The tables that the API walks are those that the command lists, with all that their rows promise. */
 #include "api.h"
 
-static void test_methods(void **state)
+static void methods_list_their_stages_in_order(void **state)
 {
 	(void)state;
 	const ts_method_info *method;
@@ -44,7 +44,7 @@ static void test_methods(void **state)
 static size_t bytes_of_type(const char *type) { return strcmp(type, "u64") == 0 ? 8 : 4; }
 
 /* A record's bytes are those of its fields, so that a program can lay it out. */
-static void test_buffers(void **state)
+static void fields_make_up_the_bytes_of_records(void **state)
 {
 	(void)state;
 	const ts_buffer_info *buffer;
@@ -69,7 +69,7 @@ static void test_buffers(void **state)
 }
 
 /* Shapes are products and sums of numbers and of sizes that are listed. */
-static void test_sizes(void **state)
+static void shapes_are_made_of_listed_sizes(void **state)
 {
 	(void)state;
 	const ts_buffer_info *buffer;
@@ -90,7 +90,7 @@ static void test_sizes(void **state)
 	assert_null(ts_size_at(n + 1));
 }
 
-static void test_params(void **state)
+static void parameters_read_back_what_was_set(void **state)
 {
 	(void)state;
 	ts_params *params = small_params(), *copy;
@@ -116,10 +116,10 @@ static void test_params(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_methods),
-		cmocka_unit_test(test_buffers),
-		cmocka_unit_test(test_sizes),
-		cmocka_unit_test(test_params),
+		cmocka_unit_test(methods_list_their_stages_in_order),
+		cmocka_unit_test(fields_make_up_the_bytes_of_records),
+		cmocka_unit_test(shapes_are_made_of_listed_sizes),
+		cmocka_unit_test(parameters_read_back_what_was_set),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static void compare_digest(void *user, const char *buffer, const char *hex)
 	e->n++;
 }
 
-static void test_digests(void **state)
+static void every_method_has_its_files_digests(void **state)
 {
 	(void)state;
 	const ts_method_info *method;
@@ -55,7 +55,7 @@ static void test_digests(void **state)
 	assert_true(n_buffers > 400);
 }
 
-static void test_part(void **state)
+static void a_part_has_the_bits_of_all(void **state)
 {
 	(void)state;
 	ts_params *more;
@@ -93,7 +93,7 @@ static void test_part(void **state)
 	ts_params_free(more);
 }
 
-static void test_image(void **state)
+static void an_image_has_its_shape_and_pixels(void **state)
 {
 	(void)state;
 	ts_trace *trace;
@@ -113,7 +113,7 @@ static void test_image(void **state)
 	assert_null(trace);
 }
 
-static void test_put(void **state)
+static void only_what_fits_is_put(void **state)
 {
 	(void)state;
 	ts_trace *own;
@@ -151,7 +151,7 @@ static void write_file(const char *path, const char *head, const void *data, siz
 }
 
 /* Files without a trace.json: bare elements by a list, and one .npy by its name; looking reads nothing. */
-static void test_files(void **state)
+static void files_are_opened_by_a_list(void **state)
 {
 	(void)state;
 	char folder[FOLDER], path[PATH], head[129];
@@ -219,7 +219,7 @@ static void leaves_nothing(const char *folder)
 }
 
 /* A candidate that is saved is the same when it is opened, and says who made it; so is what a replayed stage made. */
-static void test_save(void **state)
+static void a_saved_candidate_is_the_same_again(void **state)
 {
 	(void)state;
 	char folder[FOLDER], path[PATH];
@@ -265,7 +265,7 @@ static void test_save(void **state)
 }
 
 /* A trace on disk, compressed or not, is that in memory; a folder that holds something stays as it is. */
-static void test_write(void **state)
+static void a_written_trace_is_that_in_memory(void **state)
 {
 	(void)state;
 	char folder[FOLDER], path[PATH];
@@ -303,9 +303,13 @@ static void test_write(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_write),   cmocka_unit_test(test_save), cmocka_unit_test(test_files),
-		cmocka_unit_test(test_digests), cmocka_unit_test(test_part), cmocka_unit_test(test_image),
-		cmocka_unit_test(test_put),
+		cmocka_unit_test(a_written_trace_is_that_in_memory),
+		cmocka_unit_test(a_saved_candidate_is_the_same_again),
+		cmocka_unit_test(files_are_opened_by_a_list),
+		cmocka_unit_test(every_method_has_its_files_digests),
+		cmocka_unit_test(a_part_has_the_bits_of_all),
+		cmocka_unit_test(an_image_has_its_shape_and_pixels),
+		cmocka_unit_test(only_what_fits_is_put),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

@@ -2,7 +2,7 @@
 #include "api.h"
 #include <jansson.h>
 
-static void test_walk(void **state)
+static void trees_are_walked_by_index_and_name(void **state)
 {
 	(void)state;
 	static const char text[] = "{\"whole\":-7,\"part\":1.5,\"yes\":true,\"no\":false,\"word\":\"a\\\"b\",\"none\":null,"
@@ -40,6 +40,6 @@ static void test_walk(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_walk)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(trees_are_walked_by_index_and_name)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -22,7 +22,7 @@ static void resembles(const ts_truth_image *truth, const ts_trace *method)
 	assert_true(m.pixels == 64 * 36 && m.psnr > 10);
 }
 
-static void test_reflections(void **state)
+static void each_truth_resembles_a_method(void **state)
 {
 	(void)state;
 	ts_context *alone = open_context(1);
@@ -54,7 +54,7 @@ static int cancelled(void *user)
 	return ++asked > 0;
 }
 
-static void test_refusals(void **state)
+static void unknown_truths_are_refused(void **state)
 {
 	(void)state;
 	ts_context *ended;
@@ -72,6 +72,7 @@ static void test_refusals(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_reflections), cmocka_unit_test(test_refusals)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(each_truth_resembles_a_method),
+	                                   cmocka_unit_test(unknown_truths_are_refused)};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

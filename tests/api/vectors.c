@@ -70,7 +70,7 @@ static uint32_t check_columns(const ts_vector_column_info *columns, uint32_t n)
 }
 
 /* Columns fill rows without a gap, and shape and dtype say the same as they. */
-static void test_columns(void **state)
+static void columns_fill_rows_without_a_gap(void **state)
 {
 	(void)state;
 	const ts_vector_info *v;
@@ -96,7 +96,7 @@ static void test_columns(void **state)
 }
 
 /* Right outputs, and one bit of the last word of one item. */
-static void test_words(void **state)
+static void a_wrong_word_is_named(void **state)
 {
 	(void)state;
 	const ts_vector_info *v;
@@ -127,7 +127,7 @@ static void test_words(void **state)
 }
 
 /* A port that contracts a * b + c. */
-static void test_fault(void **state)
+static void a_contracting_port_is_told_its_fault(void **state)
 {
 	(void)state;
 	const ts_vector_info *v = primitive("muladd");
@@ -174,7 +174,7 @@ static uint32_t plain_row(const ts_vector_info *v, const uint32_t *out, uint32_t
 }
 
 /* Each type of output, off by so much; a float that is no number. */
-static void test_apart(void **state)
+static void each_type_tells_its_distance(void **state)
 {
 	(void)state;
 	static const struct {
@@ -216,7 +216,7 @@ static void test_apart(void **state)
 }
 
 /* A program of an older header passes less, one of a newer header more: what it has not, or we, is left alone. */
-static void test_sizes(void **state)
+static void older_and_newer_headers_are_served(void **state)
 {
 	(void)state;
 	const ts_vector_info *v = primitive("add");
@@ -241,7 +241,7 @@ static void test_sizes(void **state)
 }
 
 /* A context asked for one primitive and for another by turns, whose caller writes into what it was given. */
-static void test_turns(void **state)
+static void primitives_may_be_asked_by_turns(void **state)
 {
 	(void)state;
 	const ts_vector_info *a = primitive("add"), *b = primitive("cross");
@@ -262,8 +262,9 @@ static void test_turns(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_columns), cmocka_unit_test(test_words), cmocka_unit_test(test_fault),
-		cmocka_unit_test(test_apart),   cmocka_unit_test(test_sizes), cmocka_unit_test(test_turns),
+		cmocka_unit_test(columns_fill_rows_without_a_gap),      cmocka_unit_test(a_wrong_word_is_named),
+		cmocka_unit_test(a_contracting_port_is_told_its_fault), cmocka_unit_test(each_type_tells_its_distance),
+		cmocka_unit_test(older_and_newer_headers_are_served),   cmocka_unit_test(primitives_may_be_asked_by_turns),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

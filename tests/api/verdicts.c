@@ -87,7 +87,7 @@ static void check(const ts_buffer_view *v, const uint8_t *wrong, const char *fie
 	free(marks);
 }
 
-static void test_planted(void **state)
+static void planted_bits_are_listed_and_marked(void **state)
 {
 	(void)state;
 	static const struct {
@@ -116,7 +116,7 @@ static void test_planted(void **state)
 }
 
 /* Too few marks, and a file that has become shorter since its trace was opened. */
-static void test_marks_refused(void **state)
+static void too_few_marks_are_refused(void **state)
 {
 	(void)state;
 	const ts_buffer_view *v = ts_trace_buffer(reference, "pose.vertex");
@@ -165,7 +165,7 @@ static void mend_two(planted *p)
 }
 
 /* Of two buffers that differ each has its list; the first divergence is that of the first stage. */
-static void test_tree(void **state)
+static void each_buffer_that_differs_has_its_list(void **state)
 {
 	(void)state;
 	ts_verdicts *verdicts;
@@ -187,7 +187,7 @@ static void test_tree(void **state)
 }
 
 /* Only what the named stages make is judged; what they read is looked at, to say whether it is the same. */
-static void test_stages(void **state)
+static void only_named_stages_are_judged(void **state)
 {
 	(void)state;
 	ts_verdicts *verdicts;
@@ -216,7 +216,7 @@ static void test_stages(void **state)
 	mend_two(&p);
 }
 
-static void test_marks(void **state)
+static void equal_buffers_have_no_marks(void **state)
 {
 	(void)state;
 	const ts_buffer_view *image = ts_trace_buffer(reference, "image.srgb");
@@ -234,7 +234,7 @@ static void test_marks(void **state)
 }
 
 /* Another number of elements than the reference has is told, without a difference that could be listed. */
-static void test_shorter(void **state)
+static void a_shorter_buffer_has_no_difference(void **state)
 {
 	(void)state;
 	ts_verdicts *verdicts;
@@ -255,7 +255,7 @@ static void test_shorter(void **state)
 
 /* The pairs of a traversal are a set with an order of its own: in any order they are the same, and one that is repeated
  * in the place of another is beside, the other missing. */
-static void test_pairs(void **state)
+static void pairs_are_the_same_in_any_order(void **state)
 {
 	(void)state;
 	ts_trace *trace, *arrived;
@@ -287,9 +287,10 @@ static void test_pairs(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_planted), cmocka_unit_test(test_marks_refused), cmocka_unit_test(test_tree),
-		cmocka_unit_test(test_stages),  cmocka_unit_test(test_marks),         cmocka_unit_test(test_shorter),
-		cmocka_unit_test(test_pairs),
+		cmocka_unit_test(planted_bits_are_listed_and_marked),    cmocka_unit_test(too_few_marks_are_refused),
+		cmocka_unit_test(each_buffer_that_differs_has_its_list), cmocka_unit_test(only_named_stages_are_judged),
+		cmocka_unit_test(equal_buffers_have_no_marks),           cmocka_unit_test(a_shorter_buffer_has_no_difference),
+		cmocka_unit_test(pairs_are_the_same_in_any_order),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }
