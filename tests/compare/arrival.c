@@ -113,7 +113,7 @@ static void poke(ts_buffer_id id, u64 element, u32 offset, const void *data, voi
 	fclose(file);
 }
 
-static void test_same(void **state)
+static void points_in_any_order_are_the_same(void **state)
 {
 	(void)state;
 	if (compare() != TS_OK) fail_msg("%s", c.first < TS_N_BUFFERS ? ts_buffer_table[c.first].name : ts_error_message());
@@ -125,7 +125,7 @@ static void test_same(void **state)
 }
 
 /* A field of one record is found at the reference's place. */
-static void test_record(void **state)
+static void a_wrong_record_is_found_by_key(void **state)
 {
 	(void)state;
 	f32 old, wrong = 0.77f;
@@ -138,7 +138,7 @@ static void test_record(void **state)
 }
 
 /* A wrong index, one that is right only before mapping, and one that names nothing. */
-static void test_index(void **state)
+static void a_wrong_index_is_found_after_mapping(void **state)
 {
 	(void)state;
 	const u32 wrongs[] = {place[5], 5, (u32)n_points, TS_NONE - 1};
@@ -163,7 +163,7 @@ static void test_index(void **state)
 }
 
 /* Wrong records are listed in the reference's order, by their keys. */
-static void test_list(void **state)
+static void wrong_records_are_listed_by_their_keys(void **state)
 {
 	(void)state;
 	const ts_relaxations exact = {.ulp = 0};
@@ -189,7 +189,7 @@ static void test_list(void **state)
 }
 
 /* A changed key is a record that is missing and one that is beside; those that name it name nothing. */
-static void test_key(void **state)
+static void a_changed_key_is_missing_and_beside(void **state)
 {
 	(void)state;
 	u64 old, wrong = 3;
@@ -238,7 +238,7 @@ static long most_kib(void)
 }
 
 /* 64 MiB and 16 bytes a record, beyond what the process has without comparing. */
-static void test_memory(void **state)
+static void comparing_takes_little_memory(void **state)
 {
 	(void)state;
 	if (TS_TEST_SANITIZED) skip();
@@ -261,8 +261,7 @@ static void test_memory(void **state)
 	ts_trace_close(b);
 }
 
-/* Fewer records than keys are refused. */
-static void test_fewer_records(void **state)
+static void fewer_records_than_keys_are_refused(void **state)
 {
 	(void)state;
 	const ts_relaxations exact = {.ulp = 0};
@@ -277,9 +276,13 @@ static void test_fewer_records(void **state)
 int main(void)
 {
 	const struct CMUnitTest arrival[] = {
-		cmocka_unit_test(test_same),          cmocka_unit_test(test_record), cmocka_unit_test(test_index),
-		cmocka_unit_test(test_list),          cmocka_unit_test(test_key),    cmocka_unit_test(test_memory),
-		cmocka_unit_test(test_fewer_records),
+		cmocka_unit_test(points_in_any_order_are_the_same),
+		cmocka_unit_test(a_wrong_record_is_found_by_key),
+		cmocka_unit_test(a_wrong_index_is_found_after_mapping),
+		cmocka_unit_test(wrong_records_are_listed_by_their_keys),
+		cmocka_unit_test(a_changed_key_is_missing_and_beside),
+		cmocka_unit_test(comparing_takes_little_memory),
+		cmocka_unit_test(fewer_records_than_keys_are_refused),
 	};
 	return cmocka_run_group_tests(arrival, begin, end);
 }

@@ -52,7 +52,7 @@ static void poke(const ts_trace *trace, ts_buffer_id id, u64 element, u32 offset
 
 static ts_status compare(ts_relaxations relaxations) { return ts_compare_traces(&c, ref, cand, &relaxations); }
 
-static void test_same(void **state)
+static void a_trace_is_the_same_as_itself(void **state)
 {
 	(void)state;
 	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_OK);
@@ -62,7 +62,7 @@ static void test_same(void **state)
 }
 
 /* One bit of one component of every field of every buffer: found there, and nowhere else. */
-static void test_every_field(void **state)
+static void a_bit_of_every_field_is_found(void **state)
 {
 	(void)state;
 	u32 seed = 17, n = 0;
@@ -94,7 +94,7 @@ static void test_every_field(void **state)
 }
 
 /* Values of one float, the reference's and the candidate's, and what each relaxation says of them. */
-static void test_floats(void **state)
+static void each_relaxation_passes_what_it_says(void **state)
 {
 	(void)state;
 	enum { ULP1, ULP3, ABS, REL, N };
@@ -141,7 +141,7 @@ static void test_floats(void **state)
 }
 
 /* A NaN in a record of other fields, in both, with all else equal; none in what only looks like one. */
-static void test_nan(void **state)
+static void a_nan_in_both_is_different(void **state)
 {
 	(void)state;
 	u32 nan = 0xffc00000u, old, centre;
@@ -163,7 +163,7 @@ static void test_nan(void **state)
 		poke(i == 0 ? ref : cand, TS_B_points_record, 3, offsetof(ts_point, centre) + 8, &centre, 4, NULL);
 }
 
-static void test_allow_and_ignore(void **state)
+static void allowed_and_ignored_elements_pass(void **state)
 {
 	(void)state;
 	static const struct {
@@ -201,7 +201,7 @@ static void test_allow_and_ignore(void **state)
 	assert_int_equal(c.verdict[TS_B_image_srgb].judgement, TS_IGNORED);
 }
 
-static void test_mask(void **state)
+static void masked_pixels_are_not_judged(void **state)
 {
 	(void)state;
 	static u8 mask[64 * 36];
@@ -243,7 +243,7 @@ static u32 *sums_of(ts_buffer_id id)
 static void put_sums(ts_buffer_id id, const u32 *sums) { poke(cand, id, 0, 0, sums, ref->item[id].npy.n * 4, NULL); }
 
 /* A wrong count, which moves all sums behind it: the first, the last, and where parts of the file begin and end. */
-static void test_wrong_count(void **state)
+static void a_wrong_count_is_one_difference(void **state)
 {
 	(void)state;
 	const ts_relaxations exact = {.ulp = 0};
@@ -276,7 +276,7 @@ static void test_wrong_count(void **state)
 }
 
 /* What a plain look at all counts finds, of sums that begin elsewhere, fall, and move back. */
-static void test_sums(void **state)
+static void sums_are_judged_by_their_counts(void **state)
 {
 	(void)state;
 	const ts_buffer_id id = TS_B_points_offset;
@@ -304,7 +304,7 @@ static void test_sums(void **state)
 }
 
 /* Records that differ in one field, another and both; what is ignored, or near enough, is in no count. */
-static void test_fields(void **state)
+static void differences_are_counted_by_field(void **state)
 {
 	(void)state;
 	const ts_buffer_id id = TS_B_mirror_pixel_record;
@@ -343,7 +343,7 @@ static void test_fields(void **state)
 }
 
 /* The first differences of each buffer, as many as there is room for, or as there are. */
-static void test_lists(void **state)
+static void the_first_differences_are_listed(void **state)
 {
 	(void)state;
 	const ts_relaxations exact = {.ulp = 0};
@@ -401,7 +401,7 @@ static void restored(ts_buffer_id id)
 	assert_int_equal(ts_trace_open_folder(&cand, dir[1]), TS_OK);
 }
 
-static void test_counts(void **state)
+static void another_number_of_elements_is_told(void **state)
 {
 	(void)state;
 	char shape[64];
@@ -424,7 +424,7 @@ static void test_counts(void **state)
 	restored(TS_B_image_srgb);
 }
 
-static void test_nothing(void **state)
+static void nothing_to_judge_is_an_error(void **state)
 {
 	(void)state;
 	ts_trace *none, *other;
@@ -446,10 +446,12 @@ static void test_nothing(void **state)
 int main(void)
 {
 	const struct CMUnitTest compare_tests[] = {
-		cmocka_unit_test(test_same),   cmocka_unit_test(test_every_field),      cmocka_unit_test(test_floats),
-		cmocka_unit_test(test_nan),    cmocka_unit_test(test_allow_and_ignore), cmocka_unit_test(test_mask),
-		cmocka_unit_test(test_counts), cmocka_unit_test(test_nothing),          cmocka_unit_test(test_wrong_count),
-		cmocka_unit_test(test_sums),   cmocka_unit_test(test_fields),           cmocka_unit_test(test_lists),
+		cmocka_unit_test(a_trace_is_the_same_as_itself),       cmocka_unit_test(a_bit_of_every_field_is_found),
+		cmocka_unit_test(each_relaxation_passes_what_it_says), cmocka_unit_test(a_nan_in_both_is_different),
+		cmocka_unit_test(allowed_and_ignored_elements_pass),   cmocka_unit_test(masked_pixels_are_not_judged),
+		cmocka_unit_test(another_number_of_elements_is_told),  cmocka_unit_test(nothing_to_judge_is_an_error),
+		cmocka_unit_test(a_wrong_count_is_one_difference),     cmocka_unit_test(sums_are_judged_by_their_counts),
+		cmocka_unit_test(differences_are_counted_by_field),    cmocka_unit_test(the_first_differences_are_listed),
 	};
 	return cmocka_run_group_tests(compare_tests, begin, end);
 }

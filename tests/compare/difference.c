@@ -9,7 +9,7 @@ static void says_where(ts_buffer_id id, ts_difference d, const char *right)
 	assert_string_equal(text, right);
 }
 
-static void test_where(void **state)
+static void a_place_is_told_in_words(void **state)
 {
 	(void)state;
 	says_where(TS_B_align_frame, (ts_difference){.element = 12}, "element 12");
@@ -26,7 +26,7 @@ static void test_where(void **state)
 }
 
 /* Counts may be negative, and have no bits of their own. */
-static void test_show(void **state)
+static void counts_may_be_negative(void **state)
 {
 	(void)state;
 	char text[TS_VALUE_TEXT], field[64];
@@ -43,7 +43,7 @@ static void test_show(void **state)
 	assert_string_equal(field, "");
 }
 
-static void test_add(void **state)
+static void a_full_list_takes_no_more(void **state)
 {
 	(void)state;
 	ts_named room[3] = {{.where = "kept"}, {.where = "kept"}, {.where = "kept"}};
@@ -62,9 +62,9 @@ static void test_add(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_where),
-		cmocka_unit_test(test_show),
-		cmocka_unit_test(test_add),
+		cmocka_unit_test(a_place_is_told_in_words),
+		cmocka_unit_test(counts_may_be_negative),
+		cmocka_unit_test(a_full_list_takes_no_more),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,7 +13,7 @@ static void tells(f32 ref, f32 cand, const char *right)
 	assert_string_equal(text, right);
 }
 
-static void test_difference(void **state)
+static void each_kind_of_difference_has_its_line(void **state)
 {
 	(void)state;
 	char text[TS_DIFFERENCE_TEXT];
@@ -45,7 +45,7 @@ static void first_is(const ts_verdict *v, const char *right)
 	assert_string_equal(text, right);
 }
 
-static void test_first(void **state)
+static void the_first_difference_tells_their_number(void **state)
 {
 	(void)state;
 	ts_named named = {.difference = {.how = TS_LACKED}, .where = "point 5"};
@@ -68,7 +68,7 @@ static void note_is(ts_buffer_id id, ts_verdict v, const char *right)
 	assert_string_equal(text, right);
 }
 
-static void test_note(void **state)
+static void notes_tell_sums_numbers_and_fields(void **state)
 {
 	(void)state;
 	char text[TS_LINE_TEXT];
@@ -91,7 +91,7 @@ static void inputs_are(const char *right)
 }
 
 /* What is said of the inputs of splat, as more and more is known of them. */
-static void test_inputs(void **state)
+static void inputs_are_told_as_far_as_known(void **state)
 {
 	(void)state;
 	char line[TS_LINE_TEXT], all[TS_INPUTS_TEXT] = "inputs identical as far as given; not given: ";
@@ -125,10 +125,10 @@ static void test_inputs(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_difference),
-		cmocka_unit_test(test_first),
-		cmocka_unit_test(test_note),
-		cmocka_unit_test(test_inputs),
+		cmocka_unit_test(each_kind_of_difference_has_its_line),
+		cmocka_unit_test(the_first_difference_tells_their_number),
+		cmocka_unit_test(notes_tell_sums_numbers_and_fields),
+		cmocka_unit_test(inputs_are_told_as_far_as_known),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

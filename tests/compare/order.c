@@ -68,7 +68,7 @@ static void shuffle(u64 *keys, u64 n)
 	}
 }
 
-static void test_permutations(void **state)
+static void any_permutation_is_mapped_back(void **state)
 {
 	(void)state;
 	static u64 ref[MOST], cand[MOST];
@@ -111,7 +111,7 @@ static u64 search(ts_difference *found, const u64 *ref, u64 n, const u64 *cand, 
 }
 
 /* Drops, repeats and invents keys; what is found is what a plain search finds, as far as there is room. */
-static void test_unlike(void **state)
+static void missing_and_repeated_keys_are_all_found(void **state)
 {
 	(void)state;
 	static u64 ref[MOST], cand[2 * MOST];
@@ -151,7 +151,7 @@ static void test_unlike(void **state)
 }
 
 /* An index that names nothing never becomes one that does. */
-static void test_out_of_range(void **state)
+static void no_wrong_index_becomes_a_right_one(void **state)
 {
 	(void)state;
 	const u64 ref[] = {1, 2, 3, 4, 5}, cand[] = {9, 2, 1};
@@ -166,7 +166,7 @@ static void test_out_of_range(void **state)
 	ts_order_free(&order);
 }
 
-static void test_ends(void **state)
+static void the_least_and_greatest_keys_are_met(void **state)
 {
 	(void)state;
 	const u64 ref[] = {0, 7, UINT64_MAX}, cand[] = {UINT64_MAX, 3, UINT64_MAX, UINT64_MAX, 0}, down[] = {1, 3, 2};
@@ -192,7 +192,7 @@ static void test_ends(void **state)
 }
 
 /* Canonical candidates keep the places of points, and those of other sets only where keys do not ascend. */
-static void test_canonical(void **state)
+static void canonical_candidates_keep_their_places(void **state)
 {
 	(void)state;
 	const u64 ref[] = {1, 2, 3, 4}, less[] = {1, 3, 4}, twice[] = {1, 2, 2, 3, 4}, turned[] = {1, 2, 4, 3};
@@ -218,7 +218,7 @@ static void test_canonical(void **state)
 }
 
 /* Where a missing point was, only the reference can say. */
-static void test_unreadable(void **state)
+static void without_the_reference_no_place_is_told(void **state)
 {
 	(void)state;
 	const u64 ref[] = {1, 2, 3}, cand[] = {1, 3};
@@ -238,7 +238,7 @@ static void test_unreadable(void **state)
 }
 
 /* Records larger than a window, in random order, with some missing. */
-static void test_gather(void **state)
+static void records_are_gathered_by_windows(void **state)
 {
 	(void)state;
 	enum { N = 900000, BYTES = sizeof(ts_vertex) };
@@ -276,9 +276,13 @@ static void test_gather(void **state)
 int main(void)
 {
 	const struct CMUnitTest order[] = {
-		cmocka_unit_test(test_permutations), cmocka_unit_test(test_unlike),    cmocka_unit_test(test_out_of_range),
-		cmocka_unit_test(test_ends),         cmocka_unit_test(test_canonical), cmocka_unit_test(test_gather),
-		cmocka_unit_test(test_unreadable),
+		cmocka_unit_test(any_permutation_is_mapped_back),
+		cmocka_unit_test(missing_and_repeated_keys_are_all_found),
+		cmocka_unit_test(no_wrong_index_becomes_a_right_one),
+		cmocka_unit_test(the_least_and_greatest_keys_are_met),
+		cmocka_unit_test(canonical_candidates_keep_their_places),
+		cmocka_unit_test(records_are_gathered_by_windows),
+		cmocka_unit_test(without_the_reference_no_place_is_told),
 	};
 	return cmocka_run_group_tests(order, scratch_begin, scratch_remove);
 }

@@ -13,7 +13,7 @@ static const ts_tie_rule one[] = {
 	{TS_B_eye_view, open_none, NULL, NULL}, {TS_B_scene_texel, open_none, NULL, NULL}, {0}};
 static const ts_tie_rule other[] = {{TS_B_image_radiance, open_none, NULL, NULL}, {0}};
 
-static void test_find(void **state)
+static void rules_are_found_by_their_buffer(void **state)
 {
 	(void)state;
 	static const ts_tie_rule *const both[] = {one, other, NULL}, *const none[] = {NULL};
@@ -27,6 +27,6 @@ static void test_find(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tie[] = {cmocka_unit_test(test_find)};
+	const struct CMUnitTest tie[] = {cmocka_unit_test(rules_are_found_by_their_buffer)};
 	return cmocka_run_group_tests(tie, NULL, NULL);
 }

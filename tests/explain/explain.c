@@ -75,7 +75,7 @@ static void told(const ts_explanation *e, size_t launch, ts_kernel kernel, u64 i
 }
 
 /* Both launches of a stage have the item; or the one of the kernel that was asked for; or none. */
-static void test_items(void **state)
+static void each_launch_with_the_item_tells(void **state)
 {
 	(void)state;
 	ts_explanation e;
@@ -112,7 +112,7 @@ static const ts_told_line *store_of(const ts_explanation *e, const char *element
 }
 
 /* Of an element only the launch tells that stores it, whichever of the stage's that is. */
-static void test_elements(void **state)
+static void only_the_launch_that_stores_tells(void **state)
 {
 	(void)state;
 	ts_explanation e;
@@ -141,7 +141,7 @@ static void test_elements(void **state)
 
 /* Of the points that offer a texel their keys the one tells whose index the texel holds: others come before it and
  * behind it. */
-static void test_winners(void **state)
+static void the_winner_of_a_texel_tells(void **state)
 {
 	(void)state;
 	u64 *keys = elements_of(TS_B_splat_depth_index);
@@ -160,7 +160,7 @@ static void test_winners(void **state)
 }
 
 /* Lines behind the most are counted; calls of primitives are more lines and change no other. */
-static void test_lines(void **state)
+static void lines_behind_the_most_are_counted(void **state)
 {
 	(void)state;
 	ts_explanation all, few, deep;
@@ -191,7 +191,7 @@ static void refused(const char *stage, ts_question question, const char *message
 	ts_explain_end(&e);
 }
 
-static void test_refusals(void **state)
+static void items_that_are_not_there_are_refused(void **state)
 {
 	(void)state;
 	char message[256];
@@ -211,7 +211,7 @@ static void test_refusals(void **state)
 }
 
 /* A bit of one input: the first line that differs is the one that reads it. */
-static void test_differ(void **state)
+static void the_line_that_reads_the_bit_differs(void **state)
 {
 	(void)state;
 	size_t number;
@@ -243,8 +243,9 @@ static void test_differ(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_items), cmocka_unit_test(test_elements), cmocka_unit_test(test_winners),
-		cmocka_unit_test(test_lines), cmocka_unit_test(test_refusals), cmocka_unit_test(test_differ),
+		cmocka_unit_test(each_launch_with_the_item_tells),      cmocka_unit_test(only_the_launch_that_stores_tells),
+		cmocka_unit_test(the_winner_of_a_texel_tells),          cmocka_unit_test(lines_behind_the_most_are_counted),
+		cmocka_unit_test(items_that_are_not_there_are_refused), cmocka_unit_test(the_line_that_reads_the_bit_differs),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

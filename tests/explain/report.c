@@ -100,7 +100,7 @@ static void prints(const char *const *expected, size_t n)
 #define MIDDLE TEST, STORE, COUNT
 #define ALL CALL, NUMBER(" ", "7 (7)"), MIDDLE, RECORD, RESULT(" ")
 
-static void test_one(void **state)
+static void one_explanation_is_printed_line_by_line(void **state)
 {
 	(void)state;
 	PRINTS(HEAD, LAUNCH, ALL);
@@ -111,7 +111,7 @@ static void test_one(void **state)
 }
 
 /* Nothing was asked about: all launches. */
-static void test_launches(void **state)
+static void without_an_item_launches_are_listed(void **state)
 {
 	(void)state;
 	question.subject = TS_EXPLAIN_LAUNCHES;
@@ -121,7 +121,7 @@ static void test_launches(void **state)
 }
 
 /* The same in both: once. What differs: the first such line on top, and each in its place by either. */
-static void test_both(void **state)
+static void lines_the_same_in_both_stand_once(void **state)
 {
 	(void)state;
 	beside();
@@ -136,7 +136,7 @@ static void test_both(void **state)
 }
 
 /* Where one ends, or goes on elsewhere, all lines from there on are of one side. */
-static void test_ways(void **state)
+static void ways_that_part_stay_on_one_side(void **state)
 {
 	(void)state;
 	beside();
@@ -158,7 +158,7 @@ static void holds(const json_t *part, const char *expected)
 	free(text);
 }
 
-static void test_json(void **state)
+static void json_has_every_line(void **state)
 {
 	(void)state;
 	static const char *const lines[] = {
@@ -190,7 +190,7 @@ static void test_json(void **state)
 }
 
 /* What floats are no number, and what is false. */
-static void test_values(void **state)
+static void no_number_is_null_in_json(void **state)
 {
 	(void)state;
 	static const u32 bits[] = {0x7f800000u, 0xff800000u, 0x7fc00000u, 0x7f7fffffu, 0};
@@ -217,7 +217,7 @@ static void test_values(void **state)
 }
 
 /* The first line that differs, of both; of a side that has none, nothing. */
-static void test_difference(void **state)
+static void the_first_difference_has_both_sides(void **state)
 {
 	(void)state;
 	beside();
@@ -282,7 +282,7 @@ static size_t starve(json_t *make(const ts_told_what *what))
 	return n_none;
 }
 
-static void test_no_memory(void **state)
+static void without_memory_there_is_no_answer(void **state)
 {
 	(void)state;
 	json_malloc_t usual;
@@ -302,8 +302,14 @@ static void test_no_memory(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		told_test(test_one),  told_test(test_launches), told_test(test_both),       told_test(test_ways),
-		told_test(test_json), told_test(test_values),   told_test(test_difference), told_test(test_no_memory),
+		told_test(one_explanation_is_printed_line_by_line),
+		told_test(without_an_item_launches_are_listed),
+		told_test(lines_the_same_in_both_stand_once),
+		told_test(ways_that_part_stay_on_one_side),
+		told_test(json_has_every_line),
+		told_test(no_number_is_null_in_json),
+		told_test(the_first_difference_has_both_sides),
+		told_test(without_memory_there_is_no_answer),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -17,7 +17,7 @@ static ts_status told_launch(ts_backend *backend, ts_frame *frame, const ts_laun
 }
 
 /* Every item of every kernel tells, once a stage, and the buffers are those of the trace. */
-static void test_same_bits(void **state)
+static void telling_changes_no_bit(void **state)
 {
 	(void)state;
 	u32 n_kernels = 0;
@@ -77,7 +77,7 @@ static void check_store(const ts_explanation *e, u32 m, ts_buffer_id id, u64 ele
 }
 
 /* An element of every output, of the first stage that has it; whole: of each such stage. */
-static void test_elements(void **state)
+static void stored_values_are_those_of_the_trace(void **state)
 {
 	(void)state;
 	u32 n_stored = 0, n_none = 0, whole = whole_or(1, 0);
@@ -107,6 +107,7 @@ static void test_elements(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_same_bits), seeded_test(test_elements)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(telling_changes_no_bit),
+	                                   seeded_test(stored_values_are_those_of_the_trace)};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);
 }

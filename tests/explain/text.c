@@ -52,7 +52,7 @@ static void shows(u32 leaf, const hand_record *r, const char *expected)
 	assert_string_equal(text, expected);
 }
 
-static void test_numbers(void **state)
+static void each_kind_of_number_has_its_words(void **state)
 {
 	(void)state;
 	static const char *const full[] = {
@@ -71,7 +71,7 @@ static void test_numbers(void **state)
 }
 
 /* Pointers by the element that any byte of it is in, up to the buffer's end. */
-static void test_pointers(void **state)
+static void pointers_name_the_element_they_are_in(void **state)
 {
 	(void)state;
 	ts_frame *frame = &hand_load.run.frame;
@@ -89,7 +89,7 @@ static void test_pointers(void **state)
 	shows(7, &record, "memory of the stage");
 }
 
-static void test_lines(void **state)
+static void each_kind_of_line_has_its_words(void **state)
 {
 	(void)state;
 	const u32 n = 300, xy[2] = {1, 2};
@@ -128,7 +128,7 @@ static void test_lines(void **state)
 }
 
 /* Long values that were told before say where; pointers to nothing are left out of them. */
-static void test_long(void **state)
+static void long_values_say_where_they_were_told(void **state)
 {
 	(void)state;
 	const char *head = "r = .length 1.5 (3fc00000), .step -7, .flags 300 (12c), .sum -5000000000, "
@@ -153,7 +153,7 @@ static void test_long(void **state)
 }
 
 /* More numbers than a text can hold: as many as fit with room for one more. */
-static void test_endless(void **state)
+static void an_endless_value_is_cut(void **state)
 {
 	(void)state;
 	enum { MANY = 1000 };
@@ -171,7 +171,7 @@ static void test_endless(void **state)
 }
 
 /* A thousand lines back, and no farther. */
-static void test_far_back(void **state)
+static void a_thousand_lines_back_is_far_enough(void **state)
 {
 	(void)state;
 	const u32 n = 0;
@@ -188,7 +188,7 @@ static void test_far_back(void **state)
 }
 
 /* Two lines of the same place: what differs, by either's values, also of what was told before. */
-static void test_beside(void **state)
+static void lines_beside_each_other_tell_what_differs(void **state)
 {
 	(void)state;
 	hand_record r = record;
@@ -208,7 +208,7 @@ static void test_beside(void **state)
 }
 
 /* Lines differ that only one has, or that stand elsewhere or deeper; a decision by its outcome. */
-static void test_differ(void **state)
+static void lines_that_only_one_has_differ(void **state)
 {
 	(void)state;
 	size_t number;
@@ -243,9 +243,14 @@ static void test_differ(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		listening_test(test_numbers), listening_test(test_pointers), listening_test(test_lines),
-		listening_test(test_long),    listening_test(test_endless),  listening_test(test_far_back),
-		listening_test(test_beside),  listening_test(test_differ),
+		listening_test(each_kind_of_number_has_its_words),
+		listening_test(pointers_name_the_element_they_are_in),
+		listening_test(each_kind_of_line_has_its_words),
+		listening_test(long_values_say_where_they_were_told),
+		listening_test(an_endless_value_is_cut),
+		listening_test(a_thousand_lines_back_is_far_enough),
+		listening_test(lines_beside_each_other_tell_what_differs),
+		listening_test(lines_that_only_one_has_differ),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,7 +9,7 @@ static u32 value_of(const ts_explanation *e, size_t number)
 	return value;
 }
 
-static void test_lines(void **state)
+static void lines_are_kept_in_their_order(void **state)
 {
 	(void)state;
 	ts_explanation e;
@@ -39,7 +39,7 @@ static void test_lines(void **state)
 }
 
 /* Of functions that are no kernel's own only stores are heard, also of the kernel's that they call. */
-static void test_primitives(void **state)
+static void of_primitives_only_stores_are_heard(void **state)
 {
 	(void)state;
 	for (u32 primitives = 0; primitives < 2; primitives++) {
@@ -70,7 +70,7 @@ static void test_primitives(void **state)
 }
 
 /* Lines behind the most are counted, their values are not kept; the store is of the line that would have been next. */
-static void test_most(void **state)
+static void lines_behind_the_most_keep_no_value(void **state)
 {
 	(void)state;
 	ts_explanation e;
@@ -87,7 +87,7 @@ static void test_most(void **state)
 }
 
 /* Every store that shares a byte with what is watched is noticed, and no other; the last one is remembered. */
-static void test_watch(void **state)
+static void every_store_into_the_watched_is_noticed(void **state)
 {
 	(void)state;
 	static u8 bytes[64];
@@ -112,7 +112,7 @@ static void test_watch(void **state)
 }
 
 /* Who does not listen hears nothing, and tests decide as ever. */
-static void test_deaf(void **state)
+static void who_does_not_listen_hears_nothing(void **state)
 {
 	(void)state;
 	ts_explanation e;
@@ -128,7 +128,7 @@ static void test_deaf(void **state)
 }
 
 /* Lines or bytes that no memory could hold: the line is not kept, and nothing is heard from then on. */
-static void test_no_memory(void **state)
+static void without_memory_no_line_is_kept(void **state)
 {
 	(void)state;
 	for (u32 of_bytes = 0; of_bytes < 2; of_bytes++) {
@@ -152,8 +152,12 @@ static void test_no_memory(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_lines), cmocka_unit_test(test_primitives), cmocka_unit_test(test_most),
-		cmocka_unit_test(test_watch), cmocka_unit_test(test_deaf),       cmocka_unit_test(test_no_memory),
+		cmocka_unit_test(lines_are_kept_in_their_order),
+		cmocka_unit_test(of_primitives_only_stores_are_heard),
+		cmocka_unit_test(lines_behind_the_most_keep_no_value),
+		cmocka_unit_test(every_store_into_the_watched_is_noticed),
+		cmocka_unit_test(who_does_not_listen_hears_nothing),
+		cmocka_unit_test(without_memory_no_line_is_kept),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

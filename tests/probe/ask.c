@@ -25,7 +25,7 @@ static int drop_all(void **state)
 }
 
 /* Every row names a stage, and answers for a method. */
-static void test_rows(void **state)
+static void every_row_answers_for_a_method(void **state)
 {
 	(void)state;
 	const ts_probe_part *part;
@@ -40,8 +40,7 @@ static void test_rows(void **state)
 	assert_true(n > 8);
 }
 
-/* A refusal names what can be asked for instead. */
-static void test_refusals(void **state)
+static void a_refusal_names_what_can_be_asked(void **state)
 {
 	(void)state;
 	json_t *answer;
@@ -68,7 +67,7 @@ static ts_status say(ts_probe *probe, const ts_probe_question *question, json_t 
 }
 
 /* A trace of a method that no row answers for is not opened, and what it could be compared by is said. */
-static void test_unexplained(const ts_probe_part *none)
+static void assert_unexplained(const ts_probe_part *none)
 {
 	static const ts_probe_part hulls[] = {{TS_PROBE_PIXEL, "hull", say, "hulls", NULL}, {0}};
 	static const ts_probe_part splats[] = {{TS_PROBE_PIXEL, "forward", say, "colours", NULL}, {0}};
@@ -84,7 +83,7 @@ static void test_unexplained(const ts_probe_part *none)
 }
 
 /* A family of its own is asked, and the first of its rows that fits answers. */
-static void test_family(void **state)
+static void the_first_row_that_fits_answers(void **state)
 {
 	(void)state;
 	static const ts_probe_view of_shell = {.form = "shellN.inside", .prefix = "shell", .side = one_side, .n_sides = 2};
@@ -111,7 +110,7 @@ static void test_family(void **state)
 	assert_refused(ask_pixel(&soft, 0, 0, &answer), "only texels (view shellN.inside)");
 	assert_refused(ask_texel(&epr, "shell0.inside", 0, 0, &answer), "only triangles");
 	assert_null(answer);
-	test_unexplained(none);
+	assert_unexplained(none);
 	ts_tools_begin();
 	require(ask_pixel(&soft, 0, 0, &answer));
 	json_decref(answer);
@@ -120,9 +119,9 @@ static void test_family(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_rows),
-		cmocka_unit_test(test_refusals),
-		cmocka_unit_test(test_family),
+		cmocka_unit_test(every_row_answers_for_a_method),
+		cmocka_unit_test(a_refusal_names_what_can_be_asked),
+		cmocka_unit_test(the_first_row_that_fits_answers),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

@@ -48,7 +48,7 @@ static ts_camera_k camera(void)
 static u64 key_of(f32 depth, u32 index) { return (u64)ts_f2u(depth) << 32 | index; }
 
 /* However many are added, all are there, in the order of their keys. */
-static void test_offers(void **state)
+static void offers_stand_in_order_of_keys(void **state)
 {
 	(void)state;
 	ts_offers offers = {.offer = NULL};
@@ -70,7 +70,7 @@ static void test_offers(void **state)
 }
 
 /* Those that cover the pixel, face the eye and are not the viewer's own, nearest first. */
-static void test_contest(void **state)
+static void all_that_cover_the_pixel_compete(void **state)
 {
 	(void)state;
 	const ts_camera_k view = camera();
@@ -111,7 +111,7 @@ static const char *text(const json_t *o, const char *key) { return json_string_v
 static double real(const json_t *o, const char *key) { return json_real_value(json_object_get(o, key)); }
 
 /* Each loser is as far behind as the depths say. */
-static void test_losers(void **state)
+static void losers_are_behind_by_their_depths(void **state)
 {
 	(void)state;
 	static const f32 depths[] = {1.0f, 1.5f, 4.0f};
@@ -134,8 +134,7 @@ static void test_losers(void **state)
 	json_decref(o);
 }
 
-/* Equal depths go to the lower index. */
-static void test_ties(void **state)
+static void equal_depths_go_to_the_lower_index(void **state)
 {
 	(void)state;
 	static const f32 depths[] = {2.0f, 2.0f, 3.0f};
@@ -151,7 +150,7 @@ static void test_ties(void **state)
 }
 
 /* What alpha takes away neither wins nor is second. */
-static void test_cuts(void **state)
+static void what_alpha_cuts_neither_wins_nor_loses(void **state)
 {
 	(void)state;
 	static const f32 depths[] = {1.0f, 2.0f, 3.0f, 6.0f};
@@ -181,7 +180,7 @@ static ts_status put_twice(ts_probe *probe, json_t *o, u32 index)
 }
 
 /* Indices of other things than triangles are told by who knows them, who may fail. */
-static void test_indices(void **state)
+static void other_indices_are_told_by_their_kind(void **state)
 {
 	(void)state;
 	static const f32 depths[] = {1.0f, 1.5f};
@@ -200,7 +199,7 @@ static void test_indices(void **state)
 }
 
 /* Of many only the nearest are listed, which is said. */
-static void test_many(void **state)
+static void only_the_nearest_of_many_are_listed(void **state)
 {
 	(void)state;
 	ts_offer offer[100];
@@ -220,9 +219,13 @@ static void test_many(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_offers), cmocka_unit_test(test_contest), cmocka_unit_test(test_losers),
-		cmocka_unit_test(test_ties),   cmocka_unit_test(test_cuts),    cmocka_unit_test(test_indices),
-		cmocka_unit_test(test_many),
+		cmocka_unit_test(offers_stand_in_order_of_keys),
+		cmocka_unit_test(all_that_cover_the_pixel_compete),
+		cmocka_unit_test(losers_are_behind_by_their_depths),
+		cmocka_unit_test(equal_depths_go_to_the_lower_index),
+		cmocka_unit_test(what_alpha_cuts_neither_wins_nor_loses),
+		cmocka_unit_test(other_indices_are_told_by_their_kind),
+		cmocka_unit_test(only_the_nearest_of_many_are_listed),
 	};
 	return cmocka_run_group_tests(tests, begin, NULL);
 }

@@ -12,7 +12,7 @@ static void assert_json(json_t *value, const char *right)
 	json_decref(value);
 }
 
-static void test_numbers(void **state)
+static void numbers_have_their_bits(void **state)
 {
 	(void)state;
 	const ts_v3 v = ts_v3_make(1.5f, -0.0f, ts_u2f(0x7fc00000));
@@ -28,7 +28,7 @@ static void test_numbers(void **state)
 	assert_json(ts_probe_face_name(12, 3), "\"12.-Y\"");
 }
 
-static void test_margin(void **state)
+static void a_margin_is_told_in_steps(void **state)
 {
 	(void)state;
 	ts_probe p = {.failed = false};
@@ -39,7 +39,7 @@ static void test_margin(void **state)
 }
 
 /* As many bits are shown as there are numbers, but four; none where all agree. */
-static void test_check(void **state)
+static void checks_tell_the_bits_that_differ(void **state)
 {
 	(void)state;
 	ts_probe p = {.failed = false};
@@ -65,7 +65,7 @@ static void test_check(void **state)
 }
 
 /* The first field that differs, with the bits that the buffer holds; of a scalar there is no name. */
-static void test_record_check(void **state)
+static void checks_of_records_name_the_field(void **state)
 {
 	(void)state;
 	ts_probe p = {.failed = false};
@@ -90,7 +90,7 @@ static void test_record_check(void **state)
 	assert_json(o, "{\"check\":\"bits differ from cull.keep, which holds 0 (00000000)\"}");
 }
 
-static void test_key_check(void **state)
+static void checks_of_keys_tell_both_halves(void **state)
 {
 	(void)state;
 	ts_probe p = {.failed = false};
@@ -112,7 +112,7 @@ static void test_key_check(void **state)
 }
 
 /* The last bit counts; zeros are stored as one. */
-static void test_sum(void **state)
+static void sums_must_agree_to_the_last_bit(void **state)
 {
 	(void)state;
 	ts_probe p = {.failed = false};
@@ -124,7 +124,7 @@ static void test_sum(void **state)
 }
 
 /* A value that could not be made leaves the answer incomplete, which is remembered. */
-static void test_memory(void **state)
+static void a_missing_value_is_remembered(void **state)
 {
 	(void)state;
 	ts_probe put = {.failed = false}, append = {.failed = false};
@@ -142,9 +142,10 @@ static void test_memory(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_numbers),      cmocka_unit_test(test_margin),    cmocka_unit_test(test_check),
-		cmocka_unit_test(test_record_check), cmocka_unit_test(test_key_check), cmocka_unit_test(test_sum),
-		cmocka_unit_test(test_memory),
+		cmocka_unit_test(numbers_have_their_bits),          cmocka_unit_test(a_margin_is_told_in_steps),
+		cmocka_unit_test(checks_tell_the_bits_that_differ), cmocka_unit_test(checks_of_records_name_the_field),
+		cmocka_unit_test(checks_of_keys_tell_both_halves),  cmocka_unit_test(sums_must_agree_to_the_last_bit),
+		cmocka_unit_test(a_missing_value_is_remembered),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,7 +43,7 @@ static u32 coloured(const traced *t)
 	}
 }
 
-static void test_pixels(void **state)
+static void pixels_agree_with_the_picture(void **state)
 {
 	(void)state;
 	u32 n_shaded = 0;
@@ -71,7 +71,7 @@ static void test_pixels(void **state)
 }
 
 /* Of four samples each is told with its own surface, shading and light; the picture is their mean. */
-static void test_samples(void **state)
+static void each_sample_is_told_on_its_own(void **state)
 {
 	(void)state;
 	const f32 *radiance = data(&four, TS_B_image_sample_radiance);
@@ -94,7 +94,7 @@ static void test_samples(void **state)
 	}
 }
 
-static void test_outside(void **state)
+static void pixels_outside_the_eye_are_refused(void **state)
 {
 	(void)state;
 	json_t *answer;
@@ -134,7 +134,7 @@ static ts_status ask(ts_probe *probe, const u32 *place, json_t **answer)
 }
 
 /* Outside its crop a picture says nothing of a pixel, and inside what it says is of that pixel. */
-static void test_cropped_picture(void **state)
+static void a_cropped_picture_says_nothing_outside(void **state)
 {
 	(void)state;
 	json_t *answer;
@@ -155,8 +155,7 @@ static void test_cropped_picture(void **state)
 	damage_end(&d);
 }
 
-/* Without the keys there is no answer. */
-static void test_cropped_keys(void **state)
+static void without_the_keys_there_is_no_answer(void **state)
 {
 	(void)state;
 	json_t *answer;
@@ -175,7 +174,7 @@ static void test_cropped_keys(void **state)
 }
 
 /* Light that differs from what was computed is told with its bits. */
-static void test_wrong_picture(void **state)
+static void wrong_light_is_told_with_its_bits(void **state)
 {
 	(void)state;
 	json_t *answer;
@@ -196,9 +195,9 @@ static void test_wrong_picture(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_pixels),       cmocka_unit_test(test_samples),
-		cmocka_unit_test(test_outside),      cmocka_unit_test(test_cropped_picture),
-		cmocka_unit_test(test_cropped_keys), cmocka_unit_test(test_wrong_picture),
+		cmocka_unit_test(pixels_agree_with_the_picture),       cmocka_unit_test(each_sample_is_told_on_its_own),
+		cmocka_unit_test(pixels_outside_the_eye_are_refused),  cmocka_unit_test(a_cropped_picture_says_nothing_outside),
+		cmocka_unit_test(without_the_keys_there_is_no_answer), cmocka_unit_test(wrong_light_is_told_with_its_bits),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

@@ -3,7 +3,7 @@
 #include "mvr.h"
 
 /* Any run of elements, up to the last one, is the buffer's. */
-static void test_fetch(void **state)
+static void any_run_of_elements_is_fetched(void **state)
 {
 	(void)state;
 	const ts_vertex *vertices = data(&mvr, TS_B_pose_vertex);
@@ -18,7 +18,7 @@ static void test_fetch(void **state)
 }
 
 /* The last element that was asked for is named, where one is not there. */
-static void test_beyond(void **state)
+static void elements_beyond_the_end_are_refused(void **state)
 {
 	(void)state;
 	static ts_vertex some[4];
@@ -54,7 +54,7 @@ static ts_status fetch_with(ts_buffer_id id, const char *name, u32 component, u6
 }
 
 /* Every component of a float is finite. */
-static void test_floats(void **state)
+static void fetched_floats_must_be_finite(void **state)
 {
 	(void)state;
 	static const u32 odd[] = {0x7f800000, 0xff800000, 0x7fc00000, 0xffffffff};
@@ -70,7 +70,7 @@ static void test_floats(void **state)
 }
 
 /* Every component of an index names something, or nothing where it may. */
-static void test_indices(void **state)
+static void fetched_indices_must_name_something(void **state)
 {
 	(void)state;
 	const u64 vertices = count(&mvr, TS_B_scene_vertex), slots = count(&mvr, TS_B_scene_slot);
@@ -91,7 +91,7 @@ static void test_indices(void **state)
 }
 
 /* The low half of a key is an index; all ones are none, and ones in one half are not. */
-static void test_keys(void **state)
+static void fetched_keys_must_name_an_index(void **state)
 {
 	(void)state;
 	const u64 n = count(&mvr, TS_B_scene_triangle), high = (u64)0x3f800000 << 32;
@@ -103,8 +103,7 @@ static void test_keys(void **state)
 	assert_refused(fetch_with(TS_B_eye_depth_triangle, "", 0, high | TS_NONE), "element 2 names 4294967295 of ");
 }
 
-/* A buffer is read once, and whole. */
-static void test_whole(void **state)
+static void a_buffer_is_read_once_and_whole(void **state)
 {
 	(void)state;
 	damaged d;
@@ -123,7 +122,7 @@ static void test_whole(void **state)
 }
 
 /* What is there, how much of it, and what the method makes. */
-static void test_has(void **state)
+static void a_probe_knows_what_is_there(void **state)
 {
 	(void)state;
 	static const ts_buffer_id lacking[] = {TS_B_eye_view, TS_B_points_key, TS_B_scene_vertex, TS_B_points_record,
@@ -138,7 +137,7 @@ static void test_has(void **state)
 }
 
 /* A pixel of three bytes; columns and rows beyond the picture are not there. */
-static void test_fetch_pixel(void **state)
+static void pixels_are_fetched_by_row_and_column(void **state)
 {
 	(void)state;
 	const u8 *srgb = data(&mvr, TS_B_image_srgb);
@@ -157,7 +156,7 @@ static void test_fetch_pixel(void **state)
 }
 
 /* What stages read is loaded once, and again where others read more; nothing is kept of what was refused. */
-static void test_load_for(void **state)
+static void stages_share_what_is_loaded(void **state)
 {
 	(void)state;
 	static const char *const eye[] = {"eye", NULL}, *const both[] = {"eye", "image", NULL};
@@ -188,7 +187,7 @@ static void test_load_for(void **state)
 }
 
 /* Sizes are those that the buffers have; where files disagree the least, and crops say nothing. */
-static void test_sizes(void **state)
+static void sizes_are_those_of_the_buffers(void **state)
 {
 	(void)state;
 	const u64 n = count(&mvr, TS_B_scene_triangle);
@@ -210,7 +209,7 @@ static void test_sizes(void **state)
 	ts_probe_close(NULL);
 }
 
-static void test_no_params(void **state)
+static void a_trace_without_params_is_refused(void **state)
 {
 	(void)state;
 	ts_trace trace = *mvr.trace;
@@ -223,10 +222,12 @@ static void test_no_params(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_fetch), cmocka_unit_test(test_beyond),      cmocka_unit_test(test_floats),
-		cmocka_unit_test(test_has),   cmocka_unit_test(test_indices),     cmocka_unit_test(test_keys),
-		cmocka_unit_test(test_whole), cmocka_unit_test(test_fetch_pixel), cmocka_unit_test(test_load_for),
-		cmocka_unit_test(test_sizes), cmocka_unit_test(test_no_params),
+		cmocka_unit_test(any_run_of_elements_is_fetched),      cmocka_unit_test(elements_beyond_the_end_are_refused),
+		cmocka_unit_test(fetched_floats_must_be_finite),       cmocka_unit_test(a_probe_knows_what_is_there),
+		cmocka_unit_test(fetched_indices_must_name_something), cmocka_unit_test(fetched_keys_must_name_an_index),
+		cmocka_unit_test(a_buffer_is_read_once_and_whole),     cmocka_unit_test(pixels_are_fetched_by_row_and_column),
+		cmocka_unit_test(stages_share_what_is_loaded),         cmocka_unit_test(sizes_are_those_of_the_buffers),
+		cmocka_unit_test(a_trace_without_params_is_refused),
 	};
 	return cmocka_run_group_tests(tests, mvr_make, mvr_drop);
 }

@@ -12,7 +12,7 @@ static ts_status scene_with(ts_buffer_id id, const void *element)
 }
 
 /* A view is as large as the parameters say, and never too large for an index of a pixel. */
-static void test_views(void **state)
+static void wrong_sizes_of_views_are_refused(void **state)
 {
 	(void)state;
 	static const struct {
@@ -38,7 +38,7 @@ static void test_views(void **state)
 }
 
 /* A chain of mips stands among the texels, up to the last one. */
-static void test_images(void **state)
+static void mip_chains_must_stand_among_the_texels(void **state)
 {
 	(void)state;
 	static const struct {
@@ -67,7 +67,7 @@ static void test_images(void **state)
 	}
 }
 
-static void test_slots(void **state)
+static void wrong_slots_are_refused(void **state)
 {
 	(void)state;
 	ts_slot slot = *(const ts_slot *)data(&mvr, TS_B_scene_slot);
@@ -77,7 +77,7 @@ static void test_slots(void **state)
 }
 
 /* The texels of a triangle's images are read, to the last of their last level, and no others. */
-static void test_textures(void **state)
+static void only_texels_of_the_triangle_are_read(void **state)
 {
 	(void)state;
 	const ts_triangle *triangles = data(&mvr, TS_B_scene_triangle);
@@ -112,8 +112,7 @@ static void test_textures(void **state)
 	ts_probe_close(probe);
 }
 
-/* The scene is read once, whoever asks. */
-static void test_once(void **state)
+static void the_scene_is_read_once(void **state)
 {
 	(void)state;
 	ts_probe *probe;
@@ -129,7 +128,7 @@ static void test_once(void **state)
 }
 
 /* Both shapes are told where they differ; crops and what is not known are not compared. */
-static void test_shapes(void **state)
+static void both_shapes_are_told_where_they_differ(void **state)
 {
 	(void)state;
 	damaged d;
@@ -150,8 +149,7 @@ static void test_shapes(void **state)
 	damage_end(&d);
 }
 
-/* All that is lacking is named. */
-static void test_lacking(void **state)
+static void all_that_is_lacking_is_named(void **state)
 {
 	(void)state;
 	ts_trace trace = *mvr.trace;
@@ -166,9 +164,13 @@ static void test_lacking(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_views),   cmocka_unit_test(test_images), cmocka_unit_test(test_slots),
-		cmocka_unit_test(test_once),    cmocka_unit_test(test_shapes), cmocka_unit_test(test_textures),
-		cmocka_unit_test(test_lacking),
+		cmocka_unit_test(wrong_sizes_of_views_are_refused),
+		cmocka_unit_test(mip_chains_must_stand_among_the_texels),
+		cmocka_unit_test(wrong_slots_are_refused),
+		cmocka_unit_test(the_scene_is_read_once),
+		cmocka_unit_test(both_shapes_are_told_where_they_differ),
+		cmocka_unit_test(only_texels_of_the_triangle_are_read),
+		cmocka_unit_test(all_that_is_lacking_is_named),
 	};
 	return cmocka_run_group_tests(tests, mvr_make, mvr_drop);
 }

@@ -2,7 +2,7 @@
 #include "mvr.h"
 
 /* Of every triangle its material and object, and the reflector if that is one. */
-static void test_triangles(void **state)
+static void every_triangle_tells_whose_it_is(void **state)
 {
 	(void)state;
 	const ts_triangle *triangles = data(&mvr, TS_B_scene_triangle);
@@ -26,7 +26,7 @@ static void test_triangles(void **state)
 }
 
 /* A surface in the middle of a triangle: as its kernel has it, with a texture for each slot of its material. */
-static void test_surface(void **state)
+static void a_surface_tells_each_texture_it_uses(void **state)
 {
 	(void)state;
 	static const char *const uses[] = {"base", "metallic-roughness", "normal", "occlusion", "emissive"};
@@ -85,7 +85,7 @@ static ts_probe by_hand(f32 ambient)
 }
 
 /* Each light is told with its kind, what arrives of it, and its part of the total. */
-static void test_lights(void **state)
+static void each_light_tells_its_part(void **state)
 {
 	(void)state;
 	static const char *const kinds[] = {"directional", "point", "spot"};
@@ -115,7 +115,7 @@ static void test_lights(void **state)
 }
 
 /* What is unlit has its own colour, and no terms. */
-static void test_unlit(void **state)
+static void what_is_unlit_has_no_terms(void **state)
 {
 	(void)state;
 	ts_probe p = by_hand(0.5f);
@@ -134,10 +134,10 @@ static void test_unlit(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_triangles),
-		cmocka_unit_test(test_surface),
-		cmocka_unit_test(test_lights),
-		cmocka_unit_test(test_unlit),
+		cmocka_unit_test(every_triangle_tells_whose_it_is),
+		cmocka_unit_test(a_surface_tells_each_texture_it_uses),
+		cmocka_unit_test(each_light_tells_its_part),
+		cmocka_unit_test(what_is_unlit_has_no_terms),
 	};
 	return cmocka_run_group_tests(tests, mvr_make, mvr_drop);
 }

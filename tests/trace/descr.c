@@ -2,7 +2,7 @@
 #include "folder.h"
 
 /* Sizes of the types in a dtype must add up to the element: no padding that records.def does not name. */
-static void test_descr(void **state)
+static void dtypes_are_as_wide_as_their_elements(void **state)
 {
 	(void)state;
 	char descr[TS_NPY_DESCR];
@@ -23,7 +23,7 @@ static void test_descr(void **state)
 	                           "('pad', '<u4', (2,))]");
 }
 
-static void test_header(void **state)
+static void headers_read_back_what_was_written(void **state)
 {
 	(void)state;
 	char head[TS_NPY_HEADER], descr[TS_NPY_DESCR];
@@ -39,6 +39,7 @@ static void test_header(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_descr), cmocka_unit_test(test_header)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(dtypes_are_as_wide_as_their_elements),
+	                                   cmocka_unit_test(headers_read_back_what_was_written)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

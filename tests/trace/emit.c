@@ -41,7 +41,7 @@ static ts_status offer(taken *t, const char *method, const ts_params *params)
 	return status;
 }
 
-static void test_parts(void **state)
+static void parts_add_up_to_their_shape(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < 2; m++) {
@@ -62,7 +62,7 @@ static void test_parts(void **state)
 	}
 }
 
-static void test_failure(void **state)
+static void a_failure_ends_the_files(void **state)
 {
 	(void)state;
 	ts_params params = small_params();
@@ -73,7 +73,7 @@ static void test_failure(void **state)
 	assert_int_equal(later.n, 20);
 }
 
-static void test_names(void **state)
+static void names_begin_with_their_stages_number(void **state)
 {
 	(void)state;
 	char name[TS_EMIT_NAME];
@@ -88,7 +88,7 @@ static void test_names(void **state)
 }
 
 /* All buffers once: those that no step makes in their order, then step by step; which is the order of the numbers. */
-static void test_order(void **state)
+static void the_order_is_that_of_the_numbers(void **state)
 {
 	(void)state;
 	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
@@ -110,10 +110,10 @@ static void test_order(void **state)
 int main(void)
 {
 	const struct CMUnitTest emit[] = {
-		cmocka_unit_test(test_parts),
-		cmocka_unit_test(test_failure),
-		cmocka_unit_test(test_names),
-		cmocka_unit_test(test_order),
+		cmocka_unit_test(parts_add_up_to_their_shape),
+		cmocka_unit_test(a_failure_ends_the_files),
+		cmocka_unit_test(names_begin_with_their_stages_number),
+		cmocka_unit_test(the_order_is_that_of_the_numbers),
 	};
 	return cmocka_run_group_tests(emit, scratch_begin, scratch_remove);
 }

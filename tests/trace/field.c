@@ -5,7 +5,7 @@
 #include "../../src/kernels/base/num.h"
 #include "../../src/trace/field.h"
 
-static void test_ulps(void **state)
+static void floats_are_apart_by_their_steps(void **state)
 {
 	(void)state;
 	static const struct {
@@ -45,7 +45,7 @@ static void test_ulps(void **state)
 }
 
 /* As many steps of nextafter as floats apart; zero counts twice. */
-static void test_steps(void **state)
+static void steps_are_those_of_nextafter(void **state)
 {
 	(void)state;
 	static const f32 from[] = {-0x1p-147f, 0x1.fffff0p-1f, -0x1.00001p+5f, 0x1.fffff8p-127f};
@@ -66,7 +66,7 @@ static void shows(const ts_field *field, u64 bits, const char *expected)
 	assert_string_equal(text, expected);
 }
 
-static void test_show(void **state)
+static void values_are_shown_with_their_bits(void **state)
 {
 	(void)state;
 	const ts_field real = {.kind = 'f', .count = 1, .bytes = 4}, whole = {.kind = 'i', .count = 1, .bytes = 4};
@@ -91,7 +91,7 @@ static void test_show(void **state)
 	shows(&must, TS_NONE, "4294967295 (ffffffff)");
 }
 
-static void test_fields(void **state)
+static void fields_stand_where_the_structs_have_them(void **state)
 {
 	(void)state;
 	ts_fields f = ts_fields_of(TS_B_points_record);
@@ -123,10 +123,10 @@ static void test_fields(void **state)
 int main(void)
 {
 	const struct CMUnitTest field[] = {
-		cmocka_unit_test(test_ulps),
-		cmocka_unit_test(test_steps),
-		cmocka_unit_test(test_show),
-		cmocka_unit_test(test_fields),
+		cmocka_unit_test(floats_are_apart_by_their_steps),
+		cmocka_unit_test(steps_are_those_of_nextafter),
+		cmocka_unit_test(values_are_shown_with_their_bits),
+		cmocka_unit_test(fields_stand_where_the_structs_have_them),
 	};
 	return cmocka_run_group_tests(field, NULL, NULL);
 }

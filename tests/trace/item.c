@@ -13,7 +13,7 @@ static char *folder_for(size_t bytes)
 	return dir;
 }
 
-static void test_length(void **state)
+static void a_path_a_byte_too_long_fails(void **state)
 {
 	(void)state;
 	static char path[TS_PATH];
@@ -51,7 +51,7 @@ static void differs(ts_buffer_id id, ts_trace_item reference, ts_trace_item cand
 }
 
 /* Every size must be the reference's, but for the first where it was computed: points, not pixels or triangles. */
-static void test_shapes(void **state)
+static void only_computed_sizes_may_differ(void **state)
 {
 	(void)state;
 	matches(TS_B_image_srgb, item_of(3, 36, 64, 3), item_of(3, 36, 64, 3));
@@ -68,7 +68,7 @@ static void test_shapes(void **state)
 	        "port/file.npy: shape 7 x 9; the reference's is 5 x 25");
 }
 
-static void test_crops(void **state)
+static void crops_must_be_the_same(void **state)
 {
 	(void)state;
 	ts_trace_item whole = item_of(3, 36, 64, 3), part = item_of(3, 5, 10, 3), other;
@@ -87,9 +87,9 @@ static void test_crops(void **state)
 int main(void)
 {
 	const struct CMUnitTest item[] = {
-		cmocka_unit_test(test_length),
-		cmocka_unit_test(test_shapes),
-		cmocka_unit_test(test_crops),
+		cmocka_unit_test(a_path_a_byte_too_long_fails),
+		cmocka_unit_test(only_computed_sizes_may_differ),
+		cmocka_unit_test(crops_must_be_the_same),
 	};
 	return cmocka_run_group_tests(item, NULL, NULL);
 }

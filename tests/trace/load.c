@@ -18,7 +18,7 @@ static void assert_told(const char *text)
 	if (strstr(message, text) == NULL || strchr(message, '\n') != NULL) fail_msg("%s", message);
 }
 
-static void test_contents(void **state)
+static void just_what_is_read_is_loaded(void **state)
 {
 	(void)state;
 	ts_load *made;
@@ -42,7 +42,7 @@ static void test_contents(void **state)
 	ts_load_end(NULL);
 }
 
-static void test_precedence(void **state)
+static void buffers_of_the_candidate_come_first(void **state)
 {
 	(void)state;
 	ts_buffer buffer;
@@ -59,7 +59,7 @@ static void test_precedence(void **state)
 	free(points);
 }
 
-static void test_missing(void **state)
+static void missing_files_are_named(void **state)
 {
 	(void)state;
 	char *key = traces[0]->item[TS_B_points_record].path, *frame = traces[0]->item[TS_B_align_frame].path;
@@ -71,7 +71,7 @@ static void test_missing(void **state)
 	assert_int_equal(load(splat_reads, traces[0], NULL), TS_OK);
 }
 
-static void test_cropped(void **state)
+static void a_cropped_buffer_is_not_loaded(void **state)
 {
 	(void)state;
 	u64 texels[6] = {0};
@@ -85,7 +85,7 @@ static void test_cropped(void **state)
 }
 
 /* Sizes that headers might tell: nothing is read or allocated. */
-static void test_large(void **state)
+static void a_size_beyond_memory_is_refused(void **state)
 {
 	(void)state;
 	u64 none = 0;
@@ -110,7 +110,7 @@ static void test_large(void **state)
 }
 
 /* A file that has become shorter since its header was read. */
-static void test_shrunk(void **state)
+static void a_file_that_has_shrunk_is_refused(void **state)
 {
 	(void)state;
 	ts_buffer buffer;
@@ -123,7 +123,7 @@ static void test_shrunk(void **state)
 	free(data);
 }
 
-static void test_match(void **state)
+static void traces_of_other_parameters_do_not_match(void **state)
 {
 	(void)state;
 	u32 keep = 1;
@@ -144,7 +144,7 @@ static void test_match(void **state)
 }
 
 /* Surfels are lit by the scene's lights, whatever is typed, or told by an old trace or a port. */
-static void test_set_by_method(void **state)
+static void what_a_method_sets_is_loaded(void **state)
 {
 	(void)state;
 	const char *dir = scratch_path("typed");
@@ -171,9 +171,14 @@ static void test_set_by_method(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_contents), cmocka_unit_test(test_precedence),    cmocka_unit_test(test_missing),
-		cmocka_unit_test(test_cropped),  cmocka_unit_test(test_large),         cmocka_unit_test(test_shrunk),
-		cmocka_unit_test(test_match),    cmocka_unit_test(test_set_by_method),
+		cmocka_unit_test(just_what_is_read_is_loaded),
+		cmocka_unit_test(buffers_of_the_candidate_come_first),
+		cmocka_unit_test(missing_files_are_named),
+		cmocka_unit_test(a_cropped_buffer_is_not_loaded),
+		cmocka_unit_test(a_size_beyond_memory_is_refused),
+		cmocka_unit_test(a_file_that_has_shrunk_is_refused),
+		cmocka_unit_test(traces_of_other_parameters_do_not_match),
+		cmocka_unit_test(what_a_method_sets_is_loaded),
 	};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);
 }

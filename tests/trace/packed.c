@@ -44,7 +44,7 @@ static ts_status head_of(const char *path, char *head, size_t *n, u64 *held)
 	return status;
 }
 
-static void test_again(void **state)
+static void packed_files_read_back_the_same(void **state)
 {
 	(void)state;
 	static const size_t sizes[] = {0, 1, 128, 4096, 65536, 131072, 131073, 5000000};
@@ -66,7 +66,7 @@ static void test_again(void **state)
 	}
 }
 
-static void test_names(void **state)
+static void packed_names_end_in_zst(void **state)
 {
 	(void)state;
 	assert_true(ts_packed_is("00-scene.texel.npy.zst"));
@@ -83,7 +83,7 @@ static void refuses(const char *path, size_t asked, const char *what)
 	free(read);
 }
 
-static void test_damaged(void **state)
+static void damaged_files_are_refused(void **state)
 {
 	(void)state;
 	enum { N = 300000 };
@@ -123,7 +123,7 @@ static void test_damaged(void **state)
 }
 
 /* The heads of files that are none, that do not say their size, and that say too much. */
-static void test_heads(void **state)
+static void wrong_heads_are_refused(void **state)
 {
 	(void)state;
 	static const u8 tiny[] = {0x28, 0xb5, 0x2f, 0xfd, 0xe0, 0, 0, 0, 0, 0, 0, 4, 0, 1, 0, 0};
@@ -150,7 +150,7 @@ static void test_heads(void **state)
 }
 
 /* A frame whose window would take more memory than 8 MiB; refused when its head is read. */
-static void test_window(void **state)
+static void a_large_window_is_refused(void **state)
 {
 	(void)state;
 	enum { N = 17 << 20 };
@@ -172,7 +172,7 @@ static void test_window(void **state)
 	free(data);
 }
 
-static void test_full(void **state)
+static void a_full_disk_is_an_error(void **state)
 {
 	(void)state;
 	enum { N = 300000 };
@@ -192,8 +192,9 @@ static void test_full(void **state)
 int main(void)
 {
 	const struct CMUnitTest packed[] = {
-		cmocka_unit_test(test_again), cmocka_unit_test(test_names),  cmocka_unit_test(test_damaged),
-		cmocka_unit_test(test_heads), cmocka_unit_test(test_window), cmocka_unit_test(test_full),
+		cmocka_unit_test(packed_files_read_back_the_same), cmocka_unit_test(packed_names_end_in_zst),
+		cmocka_unit_test(damaged_files_are_refused),       cmocka_unit_test(wrong_heads_are_refused),
+		cmocka_unit_test(a_large_window_is_refused),       cmocka_unit_test(a_full_disk_is_an_error),
 	};
 	return cmocka_run_group_tests(packed, scratch_begin, scratch_remove);
 }

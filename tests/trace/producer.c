@@ -11,7 +11,7 @@ static void is(const json_t *root, const char *key, const char *text)
 }
 
 /* The arithmetic of the numeric contract, measured, and the C backend's names. */
-static void test_own(void **state)
+static void this_program_tells_its_own_arithmetic(void **state)
 {
 	(void)state;
 	ts_run run = {.backend = NULL};
@@ -35,7 +35,7 @@ static void test_own(void **state)
 }
 
 /* Each property of another backend, as it was measured. */
-static void test_measured(void **state)
+static void a_backend_tells_what_was_measured(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 8; k++) {
@@ -59,6 +59,7 @@ static void test_measured(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest producer[] = {cmocka_unit_test(test_own), cmocka_unit_test(test_measured)};
+	const struct CMUnitTest producer[] = {cmocka_unit_test(this_program_tells_its_own_arithmetic),
+	                                      cmocka_unit_test(a_backend_tells_what_was_measured)};
 	return cmocka_run_group_tests(producer, NULL, NULL);
 }

@@ -33,7 +33,7 @@ static void refuses(const char *what)
 	says(what);
 }
 
-static void test_good(void **state)
+static void a_good_trace_is_opened(void **state)
 {
 	(void)state;
 	ts_trace *t;
@@ -134,7 +134,7 @@ static const wrong values[] = {
      "crop is not 4 numbers"},
 };
 
-static void test_values(void **state)
+static void wrong_values_are_refused(void **state)
 {
 	(void)state;
 	char zero[32] = {0};
@@ -194,7 +194,7 @@ static void taken(const char *name)
 }
 
 /* The folder of the scene beside a trace: its plain files, by that one way, and only for version 2. */
-static void test_shared(void **state)
+static void a_shared_scene_is_read_beside(void **state)
 {
 	(void)state;
 	char zero[32] = {0};
@@ -234,7 +234,7 @@ static void test_shared(void **state)
 static void put(const char *text, size_t bytes) { file_write(scratch_path("bad/trace.json"), text, bytes); }
 
 /* No JSON, cut JSON, duplicate keys, other roots, too deep, too long; no regular file. */
-static void test_text(void **state)
+static void wrong_texts_are_refused(void **state)
 {
 	(void)state;
 	size_t bytes;
@@ -271,7 +271,7 @@ static void test_text(void **state)
 	refuses("not a regular file");
 }
 
-static void test_layout(void **state)
+static void wrong_layouts_are_refused(void **state)
 {
 	(void)state;
 	static const wrong cases[] = {
@@ -304,7 +304,7 @@ static void test_layout(void **state)
 }
 
 /* One file, which may be a link, for the user named it. */
-static void test_file(void **state)
+static void one_file_is_opened_by_its_name(void **state)
 {
 	(void)state;
 	ts_trace *t;
@@ -331,8 +331,9 @@ static void test_file(void **state)
 int main(void)
 {
 	const struct CMUnitTest read[] = {
-		cmocka_unit_test(test_good), cmocka_unit_test(test_values), cmocka_unit_test(test_shared),
-		cmocka_unit_test(test_text), cmocka_unit_test(test_layout), cmocka_unit_test(test_file),
+		cmocka_unit_test(a_good_trace_is_opened),        cmocka_unit_test(wrong_values_are_refused),
+		cmocka_unit_test(a_shared_scene_is_read_beside), cmocka_unit_test(wrong_texts_are_refused),
+		cmocka_unit_test(wrong_layouts_are_refused),     cmocka_unit_test(one_file_is_opened_by_its_name),
 	};
 	return cmocka_run_group_tests(read, begin, scratch_remove);
 }

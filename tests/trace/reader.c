@@ -16,7 +16,7 @@ static char *make_file(const char *path, size_t bytes)
 }
 
 /* Sizes that do and do not divide a block, more blocks than the cache holds. */
-static void test_random_access(void **state)
+static void any_order_reads_the_same_elements(void **state)
 {
 	(void)state;
 	static const size_t sizes[] = {1, 4, 8, 24, 48, 80, 96, 112};
@@ -38,8 +38,7 @@ static void test_random_access(void **state)
 	}
 }
 
-/* Each element once, in order. */
-static void test_stream(void **state)
+static void each_element_is_read_once_in_order(void **state)
 {
 	(void)state;
 	u64 n = 5 * 1000 * 1000, held, at = 0;
@@ -56,7 +55,7 @@ static void test_stream(void **state)
 	free(data);
 }
 
-static void test_shortened(void **state)
+static void a_shortened_file_is_refused(void **state)
 {
 	(void)state;
 	const char *path = scratch_path("shortened");
@@ -72,7 +71,7 @@ static void test_shortened(void **state)
 	ts_reader_close(r);
 }
 
-static void test_refused(void **state)
+static void what_is_no_file_is_refused(void **state)
 {
 	(void)state;
 	u64 held;
@@ -88,10 +87,10 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest reader[] = {
-		cmocka_unit_test(test_random_access),
-		cmocka_unit_test(test_stream),
-		cmocka_unit_test(test_shortened),
-		cmocka_unit_test(test_refused),
+		cmocka_unit_test(any_order_reads_the_same_elements),
+		cmocka_unit_test(each_element_is_read_once_in_order),
+		cmocka_unit_test(a_shortened_file_is_refused),
+		cmocka_unit_test(what_is_no_file_is_refused),
 	};
 	return cmocka_run_group_tests(reader, scratch_begin, scratch_remove);
 }

@@ -40,8 +40,7 @@ static int end(void **state)
 	return scratch_remove(state);
 }
 
-/* Old names are none without the table. */
-static void test_without(void **state)
+static void old_names_are_none_without_the_table(void **state)
 {
 	(void)state;
 	ts_trace *t;
@@ -50,7 +49,7 @@ static void test_without(void **state)
 }
 
 /* One line for the whole of a trace. */
-static void test_trace(void **state)
+static void a_trace_says_one_line(void **state)
 {
 	(void)state;
 	ts_trace *t;
@@ -64,7 +63,7 @@ static void test_trace(void **state)
 	ts_trace_close(t);
 }
 
-static void test_layout_and_file(void **state)
+static void layouts_and_files_may_have_old_names(void **state)
 {
 	(void)state;
 	ts_trace *like, *t;
@@ -85,7 +84,7 @@ static void test_layout_and_file(void **state)
 	                                "picture is now called image.srgb; the old name works until 0.2\n");
 }
 
-static void test_ignored(void **state)
+static void ignored_fields_may_have_old_names(void **state)
 {
 	(void)state;
 	static const ts_renamed of_records[] = {{TS_NAME_buffer, "dots", "points.record"}, {0}};
@@ -99,7 +98,7 @@ static void test_ignored(void **state)
 	assert_string_equal(said_end(), "dots is now called points.record; the old name works until 0.2\n");
 }
 
-static void test_stage(void **state)
+static void stages_may_have_old_names(void **state)
 {
 	(void)state;
 	ts_params params = small_params();
@@ -125,7 +124,7 @@ static bool is_name(ts_name_kind kind, const char *name)
 
 /* Every row of the real table leads from a name that there is no more to one that there is. Options are those of the
  * command, which tests/cli/errors.sh asks. */
-static void test_table(void **state)
+static void the_table_leads_to_present_names(void **state)
 {
 	(void)state;
 #define RENAMED(kind, old, now) {TS_NAME_##kind, old, now},
@@ -142,8 +141,12 @@ static void test_table(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_without), cmocka_unit_test(test_trace), cmocka_unit_test(test_layout_and_file),
-		cmocka_unit_test(test_ignored), cmocka_unit_test(test_stage), cmocka_unit_test(test_table),
+		cmocka_unit_test(old_names_are_none_without_the_table),
+		cmocka_unit_test(a_trace_says_one_line),
+		cmocka_unit_test(layouts_and_files_may_have_old_names),
+		cmocka_unit_test(ignored_fields_may_have_old_names),
+		cmocka_unit_test(stages_may_have_old_names),
+		cmocka_unit_test(the_table_leads_to_present_names),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

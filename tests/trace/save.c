@@ -73,7 +73,7 @@ static void check_digest(const char *dir, const json_t *entry)
 	free(data);
 }
 
-static void test_text(void **state)
+static void a_saved_trace_has_its_whole_text(void **state)
 {
 	(void)state;
 	char dir[SCRATCH_PATH];
@@ -101,7 +101,7 @@ static void test_text(void **state)
 	json_decref(root);
 }
 
-static void test_opened(void **state)
+static void a_saved_trace_opens_the_same(void **state)
 {
 	(void)state;
 	ts_trace *t;
@@ -143,7 +143,7 @@ static const char *take_some(void *user, const char *name)
 	return small_take(user, name);
 }
 
-static void test_unwritable(void **state)
+static void an_unwritable_file_is_named(void **state)
 {
 	(void)state;
 	static const char *const names[] = {"points.key", "image.srgb", "trace.json"};
@@ -166,9 +166,9 @@ static void test_unwritable(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_text),
-		cmocka_unit_test(test_opened),
-		cmocka_unit_test(test_unwritable),
+		cmocka_unit_test(a_saved_trace_has_its_whole_text),
+		cmocka_unit_test(a_saved_trace_opens_the_same),
+		cmocka_unit_test(an_unwritable_file_is_named),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

@@ -52,7 +52,7 @@ static void is(ts_buffer_id id, u64 element, const char *expected)
 	assert_string_equal(text, expected);
 }
 
-static void test_places(void **state)
+static void places_are_told_in_words(void **state)
 {
 	(void)state;
 	is(TS_B_points_record, 0, "key (piece 812, x 5, y 3)");
@@ -87,7 +87,7 @@ static void test_places(void **state)
 }
 
 /* What one size counts is called by its noun, where the trace says no more of it. */
-static void test_nouns(void **state)
+static void what_a_size_counts_has_its_noun(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -104,7 +104,7 @@ static void test_nouns(void **state)
 }
 
 /* Sums over all pixels, and over all of their samples. */
-static void test_pixels(void **state)
+static void sums_over_pixels_name_their_pixel(void **state)
 {
 	(void)state;
 	const ts_view eye = {.width = 64, .height = 36};
@@ -121,7 +121,7 @@ static void test_pixels(void **state)
 	*view = (ts_trace_item){.path = NULL};
 }
 
-static void test_crop(void **state)
+static void crops_name_pixels_of_the_whole(void **state)
 {
 	(void)state;
 	ts_trace_item *item = &trace.item[TS_B_image_srgb], whole = *item;
@@ -134,7 +134,7 @@ static void test_crop(void **state)
 }
 
 /* A place names no cube, texel or size that the reference lacks. */
-static void test_absent(void **state)
+static void places_name_nothing_that_is_lacking(void **state)
 {
 	(void)state;
 	char *keys = trace.item[TS_B_points_key].path, *cubes = trace.item[TS_B_cube_size_face].path;
@@ -153,7 +153,7 @@ static void test_absent(void **state)
 }
 
 /* Texels of views that are no cubes' faces: by the view that has them. */
-static void test_views(void **state)
+static void texels_are_told_by_their_view(void **state)
 {
 	(void)state;
 	static const ts_offscreen views[] = {{.width = 5, .height = 3, .offset = 0},
@@ -180,8 +180,12 @@ static void test_views(void **state)
 int main(void)
 {
 	const struct CMUnitTest where[] = {
-		cmocka_unit_test(test_places), cmocka_unit_test(test_nouns),  cmocka_unit_test(test_pixels),
-		cmocka_unit_test(test_crop),   cmocka_unit_test(test_absent), cmocka_unit_test(test_views),
+		cmocka_unit_test(places_are_told_in_words),
+		cmocka_unit_test(what_a_size_counts_has_its_noun),
+		cmocka_unit_test(sums_over_pixels_name_their_pixel),
+		cmocka_unit_test(crops_name_pixels_of_the_whole),
+		cmocka_unit_test(places_name_nothing_that_is_lacking),
+		cmocka_unit_test(texels_are_told_by_their_view),
 	};
 	return cmocka_run_group_tests(where, begin, end);
 }

@@ -80,14 +80,14 @@ static void traced(const char *name, const char *method, const ts_params *p, ts_
 	ts_trace_close(trace);
 }
 
-static void test_whole(void **state)
+static void every_file_has_its_digest(void **state)
 {
 	(void)state;
 	traced("epr", "epr", &params, (ts_trace_options){.place = NULL}, 40);
 }
 
 /* The batches of one reflector are one file; also where the last reflectors are out of sight. */
-static void test_batches(void **state)
+static void batches_of_a_reflector_are_one_file(void **state)
 {
 	(void)state;
 	traced("mvr", "mvr", &params, (ts_trace_options){.place = NULL}, 20);
@@ -118,7 +118,7 @@ static void test_batches(void **state)
 	scene = three;
 }
 
-static void test_without(void **state)
+static void buffers_left_out_have_no_file(void **state)
 {
 	(void)state;
 	ts_trace_options options = {.place = NULL};
@@ -131,8 +131,7 @@ static void test_without(void **state)
 	assert_true(access(scratch_path("some/11-points.key.npy"), F_OK) == 0);
 }
 
-/* The crop's rows are those of the whole. */
-static void test_crop(void **state)
+static void crops_hold_rows_of_the_whole(void **state)
 {
 	(void)state;
 	traced("crop", "epr", &params, (ts_trace_options){.crop = {5, 7, 20, 11}}, 40);
@@ -172,7 +171,7 @@ static const char *file_of(json_t *buffers, const char *name)
 static json_int_t version_of(const json_t *root) { return json_integer_value(json_object_get(root, "version")); }
 
 /* Traces of one run name what the first of them wrote, but for a buffer of the scene that is another. */
-static void test_shared(void **state)
+static void traces_of_a_run_share_their_scene(void **state)
 {
 	(void)state;
 	static const char *const methods[] = {"epr", "ivir", "mvr"}, *const folders[] = {"run/1", "run/2", "run/3"};
@@ -246,7 +245,7 @@ static void compressed(const char *name, const char *method, ts_trace_options op
 	json_decref(roots[1]);
 }
 
-static void test_compressed(void **state)
+static void compressed_files_hold_what_plain_ones_do(void **state)
 {
 	(void)state;
 	compressed("whole", "epr", (ts_trace_options){.crop = {5, 7, 20, 11}});
@@ -273,7 +272,7 @@ static const char *no_place(void *user, const char *name)
 	return NULL;
 }
 
-static void test_unwritable(void **state)
+static void an_unwritable_place_is_an_error(void **state)
 {
 	(void)state;
 	ts_run run;
@@ -295,7 +294,7 @@ static void test_unwritable(void **state)
 	ts_run_end(&run);
 }
 
-static void test_estimate(void **state)
+static void estimates_leave_out_what_is_not_written(void **state)
 {
 	(void)state;
 	ts_trace_options all = {.place = NULL}, none = {.place = NULL};
@@ -313,7 +312,7 @@ static json_int_t planned(const json_t *root, const char *name)
 }
 
 /* Parameters say what was typed, the plan what follows from it: all cubes of MVR as large as face_max. */
-static void test_plan(void **state)
+static void the_plan_says_what_follows_from_parameters(void **state)
 {
 	(void)state;
 	json_t *root;
@@ -331,9 +330,15 @@ static void test_plan(void **state)
 int main(void)
 {
 	const struct CMUnitTest write[] = {
-		cmocka_unit_test(test_whole), cmocka_unit_test(test_batches),    cmocka_unit_test(test_without),
-		cmocka_unit_test(test_crop),  cmocka_unit_test(test_unwritable), cmocka_unit_test(test_estimate),
-		cmocka_unit_test(test_plan),  cmocka_unit_test(test_shared),     cmocka_unit_test(test_compressed),
+		cmocka_unit_test(every_file_has_its_digest),
+		cmocka_unit_test(batches_of_a_reflector_are_one_file),
+		cmocka_unit_test(buffers_left_out_have_no_file),
+		cmocka_unit_test(crops_hold_rows_of_the_whole),
+		cmocka_unit_test(an_unwritable_place_is_an_error),
+		cmocka_unit_test(estimates_leave_out_what_is_not_written),
+		cmocka_unit_test(the_plan_says_what_follows_from_parameters),
+		cmocka_unit_test(traces_of_a_run_share_their_scene),
+		cmocka_unit_test(compressed_files_hold_what_plain_ones_do),
 	};
 	return cmocka_run_group_tests(write, begin, end);
 }
