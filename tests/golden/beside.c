@@ -23,7 +23,7 @@ static ts_status decode(u8 **rgba, u32 *width, u32 *height, const void *file, si
 }
 
 /* Each channel of each pixel; alpha is nothing. */
-static void test_preview(void **state)
+static void a_wrong_preview_pixel_is_told(void **state)
 {
 	(void)state;
 	static ts_golden golden;
@@ -56,7 +56,7 @@ static void test_preview(void **state)
 	refused(ts_golden_check_preview(text, &dir, &golden, decode), "preview.png: not a picture");
 }
 
-static void test_reason(void **state)
+static void a_reason_is_one_line(void **state)
 {
 	(void)state;
 	char reason[TS_REASON_BYTES + 2];
@@ -81,7 +81,7 @@ static void changes_say(const char *text, size_t n, const char *words)
 	if (words != NULL) refused(ts_golden_check_changes(&dir), words);
 }
 
-static void test_changes(void **state)
+static void changes_are_lines_of_reasons(void **state)
 {
 	(void)state;
 	refused(ts_golden_check_changes(&dir), "CHANGES: cannot open");
@@ -96,9 +96,9 @@ static void test_changes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_preview),
-		cmocka_unit_test(test_reason),
-		cmocka_unit_test(test_changes),
+		cmocka_unit_test(a_wrong_preview_pixel_is_told),
+		cmocka_unit_test(a_reason_is_one_line),
+		cmocka_unit_test(changes_are_lines_of_reasons),
 	};
 	return cmocka_run_group_tests(tests, dir_begin, dir_end);
 }

@@ -40,7 +40,7 @@ static u64 count_kept(void)
 	return n;
 }
 
-static void test_finite(void **state)
+static void a_finite_golden_has_no_strays(void **state)
 {
 	(void)state;
 	u32 width, height;
@@ -51,7 +51,7 @@ static void test_finite(void **state)
 	ts_golden_free(&golden);
 }
 
-static void test_infinite(void **state)
+static void infinite_floats_are_counted(void **state)
 {
 	(void)state;
 	compute(false);
@@ -64,6 +64,7 @@ static void test_infinite(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_finite), cmocka_unit_test(test_infinite)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(a_finite_golden_has_no_strays),
+	                                   cmocka_unit_test(infinite_floats_are_counted)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

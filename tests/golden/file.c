@@ -60,7 +60,7 @@ static void refuses(const char *name, const int *script, size_t most, const char
 	says(words);
 }
 
-static void test_pieces(void **state)
+static void files_are_read_in_any_pieces(void **state)
 {
 	(void)state;
 	reads(NULL);
@@ -70,7 +70,7 @@ static void test_pieces(void **state)
 	refuses("file", (const int[]){400, -EACCES}, BYTES, strerror(EACCES));
 }
 
-static void test_refused(void **state)
+static void links_and_folders_are_refused(void **state)
 {
 	(void)state;
 	refuses("file", NULL, BYTES - 1, "1000 bytes; at most 999 are right");
@@ -79,7 +79,7 @@ static void test_refused(void **state)
 	refuses("folder", NULL, BYTES, "not a regular file");
 }
 
-static void test_folders(void **state)
+static void folders_are_opened_without_links(void **state)
 {
 	(void)state;
 	ts_golden_dir inner;
@@ -97,7 +97,7 @@ static void test_folders(void **state)
 }
 
 /* A descriptor that is closed is the next one to be opened. */
-static void test_closed(void **state)
+static void a_closed_descriptor_is_free_again(void **state)
 {
 	(void)state;
 	ts_golden_dir first, second;
@@ -111,7 +111,7 @@ static void test_closed(void **state)
 }
 
 /* A path may have one byte less than its room. */
-static void test_long_path(void **state)
+static void a_path_a_byte_too_long_fails(void **state)
 {
 	(void)state;
 	char path[TS_GOLDEN_PATH + 1];
@@ -142,7 +142,7 @@ static ts_status take(void *user, const char *name)
 	return found->n < found->most ? TS_OK : TS_ERROR;
 }
 
-static void test_names(void **state)
+static void names_of_a_folder_are_listed(void **state)
 {
 	(void)state;
 	names all = {.most = 100}, few = {.most = 2};
@@ -167,8 +167,9 @@ static void test_names(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_pieces),    cmocka_unit_test(test_refused), cmocka_unit_test(test_folders),
-		cmocka_unit_test(test_long_path), cmocka_unit_test(test_closed),  cmocka_unit_test(test_names),
+		cmocka_unit_test(files_are_read_in_any_pieces),      cmocka_unit_test(links_and_folders_are_refused),
+		cmocka_unit_test(folders_are_opened_without_links),  cmocka_unit_test(a_path_a_byte_too_long_fails),
+		cmocka_unit_test(a_closed_descriptor_is_free_again), cmocka_unit_test(names_of_a_folder_are_listed),
 	};
 	return cmocka_run_group_tests(tests, begin, dir_end);
 }

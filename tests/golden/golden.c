@@ -30,7 +30,7 @@ static void tells(ts_buffer_id id, u32 n_dims, const u64 *shape, size_t at, int 
 	free(b.data);
 }
 
-static void elements_and_fields(void **state)
+static void elements_and_fields_are_told(void **state)
 {
 	(void)state;
 	const u64 image[3] = {4, 5, 3}, list[1] = {7}, depth[2] = {4, 5};
@@ -68,7 +68,7 @@ static void every_byte_is_told(void **state)
 	}
 }
 
-static void other_shapes(void **state)
+static void other_shapes_are_told(void **state)
 {
 	(void)state;
 	char text[256];
@@ -86,7 +86,7 @@ static void make_same(ts_golden *a, ts_golden *b)
 	*b = *a;
 }
 
-static void order_of_the_pipeline(void **state)
+static void the_first_stage_is_told_first(void **state)
 {
 	(void)state;
 	static ts_golden a, b;
@@ -108,7 +108,7 @@ static void order_of_the_pipeline(void **state)
 }
 
 /* A stored file that is not what the list says is told, also where both digests are the same. */
-static void damaged_files(void **state)
+static void damaged_files_are_told(void **state)
 {
 	(void)state;
 	static ts_golden a, b;
@@ -128,7 +128,7 @@ static void damaged_files(void **state)
 	ts_golden_free(&a);
 }
 
-static void strays(void **state)
+static void numbers_that_none_may_have_are_counted(void **state)
 {
 	(void)state;
 	const f32 good[6] = {0, -1, 0x1p127f, 0x1p-100f, -0x1p-100f, 1};
@@ -149,7 +149,7 @@ static void strays(void **state)
 	assert_int_equal(ts_golden_strays(TS_B_align_frame, &align, sizeof align), 1);
 }
 
-static void constant_images(void **state)
+static void constant_images_are_seen(void **state)
 {
 	(void)state;
 	static ts_golden golden;
@@ -170,13 +170,13 @@ static void constant_images(void **state)
 int main(void)
 {
 	const struct CMUnitTest golden[] = {
-		cmocka_unit_test(elements_and_fields),
+		cmocka_unit_test(elements_and_fields_are_told),
 		cmocka_unit_test(every_byte_is_told),
-		cmocka_unit_test(other_shapes),
-		cmocka_unit_test(order_of_the_pipeline),
-		cmocka_unit_test(strays),
-		cmocka_unit_test(constant_images),
-		cmocka_unit_test(damaged_files),
+		cmocka_unit_test(other_shapes_are_told),
+		cmocka_unit_test(the_first_stage_is_told_first),
+		cmocka_unit_test(numbers_that_none_may_have_are_counted),
+		cmocka_unit_test(constant_images_are_seen),
+		cmocka_unit_test(damaged_files_are_told),
 	};
 	return cmocka_run_group_tests(golden, NULL, NULL);
 }

@@ -13,7 +13,7 @@ static void reads(ts_golden_said *said, const char *text)
 	if (read_text(said, text, strlen(text)) != TS_OK) fail_msg("%s", ts_error_message());
 }
 
-static void test_lines(void **state)
+static void each_line_sets_its_parameter(void **state)
 {
 	(void)state;
 	ts_golden_said said;
@@ -41,7 +41,7 @@ static void refuses(const char *text, size_t n, const char *words)
 	refused(read_text(&said, text, n), words);
 }
 
-static void test_refused(void **state)
+static void wrong_lines_are_refused(void **state)
 {
 	(void)state;
 	ts_golden_said said;
@@ -65,7 +65,7 @@ static ts_status bound(u32 width, u32 height, u32 frame)
 	return ts_golden_bound(&said);
 }
 
-static void test_bound(void **state)
+static void a_golden_has_a_bound_of_pixels(void **state)
 {
 	(void)state;
 	assert_int_equal(bound(1024, 1024, 1000), TS_OK);
@@ -76,7 +76,7 @@ static void test_bound(void **state)
 	assert_int_equal(bound(65536, 65536, 0), TS_ERROR); /* whose product is 0 in 32 bits */
 }
 
-static void test_scene(void **state)
+static void only_relative_scenes_are_accepted(void **state)
 {
 	(void)state;
 	static const struct {
@@ -96,7 +96,7 @@ static void test_scene(void **state)
 }
 
 /* Options of the scene stay in their order; more than there is room for are refused. */
-static void test_places(void **state)
+static void options_of_the_scene_keep_their_order(void **state)
 {
 	(void)state;
 	ts_golden_said said;
@@ -111,8 +111,9 @@ static void test_places(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_lines), cmocka_unit_test(test_refused), cmocka_unit_test(test_bound),
-		cmocka_unit_test(test_scene), cmocka_unit_test(test_places),
+		cmocka_unit_test(each_line_sets_its_parameter),          cmocka_unit_test(wrong_lines_are_refused),
+		cmocka_unit_test(a_golden_has_a_bound_of_pixels),        cmocka_unit_test(only_relative_scenes_are_accepted),
+		cmocka_unit_test(options_of_the_scene_keep_their_order),
 	};
 	return cmocka_run_group_tests(tests, dir_begin, dir_end);
 }

@@ -67,7 +67,7 @@ static ts_status read_back(const char *path)
 }
 
 /* A kept file has the digest that the run had of it, by another way. */
-static void test_round_trip(void **state)
+static void what_was_written_is_read_back(void **state)
 {
 	(void)state;
 	char text[512];
@@ -93,7 +93,7 @@ static void test_round_trip(void **state)
 }
 
 /* Every file of a run on one triangle is small, that of the first buffer too. */
-static void test_tiny(void **state)
+static void a_tiny_golden_keeps_every_file(void **state)
 {
 	(void)state;
 	require(read_back(scratch_path("tiny")));
@@ -122,7 +122,7 @@ static void refuses(const char *a, const char *b, size_t n, const char *words)
 	refused(read_back(scratch_path("bad")), words);
 }
 
-static void test_bad_lines(void **state)
+static void bad_lines_of_digests_are_refused(void **state)
 {
 	(void)state;
 	char twice[512], odd[512];
@@ -152,7 +152,7 @@ static void put(const char *path)
 	fclose(file);
 }
 
-static void test_strangers(void **state)
+static void files_of_strangers_are_refused(void **state)
 {
 	(void)state;
 	require(ts_golden_judge(scratch_path("golden")));
@@ -171,10 +171,10 @@ static void test_strangers(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_round_trip),
-		cmocka_unit_test(test_tiny),
-		cmocka_unit_test(test_bad_lines),
-		cmocka_unit_test(test_strangers),
+		cmocka_unit_test(what_was_written_is_read_back),
+		cmocka_unit_test(a_tiny_golden_keeps_every_file),
+		cmocka_unit_test(bad_lines_of_digests_are_refused),
+		cmocka_unit_test(files_of_strangers_are_refused),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

@@ -158,7 +158,7 @@ static void judge(const ts_scene *scene, const ts_params *params, const ts_pipel
 	ts_golden_free(&fast);
 }
 
-static void test_soups(void **state)
+static void degenerate_triangles_leave_no_strays(void **state)
 {
 	(void)state;
 	u32 n = whole_or(200, N_KINDS + 1);
@@ -172,6 +172,6 @@ static void test_soups(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {seeded_test(test_soups)};
+	const struct CMUnitTest tests[] = {seeded_test(degenerate_triangles_leave_no_strays)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,7 +9,7 @@
 
 static int lightness(const uint8_t rgb[3]) { return 2126 * rgb[0] + 7152 * rgb[1] + 722 * rgb[2]; }
 
-static void test_ramp_rises(void **state)
+static void the_ramp_grows_lighter(void **state)
 {
 	(void)state;
 	int last = -1;
@@ -22,7 +22,7 @@ static void test_ramp_rises(void **state)
 	assert_true(last > 2000000);
 }
 
-static void test_ramp_is_clamped(void **state)
+static void the_ramp_is_clamped(void **state)
 {
 	(void)state;
 	uint8_t low[3], high[3], rgb[3];
@@ -36,7 +36,7 @@ static void test_ramp_is_clamped(void **state)
 	assert_memory_equal(rgb, high, 3);
 }
 
-static void test_names_differ(void **state)
+static void neighbouring_names_differ_in_colour(void **state)
 {
 	(void)state;
 	int near = 0;
@@ -58,9 +58,9 @@ static void test_names_differ(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_ramp_rises),
-		cmocka_unit_test(test_ramp_is_clamped),
-		cmocka_unit_test(test_names_differ),
+		cmocka_unit_test(the_ramp_grows_lighter),
+		cmocka_unit_test(the_ramp_is_clamped),
+		cmocka_unit_test(neighbouring_names_differ_in_colour),
 	};
 	return cmocka_run_group_tests_name("falsecolour", tests, NULL, NULL);
 }

@@ -77,7 +77,7 @@ static double lightness(int code)
 	return y > 216.0 / 24389 ? 116 * cbrt(y) - 16 : y * 24389 / 27;
 }
 
-static void test_equal(void **state)
+static void equal_images_have_no_error(void **state)
 {
 	pair *p = made(state);
 	scatter(p->a, 1);
@@ -87,7 +87,7 @@ static void test_equal(void **state)
 	assert_true(p->mean == 0);
 }
 
-static void test_farthest(void **state)
+static void green_and_blue_are_farthest_apart(void **state)
 {
 	pair *p = made(state);
 	fill(p->a, 0, 255, 0);
@@ -95,8 +95,7 @@ static void test_farthest(void **state)
 	expect_uniform(p, 1);
 }
 
-/* Greys differ by their lightness alone. */
-static void test_greys(void **state)
+static void greys_differ_by_their_lightness(void **state)
 {
 	static const int greys[][2] = {{0, 255}, {0, 1}, {10, 12}, {100, 101}, {128, 160}, {30, 200}};
 	pair *p = made(state);
@@ -110,7 +109,7 @@ static void test_greys(void **state)
 }
 
 /* What flip.py's evaluate gives for these two. */
-static void test_second_opinion(void **state)
+static void a_second_program_finds_the_same(void **state)
 {
 	static const int pixels[] = {0, 1, 36, 37, 400, 425, 814, 850};
 	static const double ppd[] = {20, 67}, mean[] = {0.843703874, 0.473937442};
@@ -127,7 +126,7 @@ static void test_second_opinion(void **state)
 	}
 }
 
-static void test_symmetric(void **state)
+static void flip_is_symmetric_to_the_bit(void **state)
 {
 	pair *p = made(state);
 	uint8_t kept[3 * N];
@@ -155,7 +154,7 @@ static void move(pair *p, const pair *from, int (*to)(int x, int y))
 static int mirrored(int x, int y) { return y * WIDTH + WIDTH - 1 - x; }
 static int transposed(int x, int y) { return x * HEIGHT + y; }
 
-static void test_no_direction(void **state)
+static void turned_images_have_turned_errors(void **state)
 {
 	pair *p = made(state), moved = {.mean = 0};
 	scatter(p->a, 4);
@@ -173,7 +172,7 @@ static void test_no_direction(void **state)
 	}
 }
 
-static void test_spot_grows(void **state)
+static void a_growing_spot_grows_the_error(void **state)
 {
 	pair *p = made(state);
 	double last = 0;
@@ -191,7 +190,7 @@ static void test_spot_grows(void **state)
 }
 
 /* A single pixel is seen less from farther away. */
-static void test_distance(void **state)
+static void a_far_pixel_is_seen_less(void **state)
 {
 	pair *p = made(state);
 	double last = 1;
@@ -205,7 +204,7 @@ static void test_distance(void **state)
 	}
 }
 
-static void test_threads(void **state)
+static void threads_change_no_error(void **state)
 {
 	pair *p = made(state);
 	float errors[N];
@@ -224,11 +223,15 @@ static void test_threads(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_teardown(test_equal, release),      cmocka_unit_test_teardown(test_farthest, release),
-		cmocka_unit_test_teardown(test_greys, release),      cmocka_unit_test_teardown(test_second_opinion, release),
-		cmocka_unit_test_teardown(test_symmetric, release),  cmocka_unit_test_teardown(test_no_direction, release),
-		cmocka_unit_test_teardown(test_spot_grows, release), cmocka_unit_test_teardown(test_distance, release),
-		cmocka_unit_test_teardown(test_threads, release),
+		cmocka_unit_test_teardown(equal_images_have_no_error, release),
+		cmocka_unit_test_teardown(green_and_blue_are_farthest_apart, release),
+		cmocka_unit_test_teardown(greys_differ_by_their_lightness, release),
+		cmocka_unit_test_teardown(a_second_program_finds_the_same, release),
+		cmocka_unit_test_teardown(flip_is_symmetric_to_the_bit, release),
+		cmocka_unit_test_teardown(turned_images_have_turned_errors, release),
+		cmocka_unit_test_teardown(a_growing_spot_grows_the_error, release),
+		cmocka_unit_test_teardown(a_far_pixel_is_seen_less, release),
+		cmocka_unit_test_teardown(threads_change_no_error, release),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

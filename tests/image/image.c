@@ -29,7 +29,7 @@ static void assert_gone(void)
 	assert_int_equal(unlink(path), 0);
 }
 
-static void test_png(void **state)
+static void a_png_is_read_back_the_same(void **state)
 {
 	(void)state;
 	for (uint32_t channels = 1; channels <= 4; channels++) {
@@ -52,7 +52,7 @@ static void test_png(void **state)
 	}
 }
 
-static void test_read_png(void **state)
+static void a_png_is_read_as_floats(void **state)
 {
 	(void)state;
 	uint8_t pixels[TEXELS * 3];
@@ -67,7 +67,7 @@ static void test_read_png(void **state)
 	assert_gone();
 }
 
-static void test_exr(void **state)
+static void an_exr_is_read_back_the_same(void **state)
 {
 	(void)state;
 	for (uint32_t n_channels = 1; n_channels <= 4; n_channels++) {
@@ -85,7 +85,7 @@ static void test_exr(void **state)
 }
 
 /* In memory a file has the bytes that it has on disk, and is read as well. */
-static void test_files_in_memory(void **state)
+static void files_in_memory_are_those_on_disk(void **state)
 {
 	(void)state;
 	const ts_image_text texts[] = {{"Source", "a test"}, {NULL, NULL}};
@@ -117,7 +117,7 @@ static void test_files_in_memory(void **state)
 }
 
 /* A picture that no file holds. */
-static void test_odd_sizes(void **state)
+static void odd_sizes_are_refused_by_name(void **state)
 {
 	(void)state;
 	static const uint32_t odd[][3] = {{0, 1, 3}, {1, 0, 3},        {1, 1, 2},
@@ -147,7 +147,7 @@ static void refuse(const uint8_t *file, size_t n, uint64_t most, const char *wor
 }
 
 /* A header that claims too much, a cut at every byte, and noise. */
-static void test_damaged(void **state)
+static void damaged_bytes_are_refused(void **state)
 {
 	(void)state;
 	uint8_t pixels[TEXELS * 3] = {0}, file[8192];
@@ -186,7 +186,7 @@ static void refuse_file(const void *data, size_t n, const char *words)
 }
 
 /* Files cut short, and one whose header says more pixels than it can hold. */
-static void test_damaged_files(void **state)
+static void damaged_files_are_refused(void **state)
 {
 	(void)state;
 	uint8_t file[8192];
@@ -205,7 +205,7 @@ static void test_damaged_files(void **state)
 	refuse_file(file, n, "pixels are justified");
 }
 
-static void test_bad_paths(void **state)
+static void bad_paths_are_named(void **state)
 {
 	(void)state;
 	uint8_t pixel[3] = {1, 2, 3};
@@ -221,7 +221,7 @@ static void test_bad_paths(void **state)
 }
 
 /* What is none of the three formats does not reach the module. */
-static void test_other_formats(void **state)
+static void other_formats_are_refused(void **state)
 {
 	static const char *const heads[3] = {"", "GIF89a", "P6 1 1 255 abc"};
 	(void)state;
@@ -243,11 +243,11 @@ static void test_other_formats(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_png),           cmocka_unit_test(test_read_png),
-		cmocka_unit_test(test_exr),           cmocka_unit_test(test_damaged),
-		cmocka_unit_test(test_bad_paths),     cmocka_unit_test(test_other_formats),
-		cmocka_unit_test(test_damaged_files), cmocka_unit_test(test_files_in_memory),
-		cmocka_unit_test(test_odd_sizes),
+		cmocka_unit_test(a_png_is_read_back_the_same),   cmocka_unit_test(a_png_is_read_as_floats),
+		cmocka_unit_test(an_exr_is_read_back_the_same),  cmocka_unit_test(damaged_bytes_are_refused),
+		cmocka_unit_test(bad_paths_are_named),           cmocka_unit_test(other_formats_are_refused),
+		cmocka_unit_test(damaged_files_are_refused),     cmocka_unit_test(files_in_memory_are_those_on_disk),
+		cmocka_unit_test(odd_sizes_are_refused_by_name),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -62,7 +62,7 @@ static double window(uint32_t x, uint32_t y)
 	       ((mean[0] * mean[0] + mean[1] * mean[1] + c1) * (var[0] + var[1] + c2));
 }
 
-static void test_against_definition(void **state)
+static void metrics_follow_their_definition(void **state)
 {
 	(void)state;
 	for (int masked = 0; masked < 2; masked++) {
@@ -87,7 +87,7 @@ static void test_against_definition(void **state)
 	}
 }
 
-static void test_equal(void **state)
+static void equal_images_are_infinitely_alike(void **state)
 {
 	(void)state;
 	ts_metrics m = ts_metrics_compare(reference, reference, NULL, WIDTH, HEIGHT);
@@ -96,7 +96,7 @@ static void test_equal(void **state)
 }
 
 /* Flat images: no variance, so SSIM is the luminance term alone; also where no whole window fits. */
-static void test_flat(void **state)
+static void flat_images_have_the_luminance_term_alone(void **state)
 {
 	(void)state;
 	static const uint32_t sizes[][2] = {{WIDTH, HEIGHT}, {1, 1}, {7, 20}};
@@ -112,7 +112,7 @@ static void test_flat(void **state)
 }
 
 /* What is not judged has no say in RMSE; nothing judged is no difference. */
-static void test_mask(void **state)
+static void masked_pixels_have_no_say(void **state)
 {
 	(void)state;
 	uint8_t only[PIXELS] = {0};
@@ -134,7 +134,7 @@ static double relative(const float *light, const float *other, const uint8_t *ju
 }
 
 /* Light scaled by k is |k - 1| times its root mean square away, by its mean; a constant that is added, by the mean. */
-static void test_relative(void **state)
+static void scaled_light_is_apart_by_its_scale(void **state)
 {
 	(void)state;
 	static float light[PIXELS * 3], scaled[PIXELS * 3], raised[PIXELS * 3], dark[PIXELS * 3];
@@ -170,7 +170,7 @@ static int by_size(const void *a, const void *b)
 
 /* Beside sorted errors in doubles; of two in the middle the lower is the median. A pixel of light that the reference
  * has not is infinitely wrong. */
-static void test_errors(void **state)
+static void errors_of_light_match_sorted_ones(void **state)
 {
 	(void)state;
 	static float light[PIXELS * 3], other[PIXELS * 3];
@@ -207,7 +207,7 @@ static void test_errors(void **state)
 }
 
 /* Pixels that are not judged count for nothing; of two the better is the median; one that is dark in both is right. */
-static void test_errors_masked(void **state)
+static void masked_errors_count_for_nothing(void **state)
 {
 	(void)state;
 	const float light[] = {1, 1, 2, 9, 9, 9, 2, 2, 0, 0, 0, 0}, other[] = {1, 1.2f, 2, 0, 0, 0, 2, 2, 2, 0, 0, 0};
@@ -221,7 +221,7 @@ static void test_errors_masked(void **state)
 }
 
 /* One dark pixel amid light is a crumb in the image, and none in what the image is compared with. */
-static void test_crumbs(void **state)
+static void a_lone_dark_pixel_is_a_crumb(void **state)
 {
 	(void)state;
 	float light[75], other[75];
@@ -243,7 +243,7 @@ static void test_crumbs(void **state)
 }
 
 /* A border has no neighbour beyond: the last pixel of the row before is none. */
-static void test_crumbs_at_borders(void **state)
+static void a_border_has_no_neighbour_beyond(void **state)
 {
 	(void)state;
 	float light[75], other[75];
@@ -261,7 +261,7 @@ static void test_crumbs_at_borders(void **state)
 
 /* An image that changes as much as its reference does not flicker, whichever way it goes; the excess counts, where the
  * mask is set. */
-static void test_flicker(void **state)
+static void only_excess_change_is_flicker(void **state)
 {
 	(void)state;
 	static uint8_t black[PIXELS * 3], later[PIXELS * 3], image_later[PIXELS * 3];
@@ -308,7 +308,7 @@ static ts_metrics estimate(const uint8_t *of)
 	return ts_metrics_estimate(&part, of, WIDTH, HEIGHT);
 }
 
-static void test_estimate_of_all(void **state)
+static void an_estimate_of_all_is_exact(void **state)
 {
 	(void)state;
 	make_better();
@@ -325,7 +325,7 @@ static void test_estimate_of_all(void **state)
 }
 
 /* One in eight pixels: over many draws the estimate is right in the mean, and the errors are as large as it says. */
-static void test_estimate_of_some(void **state)
+static void an_estimate_is_right_on_average(void **state)
 {
 	(void)state;
 	make_better();
@@ -346,7 +346,7 @@ static void test_estimate_of_some(void **state)
 
 /* Six pixels of which three are chosen: the line through what these have, in closed form; and where all of them have
  * the same of the coarse picture the error is still a number. */
-static void test_estimate_by_hand(void **state)
+static void an_estimate_follows_its_closed_form(void **state)
 {
 	(void)state;
 	static const uint8_t zero[18], here[18] = {[6] = 1, [9] = 1, [12] = 1, [15] = 1}, right[18] = {[6] = 2};
@@ -364,19 +364,19 @@ static void test_estimate_by_hand(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_against_definition),
-		cmocka_unit_test(test_equal),
-		cmocka_unit_test(test_flat),
-		cmocka_unit_test(test_mask),
-		cmocka_unit_test(test_relative),
-		cmocka_unit_test(test_errors),
-		cmocka_unit_test(test_errors_masked),
-		cmocka_unit_test(test_crumbs),
-		cmocka_unit_test(test_crumbs_at_borders),
-		cmocka_unit_test(test_flicker),
-		cmocka_unit_test(test_estimate_of_all),
-		cmocka_unit_test(test_estimate_of_some),
-		cmocka_unit_test(test_estimate_by_hand),
+		cmocka_unit_test(metrics_follow_their_definition),
+		cmocka_unit_test(equal_images_are_infinitely_alike),
+		cmocka_unit_test(flat_images_have_the_luminance_term_alone),
+		cmocka_unit_test(masked_pixels_have_no_say),
+		cmocka_unit_test(scaled_light_is_apart_by_its_scale),
+		cmocka_unit_test(errors_of_light_match_sorted_ones),
+		cmocka_unit_test(masked_errors_count_for_nothing),
+		cmocka_unit_test(a_lone_dark_pixel_is_a_crumb),
+		cmocka_unit_test(a_border_has_no_neighbour_beyond),
+		cmocka_unit_test(only_excess_change_is_flicker),
+		cmocka_unit_test(an_estimate_of_all_is_exact),
+		cmocka_unit_test(an_estimate_is_right_on_average),
+		cmocka_unit_test(an_estimate_follows_its_closed_form),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
 }

@@ -121,7 +121,7 @@ static void accept(kind k)
 	free(rgba);
 }
 
-static void test_every_kind(void **state)
+static void every_legal_kind_is_accepted(void **state)
 {
 	(void)state;
 	static const uint8_t depths[7] = {1 | 2 | 4 | 8 | 16, 0, 8 | 16, 1 | 2 | 4 | 8, 8 | 16, 0, 8 | 16};
@@ -140,7 +140,7 @@ static void test_every_kind(void **state)
 	}
 }
 
-static void test_chunks(void **state)
+static void wrong_chunks_are_refused(void **state)
 {
 	(void)state;
 	accept((kind){.colour = 2, .depth = 8, .n_alpha = 6, .n_palette = 9, .comment = true, .after = 100});
@@ -177,7 +177,7 @@ static void cleaned_to(kind k, const char *const *types)
 	free(clean);
 }
 
-static void test_clean_chunks(void **state)
+static void cleaning_keeps_the_needed_chunks(void **state)
 {
 	(void)state;
 	cleaned_to((kind){.colour = 3, .depth = 2, .n_palette = 12, .n_alpha = 4, .comment = true},
@@ -189,7 +189,7 @@ static void test_clean_chunks(void **state)
 	cleaned_to((kind){.colour = 6, .depth = 8}, (const char *const[]){"IHDR", "IDAT", "IEND", NULL});
 }
 
-static void test_pixels(void **state)
+static void wrong_rows_of_pixels_are_refused(void **state)
 {
 	(void)state;
 	for (uint8_t interlaced = 0; interlaced < 2; interlaced++) {
@@ -202,7 +202,7 @@ static void test_pixels(void **state)
 }
 
 /* Any byte changed, anywhere behind the signature, and any cut. */
-static void test_damage(void **state)
+static void any_damage_is_refused(void **state)
 {
 	(void)state;
 	uint8_t *clean;
@@ -223,8 +223,11 @@ static void test_damage(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_every_kind), cmocka_unit_test(test_chunks), cmocka_unit_test(test_clean_chunks),
-		cmocka_unit_test(test_pixels),     cmocka_unit_test(test_damage),
+		cmocka_unit_test(every_legal_kind_is_accepted),
+		cmocka_unit_test(wrong_chunks_are_refused),
+		cmocka_unit_test(cleaning_keeps_the_needed_chunks),
+		cmocka_unit_test(wrong_rows_of_pixels_are_refused),
+		cmocka_unit_test(any_damage_is_refused),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,7 +32,7 @@ static void holds(const char *path, const char *text)
 }
 
 /* Pieces of no byte, a few, and more than is held back. */
-static void test_pieces(void **state)
+static void any_pieces_make_up_the_file(void **state)
 {
 	(void)state;
 	static u8 data[MOST], back[MOST];
@@ -62,7 +62,7 @@ static void fails_with(int error)
 }
 
 /* A full disk is told by the piece that does not fit, by all behind it, and by the end. */
-static void test_full(void **state)
+static void a_full_disk_fails_every_piece(void **state)
 {
 	(void)state;
 	static u8 data[MOST];
@@ -81,7 +81,7 @@ static void test_full(void **state)
 	fails_with(ENOSPC);
 }
 
-static void test_absent(void **state)
+static void a_missing_folder_is_an_error(void **state)
 {
 	(void)state;
 	ts_file file;
@@ -93,7 +93,7 @@ static void test_absent(void **state)
 }
 
 /* What was there is there until all is written. */
-static void test_replace(void **state)
+static void the_old_file_stays_until_the_end(void **state)
 {
 	(void)state;
 	static u8 data[MOST];
@@ -115,8 +115,7 @@ static void test_replace(void **state)
 	unlink(scratch_path("it"));
 }
 
-/* A pipe stays a pipe. */
-static void test_pipe(void **state)
+static void a_pipe_stays_a_pipe(void **state)
 {
 	(void)state;
 	assert_int_equal(mkfifo(scratch_path("pipe"), 0600), 0);
@@ -136,7 +135,7 @@ static void test_pipe(void **state)
 }
 
 /* A link stays, and so what it leads to is written: /dev/stdout is one. */
-static void test_link(void **state)
+static void a_link_stays_a_link(void **state)
 {
 	(void)state;
 	struct stat there;
@@ -152,7 +151,7 @@ static void test_link(void **state)
 }
 
 /* The end of a file releases its memory, and nothing can be put into the file any more. */
-static void test_end(void **state)
+static void the_end_releases_the_file(void **state)
 {
 	(void)state;
 	ts_file file;
@@ -186,7 +185,7 @@ static ts_status printed(const char *to, const char *what, bool as_text)
 	return status;
 }
 
-static void test_print(void **state)
+static void printing_to_a_full_disk_fails(void **state)
 {
 	(void)state;
 	const char *path = scratch_path("printed");
@@ -199,7 +198,7 @@ static void test_print(void **state)
 	unlink(path);
 }
 
-static void test_text(void **state)
+static void a_text_is_written_as_printed(void **state)
 {
 	(void)state;
 	ts_file_text text;
@@ -217,9 +216,11 @@ static void test_text(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_pieces),  cmocka_unit_test(test_full), cmocka_unit_test(test_absent),
-		cmocka_unit_test(test_replace), cmocka_unit_test(test_pipe), cmocka_unit_test(test_link),
-		cmocka_unit_test(test_text),    cmocka_unit_test(test_end),  cmocka_unit_test(test_print),
+		cmocka_unit_test(any_pieces_make_up_the_file),   cmocka_unit_test(a_full_disk_fails_every_piece),
+		cmocka_unit_test(a_missing_folder_is_an_error),  cmocka_unit_test(the_old_file_stays_until_the_end),
+		cmocka_unit_test(a_pipe_stays_a_pipe),           cmocka_unit_test(a_link_stays_a_link),
+		cmocka_unit_test(a_text_is_written_as_printed),  cmocka_unit_test(the_end_releases_the_file),
+		cmocka_unit_test(printing_to_a_full_disk_fails),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -58,7 +58,7 @@ static void make(const char *dir, const char *text)
 	assert_clean(dir);
 }
 
-static void test_new(void **state)
+static void a_new_folder_appears_whole(void **state)
 {
 	(void)state;
 	const char *dir = scratch_path("a/b/new");
@@ -82,7 +82,7 @@ static void test_new(void **state)
 }
 
 /* More paths than one piece of memory holds, and one longer than that. */
-static void test_many_names(void **state)
+static void many_and_long_names_are_kept(void **state)
 {
 	(void)state;
 	enum { N = 3000, LONG = 70000 };
@@ -112,7 +112,7 @@ static void test_many_names(void **state)
 }
 
 /* A discarded folder leaves the message, and none of the folders that were made for it. */
-static void test_discarded(void **state)
+static void a_discarded_folder_leaves_nothing(void **state)
 {
 	(void)state;
 	ts_folder_discard();
@@ -127,7 +127,7 @@ static void test_discarded(void **state)
 	assert_true(is_there(scratch_path("kept")));
 }
 
-static void test_replaced(void **state)
+static void only_what_may_be_replaced_is(void **state)
 {
 	(void)state;
 	const char *dir = scratch_path("replaced");
@@ -149,7 +149,7 @@ static void test_replaced(void **state)
 }
 
 /* An empty folder, whose name may end with slashes, is no one's. */
-static void test_empty(void **state)
+static void an_empty_folder_is_no_ones(void **state)
 {
 	(void)state;
 	mkdir(scratch_path("empty"), 0700);
@@ -170,7 +170,7 @@ static ts_status turn(const char *dir)
 }
 
 /* A folder that came to hold something of a stranger while the new one was written stays. */
-static void test_late(void **state)
+static void a_folder_that_changed_too_late_stays(void **state)
 {
 	(void)state;
 	const char *dir = scratch_path("late");
@@ -193,7 +193,7 @@ static ts_status third(const char *dir)
 }
 
 /* What is found in the old folder when it has left its place brings it back. */
-static void test_last_moment(void **state)
+static void a_late_objection_restores_the_folder(void **state)
 {
 	(void)state;
 	const char *dir = scratch_path("back");
@@ -210,7 +210,7 @@ static void test_last_moment(void **state)
 }
 
 /* A process without standard input, whose lock has its number. */
-static void test_descriptor_0(void **state)
+static void a_lock_of_descriptor_0_works(void **state)
 {
 	(void)state;
 	const char *dir = scratch_path("zero");
@@ -230,7 +230,7 @@ static void test_descriptor_0(void **state)
 	close(kept);
 }
 
-static void test_names(void **state)
+static void impossible_names_are_refused(void **state)
 {
 	(void)state;
 	char longest[4200];
@@ -250,7 +250,7 @@ static void test_names(void **state)
 }
 
 /* What is called as ours, and is not, is not touched. */
-static void test_strangers(void **state)
+static void what_is_not_ours_is_not_touched(void **state)
 {
 	(void)state;
 	mkdir(scratch_path("mine.partial"), 0700);
@@ -261,7 +261,7 @@ static void test_strangers(void **state)
 	assert_clean(scratch_path("nothing"));
 }
 
-static void test_removed(void **state)
+static void a_removed_folder_is_gone(void **state)
 {
 	(void)state;
 	make(scratch_path("gone"), "1");
@@ -290,7 +290,7 @@ static void killed(const char *dir, bool commits)
 	close(ready[0]);
 }
 
-static void test_killed(void **state)
+static void what_a_killed_process_left_goes(void **state)
 {
 	(void)state;
 	const char *dir = scratch_path("p/q/killed");
@@ -307,10 +307,18 @@ static void test_killed(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_new),      cmocka_unit_test(test_many_names),  cmocka_unit_test(test_discarded),
-		cmocka_unit_test(test_replaced), cmocka_unit_test(test_empty),       cmocka_unit_test(test_late),
-		cmocka_unit_test(test_names),    cmocka_unit_test(test_strangers),   cmocka_unit_test(test_removed),
-		cmocka_unit_test(test_killed),   cmocka_unit_test(test_last_moment), cmocka_unit_test(test_descriptor_0),
+		cmocka_unit_test(a_new_folder_appears_whole),
+		cmocka_unit_test(many_and_long_names_are_kept),
+		cmocka_unit_test(a_discarded_folder_leaves_nothing),
+		cmocka_unit_test(only_what_may_be_replaced_is),
+		cmocka_unit_test(an_empty_folder_is_no_ones),
+		cmocka_unit_test(a_folder_that_changed_too_late_stays),
+		cmocka_unit_test(impossible_names_are_refused),
+		cmocka_unit_test(what_is_not_ours_is_not_touched),
+		cmocka_unit_test(a_removed_folder_is_gone),
+		cmocka_unit_test(what_a_killed_process_left_goes),
+		cmocka_unit_test(a_late_objection_restores_the_folder),
+		cmocka_unit_test(a_lock_of_descriptor_0_works),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

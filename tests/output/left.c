@@ -36,7 +36,7 @@ static void leave(const char *file, const char *dir)
 	close(ready[0]);
 }
 
-static void test_left(void **state)
+static void only_noted_leftovers_are_removed(void **state)
 {
 	(void)state;
 	char *file = strdup(scratch_path("file.partial")), *dir = strdup(scratch_path("a/b/dir"));
@@ -61,6 +61,6 @@ static void test_left(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_left)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(only_noted_leftovers_are_removed)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -4,7 +4,7 @@
 #include "../status.h"
 #include "../../src/output/lock.h"
 
-static void test_one_holder(void **state)
+static void a_lock_has_one_holder(void **state)
 {
 	(void)state;
 	const char *path = scratch_path("one");
@@ -26,7 +26,7 @@ static void test_one_holder(void **state)
 }
 
 /* A process without standard input is given descriptor 0. */
-static void test_descriptor_0(void **state)
+static void a_lock_may_have_descriptor_0(void **state)
 {
 	(void)state;
 	const char *path = scratch_path("zero");
@@ -45,7 +45,7 @@ static void test_descriptor_0(void **state)
 	unlink(path);
 }
 
-static void test_refused(void **state)
+static void what_cannot_be_locked_is_refused(void **state)
 {
 	(void)state;
 	ts_lock lock;
@@ -62,9 +62,9 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_one_holder),
-		cmocka_unit_test(test_descriptor_0),
-		cmocka_unit_test(test_refused),
+		cmocka_unit_test(a_lock_has_one_holder),
+		cmocka_unit_test(a_lock_may_have_descriptor_0),
+		cmocka_unit_test(what_cannot_be_locked_is_refused),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -44,7 +44,7 @@ static ts_status parse(ts_npy *npy, const char *head, size_t head_bytes, u64 dat
 	return ts_npy_parse(npy, "file", head, head_bytes, head_bytes + data_bytes, "'<f4'", 4);
 }
 
-static void test_header(void **state)
+static void headers_follow_the_specification(void **state)
 {
 	(void)state;
 	static const struct {
@@ -71,7 +71,7 @@ static void test_header(void **state)
 	}
 }
 
-static void test_round_trip(void **state)
+static void headers_read_back_what_was_written(void **state)
 {
 	(void)state;
 	char head[TS_NPY_HEADER];
@@ -85,7 +85,7 @@ static void test_round_trip(void **state)
 }
 
 /* Other writers: orders of keys, quotes, blanks, versions with longer prefixes, no padding. */
-static void test_others(void **state)
+static void headers_of_other_writers_are_read(void **state)
 {
 	(void)state;
 	static const char *const dicts[] = {
@@ -166,7 +166,7 @@ static const char *const others[] = {
 	"'<f4",  "<f4",   "[('', '<f4')]", "'< f4'", "('<f4', 1)", "'<f44'", "None",
 };
 
-static void test_malformed(void **state)
+static void malformed_headers_are_refused(void **state)
 {
 	(void)state;
 	char dict[256];
@@ -186,7 +186,7 @@ static void test_malformed(void **state)
 }
 
 /* Cut anywhere, in a block of exactly that size: the sanitizers see a byte too many. */
-static void test_truncated(void **state)
+static void truncated_headers_are_refused(void **state)
 {
 	(void)state;
 	char head[TS_NPY_HEADER];
@@ -203,7 +203,7 @@ static void test_truncated(void **state)
 }
 
 /* Every byte of the prefix and of the text changed in every bit: never more data than the file has. */
-static void test_flipped(void **state)
+static void no_flipped_bit_gives_more_data(void **state)
 {
 	(void)state;
 	char head[TS_NPY_HEADER];
@@ -225,8 +225,9 @@ static void test_flipped(void **state)
 int main(void)
 {
 	const struct CMUnitTest npy[] = {
-		cmocka_unit_test(test_header),    cmocka_unit_test(test_round_trip), cmocka_unit_test(test_others),
-		cmocka_unit_test(test_malformed), cmocka_unit_test(test_truncated),  cmocka_unit_test(test_flipped),
+		cmocka_unit_test(headers_follow_the_specification),  cmocka_unit_test(headers_read_back_what_was_written),
+		cmocka_unit_test(headers_of_other_writers_are_read), cmocka_unit_test(malformed_headers_are_refused),
+		cmocka_unit_test(truncated_headers_are_refused),     cmocka_unit_test(no_flipped_bit_gives_more_data),
 	};
 	return cmocka_run_group_tests(npy, NULL, NULL);
 }

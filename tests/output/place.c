@@ -44,7 +44,7 @@ static int begin(void **state)
 	return bad;
 }
 
-static void test_take(void **state)
+static void a_new_folder_takes_a_free_place(void **state)
 {
 	(void)state;
 	make(partial, "new");
@@ -64,7 +64,7 @@ static void test_take(void **state)
 	refused(ts_place_take(&place), "cannot be renamed to");
 }
 
-static void test_exchange(void **state)
+static void two_folders_exchange_their_places(void **state)
 {
 	(void)state;
 	make(dir, "before");
@@ -81,7 +81,7 @@ static void test_exchange(void **state)
 	clean();
 }
 
-static void test_move(void **state)
+static void a_moved_folder_can_be_brought_back(void **state)
 {
 	(void)state;
 	make(dir, "before");
@@ -96,7 +96,7 @@ static void test_move(void **state)
 	clean();
 }
 
-static void test_sync(void **state)
+static void folders_are_given_to_the_disk(void **state)
 {
 	(void)state;
 	make(dir, "file");
@@ -116,7 +116,8 @@ static void test_sync(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_take), cmocka_unit_test(test_exchange),
-	                                   cmocka_unit_test(test_move), cmocka_unit_test(test_sync)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(a_new_folder_takes_a_free_place), cmocka_unit_test(two_folders_exchange_their_places),
+		cmocka_unit_test(a_moved_folder_can_be_brought_back), cmocka_unit_test(folders_are_given_to_the_disk)};
 	return cmocka_run_group_tests(tests, begin, scratch_end);
 }

@@ -55,7 +55,7 @@ static bool is_clean(void)
 }
 
 /* The folder that was replaced stays, and so does the lock. */
-static void test_denied(void **state)
+static void what_cannot_be_removed_keeps_its_lock(void **state)
 {
 	(void)state;
 	ts_listen(&(ts_listener){.line = hear});
@@ -79,7 +79,7 @@ static void test_denied(void **state)
 }
 
 /* While a folder is removed its lock says whose it is, and that it is written. */
-static void test_said(void **state)
+static void a_lock_says_who_removes_the_folder(void **state)
 {
 	(void)state;
 	char right[32];
@@ -100,6 +100,7 @@ static int begin(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_denied), cmocka_unit_test(test_said)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(what_cannot_be_removed_keeps_its_lock),
+	                                   cmocka_unit_test(a_lock_says_who_removes_the_folder)};
 	return cmocka_run_group_tests(tests, begin, scratch_end);
 }

@@ -16,7 +16,7 @@ static void fails(ts_status status, const char *path)
 	assert_non_null(strstr(ts_error_message(), path));
 }
 
-static void test_remove(void **state)
+static void removing_a_tree_follows_no_links(void **state)
 {
 	(void)state;
 	fails(ts_tree_remove(scratch_path("tree")), "/tree");
@@ -37,7 +37,7 @@ static void test_remove(void **state)
 	rmdir(scratch_path("outside"));
 }
 
-static void test_sync(void **state)
+static void trees_are_given_to_the_disk(void **state)
 {
 	(void)state;
 	assert_int_equal(ts_file_write(scratch_path("file"), "a", 1), TS_OK);
@@ -56,8 +56,8 @@ static void test_sync(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_remove),
-		cmocka_unit_test(test_sync),
+		cmocka_unit_test(removing_a_tree_follows_no_links),
+		cmocka_unit_test(trees_are_given_to_the_disk),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -125,7 +125,7 @@ static bool is_probed(const json_t *o, u32 pixel)
 /* ---- layers ---- */
 
 /* A difference in each buffer of pixels, each in a pixel of its own, and one pixel where all differ. */
-static void test_layers(void **state)
+static void each_buffer_of_pixels_has_its_layer(void **state)
 {
 	(void)state;
 	sides s;
@@ -162,7 +162,7 @@ static void test_layers(void **state)
 }
 
 /* A buffer that differs but is none of pixels is no layer. */
-static void test_no_layer(void **state)
+static void a_buffer_without_pixels_has_no_layer(void **state)
 {
 	(void)state;
 	sides s;
@@ -183,7 +183,7 @@ static void test_no_layer(void **state)
 /* ---- probes ---- */
 
 /* The first differences have their pixel, which is probed on both sides; and the comparison names both pictures. */
-static void test_firsts(void **state)
+static void first_differences_are_probed_on_both_sides(void **state)
 {
 	(void)state;
 	static const u32 pixels[] = {3, 5 * W + 60, 30 * W + 1};
@@ -213,7 +213,7 @@ static void test_firsts(void **state)
 }
 
 /* Of a part of the eye's picture the pixel that is asked of is the eye's. */
-static void test_part(void **state)
+static void parts_ask_at_the_eyes_pixel(void **state)
 {
 	(void)state;
 	sides s;
@@ -259,7 +259,7 @@ static void judge_spread(u32 n, u32 room, bool listed)
 	close_both(&s);
 }
 
-static void test_spread(void **state)
+static void probes_are_spread_evenly(void **state)
 {
 	(void)state;
 	judge_spread(40, 40, false);
@@ -271,8 +271,7 @@ static void test_spread(void **state)
 	judge_spread(40, 3, true);
 }
 
-/* A side that cannot be probed says why. */
-static void test_why_not(void **state)
+static void a_side_without_probe_says_why(void **state)
 {
 	(void)state;
 	sides s;
@@ -289,7 +288,7 @@ static void test_why_not(void **state)
 
 /* ---- comparisons that show no pixels ---- */
 
-static void test_not_shown(void **state)
+static void comparisons_without_pixels_show_none(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 3; i++) {
@@ -316,7 +315,7 @@ static void test_not_shown(void **state)
 	}
 }
 
-static void test_images(void **state)
+static void two_images_are_compared_as_pictures(void **state)
 {
 	(void)state;
 	static const u8 rgb[12];
@@ -334,9 +333,14 @@ static void test_images(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_layers),    cmocka_unit_test(test_no_layer), cmocka_unit_test(test_firsts),
-		cmocka_unit_test(test_part),      cmocka_unit_test(test_spread),   cmocka_unit_test(test_why_not),
-		cmocka_unit_test(test_not_shown), cmocka_unit_test(test_images),
+		cmocka_unit_test(each_buffer_of_pixels_has_its_layer),
+		cmocka_unit_test(a_buffer_without_pixels_has_no_layer),
+		cmocka_unit_test(first_differences_are_probed_on_both_sides),
+		cmocka_unit_test(parts_ask_at_the_eyes_pixel),
+		cmocka_unit_test(probes_are_spread_evenly),
+		cmocka_unit_test(a_side_without_probe_says_why),
+		cmocka_unit_test(comparisons_without_pixels_show_none),
+		cmocka_unit_test(two_images_are_compared_as_pictures),
 	};
 	return cmocka_run_group_tests(tests, begin, scratch_remove);
 }

@@ -46,7 +46,7 @@ static bool is_picture(const char *file)
 
 /* One report with every name of up to four of these parts: the pictures of the page are those that it should have, in
  * order. A file that is no picture is not there, and to open it would be refused. */
-static void test_names(void **state)
+static void pictures_are_found_by_their_names(void **state)
 {
 	(void)state;
 	static const char *const parts[] = {"", ".", "/", "a", "difference-", ".png", "../"};
@@ -87,7 +87,7 @@ static void test_names(void **state)
 	ts_page_free(page);
 }
 
-static void test_other_files(void **state)
+static void other_files_are_no_pictures(void **state)
 {
 	(void)state;
 	char name[400], report[500];
@@ -132,7 +132,7 @@ static void remove_pictures(void)
 	rmdir(scratch_path("g"));
 }
 
-static void test_judged(void **state)
+static void pictures_of_methods_and_truths_are_judged(void **state)
 {
 	(void)state;
 	static const struct {
@@ -171,7 +171,7 @@ static void test_judged(void **state)
 }
 
 /* The words of the row of a picture's own name, or of its name and a remark behind a blank. */
-static void test_words(void **state)
+static void pictures_show_the_words_of_their_row(void **state)
 {
 	(void)state;
 	put_pictures();
@@ -185,7 +185,7 @@ static void test_words(void **state)
 }
 
 /* A method's picture names its trace where the folder holds it. */
-static void test_traces(void **state)
+static void a_picture_names_its_trace(void **state)
 {
 	(void)state;
 	static const char *const folders[] = {"trace-one", "trace-heat", "trace-truth-a", "g/trace-one", "trace-two"};
@@ -213,7 +213,7 @@ static void test_traces(void **state)
 /* ---- tables ---- */
 
 /* Each folder gives its report, without the list of files, and its times where it has some. */
-static void test_tables(void **state)
+static void each_folder_gives_its_report(void **state)
 {
 	(void)state;
 	ts_page *page = page_of("{\"program\": \"touchstone\", \"files\": [], \"notes\": [\"<b>\"]}");
@@ -232,7 +232,7 @@ static void test_tables(void **state)
 }
 
 /* A picture of the second folder is numbered with it, and judged by its namesake of the first. */
-static void test_two_folders(void **state)
+static void the_first_folder_judges_the_second(void **state)
 {
 	(void)state;
 	static const char report[] = "{\"program\": \"touchstone\", \"methods\": [\"one\"], \"files\": [\"one.png\"]}";
@@ -248,7 +248,7 @@ static void test_two_folders(void **state)
 
 /* ---- what is refused ---- */
 
-static void test_refused(void **state)
+static void wrong_reports_are_refused(void **state)
 {
 	(void)state;
 	static const char *const reports[][2] = {
@@ -288,7 +288,7 @@ static void test_refused(void **state)
 	for (u32 i = 0; i < 5; i++) unlink(scratch_path("%s", files[i]));
 }
 
-static void test_damaged_times(void **state)
+static void damaged_times_are_refused(void **state)
 {
 	(void)state;
 	ts_page *page = new_page(0);
@@ -304,9 +304,15 @@ static void test_damaged_times(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_names),       cmocka_unit_test(test_other_files), cmocka_unit_test(test_judged),
-		cmocka_unit_test(test_words),       cmocka_unit_test(test_traces),      cmocka_unit_test(test_tables),
-		cmocka_unit_test(test_two_folders), cmocka_unit_test(test_refused),     cmocka_unit_test(test_damaged_times),
+		cmocka_unit_test(pictures_are_found_by_their_names),
+		cmocka_unit_test(other_files_are_no_pictures),
+		cmocka_unit_test(pictures_of_methods_and_truths_are_judged),
+		cmocka_unit_test(pictures_show_the_words_of_their_row),
+		cmocka_unit_test(a_picture_names_its_trace),
+		cmocka_unit_test(each_folder_gives_its_report),
+		cmocka_unit_test(the_first_folder_judges_the_second),
+		cmocka_unit_test(wrong_reports_are_refused),
+		cmocka_unit_test(damaged_times_are_refused),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -32,7 +32,7 @@ static json_t *data_of(char *html, const char **before, const char **behind)
 	return data;
 }
 
-static void test_empty(void **state)
+static void an_empty_page_holds_empty_lists(void **state)
 {
 	(void)state;
 	static const char *const lists[] = {"folders", "traces", "comparisons", "pairs", "pictures"};
@@ -56,7 +56,7 @@ static void test_empty(void **state)
 	ts_page_free(NULL);
 }
 
-static void test_colours(void **state)
+static void the_page_holds_the_false_colours(void **state)
 {
 	(void)state;
 	static const char *const lists[] = {"ramp", "names"};
@@ -76,7 +76,7 @@ static void test_colours(void **state)
 }
 
 /* Every character, and every short text of the characters that end scripts, comes back as it was. */
-static void test_text_is_data(void **state)
+static void no_text_ends_the_script(void **state)
 {
 	(void)state;
 	static const char some[] = "<>/!-&\"\\s";
@@ -105,7 +105,7 @@ static void test_text_is_data(void **state)
 }
 
 /* Two pictures, put in, are judged when the page is written; the bytes are the same again. */
-static void test_judged_when_written(void **state)
+static void pictures_are_judged_when_written(void **state)
 {
 	(void)state;
 	static const u8 rgb[2][12] = {{1, 2, 3}, {4, 5, 6}};
@@ -128,7 +128,7 @@ static void test_judged_when_written(void **state)
 	free(html[1]);
 }
 
-static void test_not_written(void **state)
+static void a_page_that_fails_is_not_written(void **state)
 {
 	(void)state;
 	ts_page *page = new_page(0);
@@ -143,7 +143,7 @@ static void test_not_written(void **state)
 
 static void put(const char *name, const char *text) { file_write(scratch_path("%s", name), text, strlen(text)); }
 
-static void test_read(void **state)
+static void json_files_are_read_where_they_are(void **state)
 {
 	(void)state;
 	json_t *root;
@@ -160,7 +160,7 @@ static void test_read(void **state)
 	unlink(scratch_path("good.json"));
 }
 
-static void test_not_read(void **state)
+static void what_is_no_json_object_is_refused(void **state)
 {
 	(void)state;
 	static const char *const bad[][2] = {{"", "bad.json: "},
@@ -190,10 +190,10 @@ static void test_not_read(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_empty),        cmocka_unit_test(test_colours),
-		cmocka_unit_test(test_text_is_data), cmocka_unit_test(test_judged_when_written),
-		cmocka_unit_test(test_not_written),  cmocka_unit_test(test_read),
-		cmocka_unit_test(test_not_read),
+		cmocka_unit_test(an_empty_page_holds_empty_lists),   cmocka_unit_test(the_page_holds_the_false_colours),
+		cmocka_unit_test(no_text_ends_the_script),           cmocka_unit_test(pictures_are_judged_when_written),
+		cmocka_unit_test(a_page_that_fails_is_not_written),  cmocka_unit_test(json_files_are_read_where_they_are),
+		cmocka_unit_test(what_is_no_json_object_is_refused),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

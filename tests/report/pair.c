@@ -87,7 +87,7 @@ static void judge_page(const ts_page_picture *pictures, u32 n)
 /* ---- the tests ---- */
 
 /* Pages of up to five pictures, drawn from all that matters to the rule. */
-static void test_rule(void **state)
+static void pairs_follow_the_rule_as_written(void **state)
 {
 	(void)state;
 	u32 seed = 5;
@@ -108,7 +108,7 @@ static void test_rule(void **state)
 	}
 }
 
-static void test_once(void **state)
+static void each_pair_is_judged_once(void **state)
 {
 	(void)state;
 	static const u8 rgb[12];
@@ -137,7 +137,7 @@ static double real_of(const json_t *pair, const char *key) { return json_real_va
 enum { W = 24, H = 16 };
 
 /* Equal pictures are 0 apart; black and white are as far apart as can be; and the metrics are those of the library. */
-static void test_figures(void **state)
+static void pairs_have_the_figures_of_metrics(void **state)
 {
 	(void)state;
 	u8 black[W * H * 3] = {0}, white[W * H * 3], noise[W * H * 3], none[W * H] = {0}, grey[W * H];
@@ -164,7 +164,8 @@ static void test_figures(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_rule), cmocka_unit_test(test_once),
-	                                   cmocka_unit_test(test_figures)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(pairs_follow_the_rule_as_written),
+	                                   cmocka_unit_test(each_pair_is_judged_once),
+	                                   cmocka_unit_test(pairs_have_the_figures_of_metrics)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,7 +4,7 @@
 #include "../../src/kernels/base/num.h"
 
 /* The RFC's own examples. */
-static void test_base64_examples(void **state)
+static void base64_gives_the_examples(void **state)
 {
 	(void)state;
 	static const char *const examples[][2] = {{"", ""},
@@ -21,7 +21,7 @@ static void test_base64_examples(void **state)
 	}
 }
 
-static void test_base64_comes_back(void **state)
+static void base64_comes_back_the_same(void **state)
 {
 	(void)state;
 	u8 all[600];
@@ -43,7 +43,7 @@ static void *none(size_t bytes)
 	return NULL;
 }
 
-static void test_base64_refused(void **state)
+static void too_much_for_base64_is_refused(void **state)
 {
 	(void)state;
 	assert_null(ts_page_base64("", ((size_t)1 << 30) + 1, "a film"));
@@ -58,7 +58,7 @@ static void test_base64_refused(void **state)
 	says("a small file: out of memory");
 }
 
-static void test_png(void **state)
+static void pictures_come_back_from_png(void **state)
 {
 	(void)state;
 	u8 pixels[7 * 5 * 3];
@@ -70,7 +70,7 @@ static void test_png(void **state)
 	}
 }
 
-static void test_added(void **state)
+static void an_added_picture_is_a_copy(void **state)
 {
 	(void)state;
 	u8 rgb[3 * 2 * 3], kept[sizeof rgb];
@@ -100,7 +100,7 @@ static void test_added(void **state)
 }
 
 /* A picture that is a part of the eye's, and is only shown. */
-static void test_taken(void **state)
+static void a_taken_picture_is_only_shown(void **state)
 {
 	(void)state;
 	ts_page *page = new_page(0);
@@ -123,9 +123,9 @@ static void test_taken(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_base64_examples), cmocka_unit_test(test_base64_comes_back),
-		cmocka_unit_test(test_base64_refused),  cmocka_unit_test(test_png),
-		cmocka_unit_test(test_added),           cmocka_unit_test(test_taken),
+		cmocka_unit_test(base64_gives_the_examples),      cmocka_unit_test(base64_comes_back_the_same),
+		cmocka_unit_test(too_much_for_base64_is_refused), cmocka_unit_test(pictures_come_back_from_png),
+		cmocka_unit_test(an_added_picture_is_a_copy),     cmocka_unit_test(a_taken_picture_is_only_shown),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -30,7 +30,7 @@ static void *all_of(const ts_trace *trace, ts_buffer_id id)
 	return data;
 }
 
-static void test_picture(void **state)
+static void the_picture_is_that_of_the_trace(void **state)
 {
 	(void)state;
 	ts_page *page = new_page(0);
@@ -54,7 +54,7 @@ static void test_picture(void **state)
 	ts_page_free(page);
 }
 
-static void test_crop(void **state)
+static void a_crop_has_its_place(void **state)
 {
 	(void)state;
 	ts_page *page = new_page(0);
@@ -72,7 +72,7 @@ static void test_crop(void **state)
 static double display(double radiance) { return 255 * srgb_encoded(fmin(fmax(radiance, 0), 1)); }
 
 /* Without display values, or with some of another shape. */
-static void test_of_radiance(void **state)
+static void without_display_values_radiance_is_shown(void **state)
 {
 	(void)state;
 	for (u32 other = 0; other < 2; other++) {
@@ -98,7 +98,7 @@ static void test_of_radiance(void **state)
 	}
 }
 
-static void test_no_picture(void **state)
+static void a_trace_without_pixels_has_no_picture(void **state)
 {
 	(void)state;
 	ts_page *page = new_page(0);
@@ -114,7 +114,7 @@ static void test_no_picture(void **state)
 }
 
 /* What trace.json says of these keys; nothing else. */
-static void test_said(void **state)
+static void what_the_trace_says_is_kept(void **state)
 {
 	(void)state;
 	static const char *const keys[] = {"effect",     "paper",  "scene",    "producer", "order",
@@ -139,7 +139,7 @@ static void test_said(void **state)
 }
 
 /* A trace whose trace.json went has its names and its picture still. */
-static void test_without_json(void **state)
+static void a_trace_without_json_keeps_its_picture(void **state)
 {
 	(void)state;
 	ts_page *page = new_page(0);
@@ -158,7 +158,7 @@ static void test_without_json(void **state)
 static void empty_file(const ts_trace *trace, ts_buffer_id id) { file_write(trace->item[id].path, "", 0); }
 
 /* Files that are damaged between the trace's opening and the page. */
-static void test_refused(void **state)
+static void damaged_traces_are_refused(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 3; i++) {
@@ -182,9 +182,13 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_picture),    cmocka_unit_test(test_crop), cmocka_unit_test(test_of_radiance),
-		cmocka_unit_test(test_no_picture), cmocka_unit_test(test_said), cmocka_unit_test(test_without_json),
-		cmocka_unit_test(test_refused),
+		cmocka_unit_test(the_picture_is_that_of_the_trace),
+		cmocka_unit_test(a_crop_has_its_place),
+		cmocka_unit_test(without_display_values_radiance_is_shown),
+		cmocka_unit_test(a_trace_without_pixels_has_no_picture),
+		cmocka_unit_test(what_the_trace_says_is_kept),
+		cmocka_unit_test(a_trace_without_json_keeps_its_picture),
+		cmocka_unit_test(damaged_traces_are_refused),
 	};
 	return cmocka_run_group_tests(tests, begin, scratch_remove);
 }
