@@ -24,7 +24,7 @@ static u32 place_of(const char *effect)
 }
 
 /* The effects in the order in which the families name them first, and the methods of each in theirs. */
-static void test_pipelines(void **state)
+static void pipelines_stand_by_their_effects(void **state)
 {
 	(void)state;
 	const ts_pipeline *const *listed = ts_registered()->pipelines;
@@ -39,7 +39,7 @@ static void test_pipelines(void **state)
 	assert_null(listed[N]);
 }
 
-static void test_found(void **state)
+static void every_pipeline_is_found_by_its_names(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++)
@@ -49,6 +49,7 @@ static void test_found(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_pipelines), cmocka_unit_test(test_found)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(pipelines_stand_by_their_effects),
+	                                   cmocka_unit_test(every_pipeline_is_found_by_its_names)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,7 +18,7 @@ static void check(void)
 	assert_true(ts_strtod("x", &end) == 0 && *end == 'x');
 }
 
-static void test_decimal(void **state)
+static void decimals_have_a_point_in_any_locale(void **state)
 {
 	(void)state;
 	check();
@@ -30,6 +30,6 @@ static void test_decimal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_decimal)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(decimals_have_a_point_in_any_locale)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

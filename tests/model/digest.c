@@ -13,7 +13,7 @@ static void digest_is(const char *text, size_t times, const char *expected)
 	assert_false(digest.begun);
 }
 
-static void published_examples(void **state)
+static void digests_match_the_published_examples(void **state)
 {
 	(void)state;
 	digest_is("", 1, "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
@@ -24,7 +24,7 @@ static void published_examples(void **state)
 int main(void)
 {
 	const struct CMUnitTest digest[] = {
-		cmocka_unit_test(published_examples),
+		cmocka_unit_test(digests_match_the_published_examples),
 	};
 	return cmocka_run_group_tests(digest, NULL, NULL);
 }

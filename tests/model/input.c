@@ -12,7 +12,7 @@ static void write_file(const char *data, size_t n)
 	assert_true(file != NULL && fwrite(data, 1, n, file) == n && fclose(file) == 0);
 }
 
-static void all_bytes_and_a_zero(void **state)
+static void files_give_all_bytes_and_a_zero(void **state)
 {
 	(void)state;
 	static char data[100000];
@@ -37,7 +37,7 @@ static void refuses(const char *words)
 }
 
 /* A pipe that nobody writes to is not waited for. */
-static void only_regular_files(void **state)
+static void only_regular_files_are_read(void **state)
 {
 	(void)state;
 	refuses("No such file");
@@ -49,7 +49,7 @@ static void only_regular_files(void **state)
 	assert_int_equal(rmdir(path), 0);
 }
 
-static void nothing_that_memory_cannot_hold(void **state)
+static void nothing_beyond_memory_is_read(void **state)
 {
 	(void)state;
 	write_file("", 0);
@@ -61,9 +61,9 @@ static void nothing_that_memory_cannot_hold(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(all_bytes_and_a_zero),
-		cmocka_unit_test(only_regular_files),
-		cmocka_unit_test(nothing_that_memory_cannot_hold),
+		cmocka_unit_test(files_give_all_bytes_and_a_zero),
+		cmocka_unit_test(only_regular_files_are_read),
+		cmocka_unit_test(nothing_beyond_memory_is_read),
 	};
 	snprintf(path, sizeof path, "/tmp/touchstone-input-%d", (int)getpid());
 	return cmocka_run_group_tests(tests, NULL, NULL);

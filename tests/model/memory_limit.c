@@ -55,7 +55,7 @@ static void without_groups_there_is_no_limit(void **state)
 	assert_limit("0::/a/b\n4:memory:/c\nwords\n:\n::\n", NONE);
 }
 
-static void groups_of_version_2(void **state)
+static void groups_of_version_2_limit_memory(void **state)
 {
 	(void)state;
 	put("/sys/fs/cgroup/a/b/memory.max", "max\n");
@@ -74,7 +74,7 @@ static void groups_of_version_2(void **state)
 	put("/sys/fs/cgroup/memory.max", "max\n");
 }
 
-static void groups_of_version_1(void **state)
+static void groups_of_version_1_limit_memory(void **state)
 {
 	(void)state;
 	put("/sys/fs/cgroup/memory/c/memory.limit_in_bytes", "2000000000\n");
@@ -111,8 +111,8 @@ static void limits_of_the_process_count(void **state)
 int main(void)
 {
 	const struct CMUnitTest limits[] = {
-		cmocka_unit_test(the_least_limit_counts),      cmocka_unit_test(without_groups_there_is_no_limit),
-		cmocka_unit_test(groups_of_version_2),         cmocka_unit_test(groups_of_version_1),
+		cmocka_unit_test(the_least_limit_counts),           cmocka_unit_test(without_groups_there_is_no_limit),
+		cmocka_unit_test(groups_of_version_2_limit_memory), cmocka_unit_test(groups_of_version_1_limit_memory),
 		cmocka_unit_test(limits_of_the_process_count),
 	};
 	return cmocka_run_group_tests(limits, scratch_begin, scratch_remove);

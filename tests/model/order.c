@@ -31,7 +31,7 @@ static void (*const reversed[])(const void *here, const void *there) = {
 #include <touchstone/records.def>
 };
 
-static void test_elements(void **state)
+static void each_number_is_reversed_by_itself(void **state)
 {
 	(void)state;
 	u8 memory[ELEMENTS * MOST_BYTES], file[ELEMENTS * MOST_BYTES], again[ELEMENTS * MOST_BYTES];
@@ -46,7 +46,7 @@ static void test_elements(void **state)
 	}
 }
 
-static void test_read(void **state)
+static void numbers_are_read_from_the_least_byte(void **state)
 {
 	(void)state;
 	static const u8 file[] = {0x01, 0x82, 0x03, 0x84, 0x05, 0x86, 0x07, 0x88};
@@ -60,8 +60,8 @@ static void test_read(void **state)
 int main(void)
 {
 	const struct CMUnitTest order[] = {
-		cmocka_unit_test(test_elements),
-		cmocka_unit_test(test_read),
+		cmocka_unit_test(each_number_is_reversed_by_itself),
+		cmocka_unit_test(numbers_are_read_from_the_least_byte),
 	};
 	return cmocka_run_group_tests(order, NULL, NULL);
 }

@@ -14,7 +14,7 @@ static ts_sizes some(void)
 	return sizes;
 }
 
-static void test_dims(void **state)
+static void shapes_multiply_their_sizes(void **state)
 {
 	(void)state;
 	static const struct {
@@ -45,8 +45,7 @@ static void test_dims(void **state)
 	}
 }
 
-/* What no shape is. */
-static void test_refused(void **state)
+static void what_is_no_shape_is_refused(void **state)
 {
 	(void)state;
 	static const char *const shapes[] = {"",
@@ -73,7 +72,7 @@ static void test_refused(void **state)
 
 /* Sizes that were not given, and products past 2^64. */
 /* Every size is unknown at first, and nothing behind them is changed. */
-static void test_cleared(void **state)
+static void every_size_is_unknown_at_first(void **state)
 {
 	(void)state;
 	struct {
@@ -85,7 +84,7 @@ static void test_cleared(void **state)
 	for (u32 i = 0; i < 4; i++) assert_int_equal(s.behind[i], i + 1);
 }
 
-static void test_unknown(void **state)
+static void an_unknown_size_makes_an_unknown_shape(void **state)
 {
 	(void)state;
 	static const char *const shapes[] = {"pieces",        "mirror_pixels pieces", "pieces*mirror_pixels",
@@ -101,8 +100,7 @@ static void test_unknown(void **state)
 	}
 }
 
-/* What a dimension counts. */
-static void test_counts(void **state)
+static void a_dimension_counts_one_size(void **state)
 {
 	(void)state;
 	static const struct {
@@ -130,7 +128,7 @@ static void test_counts(void **state)
 	}
 }
 
-static void test_count(void **state)
+static void a_count_does_not_overflow(void **state)
 {
 	(void)state;
 	u64 n;
@@ -143,8 +141,9 @@ static void test_count(void **state)
 int main(void)
 {
 	const struct CMUnitTest shape[] = {
-		cmocka_unit_test(test_dims),    cmocka_unit_test(test_refused), cmocka_unit_test(test_cleared),
-		cmocka_unit_test(test_unknown), cmocka_unit_test(test_counts),  cmocka_unit_test(test_count),
+		cmocka_unit_test(shapes_multiply_their_sizes),    cmocka_unit_test(what_is_no_shape_is_refused),
+		cmocka_unit_test(every_size_is_unknown_at_first), cmocka_unit_test(an_unknown_size_makes_an_unknown_shape),
+		cmocka_unit_test(a_dimension_counts_one_size),    cmocka_unit_test(a_count_does_not_overflow),
 	};
 	return cmocka_run_group_tests(shape, NULL, NULL);
 }

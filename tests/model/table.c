@@ -4,7 +4,7 @@
 #include "test.h"
 
 /* ts_buffer_shape itself asserts that each shape is one. */
-static void test_shapes(void **state)
+static void shapes_of_the_table_are_shapes(void **state)
 {
 	(void)state;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
@@ -36,7 +36,7 @@ static bool is_told(ts_dim dim)
 
 /* A trace tells every size that is not computed: all but that of reflectors, which scene.info holds, and of paths,
  * whose buffer holds one more. */
-static void test_dims(void **state)
+static void every_size_is_told_or_computed(void **state)
 {
 	(void)state;
 	for (u32 dim = 0; dim < TS_N_DIMS; dim++) {
@@ -55,7 +55,7 @@ static void test_dims(void **state)
 	            ts_buffer_tells(TS_B_depth_map_depth) == TS_DIM_texels);
 }
 
-static void test_sums(void **state)
+static void tables_of_sums_hold_sums(void **state)
 {
 	(void)state;
 	size_t n;
@@ -71,7 +71,7 @@ static void test_sums(void **state)
 }
 
 /* Buffers with one more than there are things are sums; the levels of an octree are not read as such. */
-static void test_all_sums(void **state)
+static void every_buffer_of_one_more_holds_sums(void **state)
 {
 	(void)state;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
@@ -92,7 +92,7 @@ static bool has_field(const char *record, const char *name)
 	return false;
 }
 
-static void test_indices(void **state)
+static void indices_name_fields_and_sizes(void **state)
 {
 	(void)state;
 	size_t n;
@@ -112,8 +112,9 @@ static void test_indices(void **state)
 int main(void)
 {
 	const struct CMUnitTest table[] = {
-		cmocka_unit_test(test_shapes),   cmocka_unit_test(test_dims),    cmocka_unit_test(test_sums),
-		cmocka_unit_test(test_all_sums), cmocka_unit_test(test_indices),
+		cmocka_unit_test(shapes_of_the_table_are_shapes), cmocka_unit_test(every_size_is_told_or_computed),
+		cmocka_unit_test(tables_of_sums_hold_sums),       cmocka_unit_test(every_buffer_of_one_more_holds_sums),
+		cmocka_unit_test(indices_name_fields_and_sizes),
 	};
 	return cmocka_run_group_tests(table, NULL, NULL);
 }

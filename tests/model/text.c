@@ -14,7 +14,7 @@ static void every_control_byte_becomes_a_question_mark(void **state)
 }
 
 /* U+0080 to U+009F are control characters of two bytes; U+00A0 and those whose first byte only is the same are not. */
-static void so_do_those_of_two_bytes(void **state)
+static void controls_of_two_bytes_become_question_marks(void **state)
 {
 	(void)state;
 	char text[] = "\xc2\x80|\xc2\x9f|\xc2\xa0|\xc3\x9f|\x9b|\xc2";
@@ -26,7 +26,7 @@ int main(void)
 {
 	const struct CMUnitTest text[] = {
 		cmocka_unit_test(every_control_byte_becomes_a_question_mark),
-		cmocka_unit_test(so_do_those_of_two_bytes),
+		cmocka_unit_test(controls_of_two_bytes_become_question_marks),
 	};
 	return cmocka_run_group_tests(text, NULL, NULL);
 }

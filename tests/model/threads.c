@@ -7,7 +7,7 @@
 #include "said.h"
 #include "test.h"
 
-static void test_there(void **state)
+static void wanted_threads_are_there(void **state)
 {
 	(void)state;
 	said_begin();
@@ -44,7 +44,7 @@ static int few(size_t stacks)
 	return seen == (int)n ? 0 : 3;
 }
 
-static void test_few(void **state)
+static void little_memory_gives_fewer_threads(void **state)
 {
 	(void)state;
 	if (TS_TEST_SANITIZED) skip(); /* which maps terabytes */
@@ -59,6 +59,7 @@ static void test_few(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_few), cmocka_unit_test(test_there)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(little_memory_gives_fewer_threads),
+	                                   cmocka_unit_test(wanted_threads_are_there)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

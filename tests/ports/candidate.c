@@ -18,7 +18,7 @@ static u32 rank_of(ts_buffer_id id)
 	return rank;
 }
 
-static void test_table(void **state)
+static void the_table_is_that_of_the_records(void **state)
 {
 	(void)state;
 	assert_int_equal(TS_CANDIDATE_BUFFERS, TS_N_BUFFERS);
@@ -34,7 +34,7 @@ static void test_table(void **state)
 }
 
 /* Its old names of buffers are those of renamed.def. */
-static void test_renamed(void **state)
+static void old_names_are_those_of_the_library(void **state)
 {
 	(void)state;
 #define RENAMED(kind, old, now) {TS_NAME_##kind, old, now},
@@ -96,7 +96,7 @@ static void read_back(const char *folder, const char *name, void *data, size_t b
 	fclose(file);
 }
 
-static void test_strides(void **state)
+static void any_strides_write_the_same(void **state)
 {
 	(void)state;
 	/* 2 rows from below of 3 pixels RGBA, each row 16 bytes. */
@@ -115,7 +115,7 @@ static void test_strides(void **state)
 	assert_memory_equal(found, right, sizeof right);
 }
 
-static void test_fields(void **state)
+static void fields_apart_make_up_records(void **state)
 {
 	(void)state;
 	const f32 x[2] = {1, 2}, y[2] = {3, 4}, z[2] = {5, 6}, lengths[4] = {7, 0, 8, 0};
@@ -139,8 +139,7 @@ static void test_fields(void **state)
 	assert_memory_equal(found, right, sizeof right);
 }
 
-/* Every field of every record is found at its place. */
-static void test_offsets(void **state)
+static void every_field_is_found_at_its_place(void **state)
 {
 	(void)state;
 	size_t n;
@@ -165,7 +164,7 @@ static float axial(ts_candidate_depth kind, unsigned unorm_bits, const void *sto
 }
 
 /* Near plane 1, far plane 3: depth 2 is 3/4, reversed 1/4, without a far plane 1/2. */
-static void test_depth(void **state)
+static void each_kind_of_depth_becomes_axial(void **state)
 {
 	(void)state;
 	const f32 two = 2, standard = 0.75f, reversed = 0.25f, infinite = 0.5f, zero = 0, one = 1;
@@ -184,7 +183,7 @@ static void test_depth(void **state)
 	assert_true(axial(TS_DEPTH_REVERSED, 32, &most32) == 1);
 }
 
-static void test_keys(void **state)
+static void depths_and_indices_become_keys(void **state)
 {
 	(void)state;
 	const f32 depth[4] = {1, 2, 0, 3};
@@ -215,7 +214,7 @@ static void assert_failed(ts_candidate *c, const char *folder, const char *messa
 	assert_int_not_equal(stat(path, &info), 0);
 }
 
-static void test_failures(void **state)
+static void a_failure_is_told_once_and_stays(void **state)
 {
 	(void)state;
 	const uint64_t shape[2] = {3, 1};
@@ -410,9 +409,10 @@ static int copy(const char *from, const char *to)
 int main(int argc, char **argv)
 {
 	static const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_table),  cmocka_unit_test(test_renamed),  cmocka_unit_test(test_strides),
-		cmocka_unit_test(test_fields), cmocka_unit_test(test_offsets),  cmocka_unit_test(test_depth),
-		cmocka_unit_test(test_keys),   cmocka_unit_test(test_failures),
+		cmocka_unit_test(the_table_is_that_of_the_records),  cmocka_unit_test(old_names_are_those_of_the_library),
+		cmocka_unit_test(any_strides_write_the_same),        cmocka_unit_test(fields_apart_make_up_records),
+		cmocka_unit_test(every_field_is_found_at_its_place), cmocka_unit_test(each_kind_of_depth_becomes_axial),
+		cmocka_unit_test(depths_and_indices_become_keys),    cmocka_unit_test(a_failure_is_told_once_and_stays),
 	};
 	if (argc == 4 && strcmp(argv[1], "copy") == 0) return copy(argv[2], argv[3]);
 	if (argc == 2 && strcmp(argv[1], "table") == 0) {

@@ -31,7 +31,7 @@ static inline const char *printed_end(void)
 	return text;
 }
 
-static void test_old_name(void **state)
+static void an_old_name_works_and_is_said(void **state)
 {
 	(void)state;
 	static const uint64_t shape[] = {2, 4, 3};
@@ -51,7 +51,7 @@ static void test_old_name(void **state)
 	ts_trace_close(trace);
 }
 
-static void test_once(void **state)
+static void either_name_adds_a_buffer_once(void **state)
 {
 	(void)state;
 	static const uint64_t shape[] = {1};
@@ -67,6 +67,7 @@ static void test_once(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_old_name), cmocka_unit_test(test_once)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(an_old_name_works_and_is_said),
+	                                   cmocka_unit_test(either_name_adds_a_buffer_once)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

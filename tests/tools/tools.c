@@ -19,7 +19,7 @@ static u32 count_truths(void)
 	return n;
 }
 
-static void test_again(void **state)
+static void tools_handed_in_again_are_the_same(void **state)
 {
 	(void)state;
 	u32 benches = count_benches(), truths = count_truths();
@@ -31,7 +31,7 @@ static void test_again(void **state)
 	assert_ptr_equal(ts_truths()[0], first);
 }
 
-static void test_benches(void **state)
+static void each_table_has_its_own_name(void **state)
 {
 	(void)state;
 	for (const ts_bench_row *const *a = ts_benches(); *a != NULL; a++) {
@@ -42,6 +42,7 @@ static void test_benches(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tools[] = {cmocka_unit_test(test_again), cmocka_unit_test(test_benches)};
+	const struct CMUnitTest tools[] = {cmocka_unit_test(tools_handed_in_again_are_the_same),
+	                                   cmocka_unit_test(each_table_has_its_own_name)};
 	return cmocka_run_group_tests(tools, NULL, NULL);
 }

@@ -50,7 +50,7 @@ static means means_of(const ts_scene *scene, ts_params params, u32 rsm_px)
 	return m;
 }
 
-static void test_scene(void **state)
+static void truths_tend_to_each_other(void **state)
 {
 	(void)state;
 	ts_scene *scene;
@@ -70,6 +70,6 @@ static void test_scene(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest indirect[] = {cmocka_unit_test(test_scene)};
+	const struct CMUnitTest indirect[] = {cmocka_unit_test(truths_tend_to_each_other)};
 	return cmocka_run_group_tests(indirect, NULL, NULL);
 }

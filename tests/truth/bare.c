@@ -28,7 +28,7 @@ static void end(world *w, ts_bare *bare)
 }
 
 /* Sides that are no multiple of a packet's; a cube out of sight has no rays. */
-static void test_cubes(void **state)
+static void every_texel_of_cubes_has_a_ray(void **state)
 {
 	(void)state;
 	for (u32 side = 1; side <= 9; side++) {
@@ -51,7 +51,7 @@ static void test_cubes(void **state)
 
 /* Walls one away from the middle of a face, and farther away from its other texels: those within the reflector that the
  * cube is of are not hit. */
-static void test_reflectors(void **state)
+static void walls_within_the_reflector_are_not_hit(void **state)
 {
 	(void)state;
 	enum { SIDE = 9 };
@@ -75,7 +75,7 @@ static void test_reflectors(void **state)
 }
 
 /* A view whose field is twice as wide as a wall behind a hole: those of its rays hit that go there. */
-static void test_views(void **state)
+static void rays_hit_the_wall_they_reach(void **state)
 {
 	(void)state;
 	world *w = malloc(sizeof *w);
@@ -103,7 +103,7 @@ static void test_views(void **state)
 }
 
 /* Views of any sides: the truth casts as many rays as Embree alone, none of them beside the view. */
-static void test_truth(void **state)
+static void the_truth_casts_as_many_rays(void **state)
 {
 	(void)state;
 	static const u32 sides[][2] = {{1, 1}, {4, 4}, {3, 70}, {67, 5}, {64, 4}, {65, 3}, {130, 6}};
@@ -132,7 +132,7 @@ static void test_truth(void **state)
 }
 
 /* More views than memory could hold. */
-static void test_no_memory(void **state)
+static void too_many_views_are_refused(void **state)
 {
 	(void)state;
 	world *w = room_new();
@@ -146,7 +146,7 @@ static void test_no_memory(void **state)
 	end(w, bare);
 }
 
-static void test_none(void **state)
+static void a_run_without_views_is_refused(void **state)
 {
 	(void)state;
 	world *w = room_new();
@@ -158,8 +158,9 @@ static void test_none(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_cubes),     cmocka_unit_test(test_reflectors),
-	                                   cmocka_unit_test(test_views),     cmocka_unit_test(test_truth),
-	                                   cmocka_unit_test(test_no_memory), cmocka_unit_test(test_none)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(every_texel_of_cubes_has_a_ray), cmocka_unit_test(walls_within_the_reflector_are_not_hit),
+		cmocka_unit_test(rays_hit_the_wall_they_reach),   cmocka_unit_test(the_truth_casts_as_many_rays),
+		cmocka_unit_test(too_many_views_are_refused),     cmocka_unit_test(a_run_without_views_is_refused)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

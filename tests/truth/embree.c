@@ -77,7 +77,7 @@ static void wall_at(world *w, f32 x, u32 material, u32 object, bool front_to_ori
 		world_quad(w, a, d, c, b, material, object);
 }
 
-static void test_room(void **state)
+static void rays_in_a_room_meet_its_walls(void **state)
 {
 	(void)state;
 	world *w = world_new();
@@ -120,7 +120,7 @@ static void sphere(world *w, u32 n_rings, u32 n_steps, u32 material, u32 object)
 			           object);
 }
 
-static void test_sphere(void **state)
+static void rays_meet_the_front_of_a_sphere(void **state)
 {
 	(void)state;
 	world *w = world_new();
@@ -154,7 +154,7 @@ static void check_wall(const ts_truth *truth, u32 masked, u32 wall)
 	for (u32 i = 0; i < SIDE * SIDE; i++) assert_int_equal(hits[i].triangle / 2, wall);
 }
 
-static void test_filters(void **state)
+static void filters_let_through_what_stops_no_light(void **state)
 {
 	(void)state;
 	static const struct {
@@ -180,7 +180,7 @@ static void test_filters(void **state)
 }
 
 /* The cut runs along the middle of the texture: u < 1/2 is gone at the finest level, all is half there far away. */
-static void test_alpha(void **state)
+static void rays_pass_where_alpha_cuts(void **state)
 {
 	(void)state;
 	world *w = world_new();
@@ -198,7 +198,7 @@ static void test_alpha(void **state)
 	end(w, truth);
 }
 
-static void test_degenerate(void **state)
+static void degenerate_triangles_are_never_hit(void **state)
 {
 	(void)state;
 	world *w = world_new();
@@ -293,7 +293,7 @@ static void soup(world *w, u32 n)
 	}
 }
 
-static void test_soup(void **state)
+static void rays_meet_what_trying_all_finds(void **state)
 {
 	(void)state;
 	world *w = world_new();
@@ -319,7 +319,7 @@ static void test_soup(void **state)
 }
 
 /* The same soup with its triangles in reverse order: the same distances. */
-static void test_order(void **state)
+static void the_order_of_triangles_changes_no_distance(void **state)
 {
 	(void)state;
 	world *w = world_new(), *back = world_new();
@@ -416,7 +416,7 @@ static void alone(RTCScene in, struct RTCIntersectContext *how, struct RTCRayHit
 }
 
 /* Of each machine's packets: where they are narrower, Embree deals them out. */
-static void test_packets(void **state)
+static void packets_find_what_each_ray_finds(void **state)
 {
 	(void)state;
 	static const char *const machines[] = {"sse2", "avx", "avx2", "avx512"};
@@ -444,7 +444,7 @@ static void test_packets(void **state)
 }
 
 /* From inside a room no wall is in doubt, and packets say all; of two walls in one place every ray is. */
-static void test_alone(void **state)
+static void only_rays_in_doubt_are_cast_alone(void **state)
 {
 	(void)state;
 	enum { RAYS = 4096 };
@@ -474,7 +474,7 @@ static void test_alone(void **state)
 }
 
 /* Triangles whose planes pass the eye to a rounding: which side it sees is a matter of roundings, too. */
-static void test_edge_on(void **state)
+static void packets_see_edge_on_as_rays_do(void **state)
 {
 	(void)state;
 	enum { EYES = 50, EACH = 30 };
@@ -500,7 +500,7 @@ static void test_edge_on(void **state)
 }
 
 /* More backs before a wall than a packet keeps in mind. */
-static void test_many_backs(void **state)
+static void packets_pass_more_backs_than_they_keep(void **state)
 {
 	(void)state;
 	static ts_truth_query queries[MOST];
@@ -519,7 +519,7 @@ static void test_many_backs(void **state)
 	end(w, truth);
 }
 
-static void test_pairs(void **state)
+static void pairs_see_alike_in_packets(void **state)
 {
 	(void)state;
 	world *w = world_new();
@@ -545,10 +545,18 @@ static void test_pairs(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_room),    cmocka_unit_test(test_sphere),     cmocka_unit_test(test_filters),
-		cmocka_unit_test(test_alpha),   cmocka_unit_test(test_degenerate), cmocka_unit_test(test_soup),
-		cmocka_unit_test(test_order),   cmocka_unit_test(test_packets),    cmocka_unit_test(test_pairs),
-		cmocka_unit_test(test_edge_on), cmocka_unit_test(test_many_backs), cmocka_unit_test(test_alone),
+		cmocka_unit_test(rays_in_a_room_meet_its_walls),
+		cmocka_unit_test(rays_meet_the_front_of_a_sphere),
+		cmocka_unit_test(filters_let_through_what_stops_no_light),
+		cmocka_unit_test(rays_pass_where_alpha_cuts),
+		cmocka_unit_test(degenerate_triangles_are_never_hit),
+		cmocka_unit_test(rays_meet_what_trying_all_finds),
+		cmocka_unit_test(the_order_of_triangles_changes_no_distance),
+		cmocka_unit_test(packets_find_what_each_ray_finds),
+		cmocka_unit_test(pairs_see_alike_in_packets),
+		cmocka_unit_test(packets_see_edge_on_as_rays_do),
+		cmocka_unit_test(packets_pass_more_backs_than_they_keep),
+		cmocka_unit_test(only_rays_in_doubt_are_cast_alone),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,7 +11,7 @@
 
 enum { N_THREADS = 8, N_ROUNDS = 200 };
 
-static void test_first(void **state)
+static void the_first_error_is_kept(void **state)
 {
 	(void)state;
 	ts_first_error error;
@@ -23,7 +23,7 @@ static void test_first(void **state)
 	ts_first_error_end(&error);
 }
 
-static void test_long(void **state)
+static void a_long_text_is_cut(void **state)
 {
 	(void)state;
 	char text[1024];
@@ -52,7 +52,7 @@ static void *fail_once(void *user)
 	return NULL;
 }
 
-static void test_threads(void **state)
+static void one_error_of_many_is_kept_whole(void **state)
 {
 	(void)state;
 	for (int round = 0; round < N_ROUNDS; round++) {
@@ -76,9 +76,9 @@ static void test_threads(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_first),
-		cmocka_unit_test(test_long),
-		cmocka_unit_test(test_threads),
+		cmocka_unit_test(the_first_error_is_kept),
+		cmocka_unit_test(a_long_text_is_cut),
+		cmocka_unit_test(one_error_of_many_is_kept_whole),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,7 +9,7 @@
 #include "../../src/truth/sampling.h"
 
 /* One item of each of as many parts, as equal as may be; all in their order, if all are asked. */
-static void test_items(void **state)
+static void each_part_gives_one_item(void **state)
 {
 	(void)state;
 	for (u64 items = 1; items < 40; items++) {
@@ -25,7 +25,7 @@ static void test_items(void **state)
 }
 
 /* Over pixels every item is asked as often as every other. */
-static void test_items_are_even(void **state)
+static void every_item_is_asked_as_often(void **state)
 {
 	(void)state;
 	enum { ITEMS = 10, ASKED = 4, PIXELS = 40000 };
@@ -37,7 +37,7 @@ static void test_items_are_even(void **state)
 	for (u32 k = 0; k < ITEMS; k++) assert_true(abs((i32)count[k] - PIXELS * ASKED / ITEMS) < 500);
 }
 
-static void test_plan(void **state)
+static void a_plan_shares_the_rays_among_pixels(void **state)
 {
 	(void)state;
 	ts_sampling s = {.rays = 0};
@@ -56,7 +56,7 @@ static void test_plan(void **state)
 }
 
 /* A smaller chance chooses fewer of the same pixels, with all of their samples; other seeds choose others. */
-static void test_chosen(void **state)
+static void a_smaller_chance_chooses_fewer_pixels(void **state)
 {
 	(void)state;
 	enum { PIXELS = 100000 };
@@ -90,7 +90,7 @@ static void ask(const void *user, u64 i, const ts_share *share)
 	asked[i] += (u32)share->asked;
 }
 
-static void test_ask(void **state)
+static void only_asked_items_and_pixels_are_traced(void **state)
 {
 	(void)state;
 	seen s = {{0}}, all = {{0}};
@@ -141,7 +141,7 @@ static void sign(void *user, const char *label, uint64_t done, uint64_t total)
 }
 
 /* Signs come after as many pixels as have a quarter of a million rays, but 256 to 4096 pixels. */
-static void test_progress(void **state)
+static void rays_set_the_pace_of_progress(void **state)
 {
 	(void)state;
 	static const struct {
@@ -168,9 +168,12 @@ static void test_progress(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_items), cmocka_unit_test(test_items_are_even),
-		cmocka_unit_test(test_plan),  cmocka_unit_test(test_chosen),
-		cmocka_unit_test(test_ask),   cmocka_unit_test(test_progress),
+		cmocka_unit_test(each_part_gives_one_item),
+		cmocka_unit_test(every_item_is_asked_as_often),
+		cmocka_unit_test(a_plan_shares_the_rays_among_pixels),
+		cmocka_unit_test(a_smaller_chance_chooses_fewer_pixels),
+		cmocka_unit_test(only_asked_items_and_pixels_are_traced),
+		cmocka_unit_test(rays_set_the_pace_of_progress),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

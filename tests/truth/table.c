@@ -18,7 +18,7 @@ static bool has_effect(const ts_truth_kind *kind, const char *effect)
 	return false;
 }
 
-static void test_names(void **state)
+static void each_truth_has_a_name_of_letters(void **state)
 {
 	(void)state;
 	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
@@ -30,7 +30,7 @@ static void test_names(void **state)
 }
 
 /* One of the three ways of table.h, and a stage that shows what is traced. */
-static void test_ways(void **state)
+static void each_truth_is_made_in_one_way(void **state)
 {
 	(void)state;
 	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
@@ -43,7 +43,7 @@ static void test_ways(void **state)
 	}
 }
 
-static void test_effects(void **state)
+static void each_truth_is_of_effects_there_are(void **state)
 {
 	(void)state;
 	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
@@ -65,7 +65,7 @@ static void test_effects(void **state)
 	}
 }
 
-static void test_against(void **state)
+static void each_truth_is_against_a_similar_one(void **state)
 {
 	(void)state;
 	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
@@ -79,7 +79,7 @@ static void test_against(void **state)
 }
 
 /* What truths of reflections start from is EPR's, or that of its variants, whichever methods run before it. */
-static void test_starts(void **state)
+static void truths_of_reflections_start_from_epr(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -100,8 +100,9 @@ static void test_starts(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_names), cmocka_unit_test(test_ways),
-	                                   cmocka_unit_test(test_effects), cmocka_unit_test(test_against),
-	                                   cmocka_unit_test(test_starts)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(each_truth_has_a_name_of_letters), cmocka_unit_test(each_truth_is_made_in_one_way),
+		cmocka_unit_test(each_truth_is_of_effects_there_are), cmocka_unit_test(each_truth_is_against_a_similar_one),
+		cmocka_unit_test(truths_of_reflections_start_from_epr)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,7 +15,7 @@ static ts_status judge(ts_texel_counts *counts, ts_truth *truth, const ts_run *r
 	return TS_OK;
 }
 
-static void test_find(void **state)
+static void rules_are_found_in_any_list(void **state)
 {
 	(void)state;
 	static const ts_texel_rule one[] = {
@@ -35,6 +35,6 @@ static void test_find(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_find)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(rules_are_found_in_any_list)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

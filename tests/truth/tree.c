@@ -136,7 +136,7 @@ static int end(void **state)
 	return 0;
 }
 
-static void test_released(void **state)
+static void all_that_is_made_is_released(void **state)
 {
 	(void)state;
 	ts_truth *truth;
@@ -170,7 +170,7 @@ static void fails(const char *doing, const char *why)
 	assert_non_null(strstr(ts_error_message(), why));
 }
 
-static void test_failures(void **state)
+static void a_failure_of_embree_says_why(void **state)
 {
 	(void)state;
 	fault.no_device = true;
@@ -198,7 +198,7 @@ static void test_failures(void **state)
 }
 
 /* A truth copies its triangles to Embree. */
-static void test_no_indices(void **state)
+static void without_room_for_indices_no_truth_begins(void **state)
 {
 	(void)state;
 	ts_truth *truth;
@@ -210,7 +210,7 @@ static void test_no_indices(void **state)
 }
 
 /* Embree may take what a run may, in all: less is granted, more is not, and what was freed may be taken again. */
-static void test_memory(void **state)
+static void embree_stays_within_a_runs_memory(void **state)
 {
 	(void)state;
 	ts_truth *truth;
@@ -229,10 +229,10 @@ static void test_memory(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_released, restart),
-		cmocka_unit_test_setup(test_failures, restart),
-		cmocka_unit_test_setup(test_no_indices, restart),
-		cmocka_unit_test_setup(test_memory, restart),
+		cmocka_unit_test_setup(all_that_is_made_is_released, restart),
+		cmocka_unit_test_setup(a_failure_of_embree_says_why, restart),
+		cmocka_unit_test_setup(without_room_for_indices_no_truth_begins, restart),
+		cmocka_unit_test_setup(embree_stays_within_a_runs_memory, restart),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

@@ -26,7 +26,7 @@ static ts_work a_second_old(u64 rays)
 	return work;
 }
 
-static void test_long(void **state)
+static void long_work_is_told_once(void **state)
 {
 	(void)state;
 	ts_listen(&(ts_listener){.line = line});
@@ -43,7 +43,7 @@ static void test_long(void **state)
 	assert_non_null(strstr(said, "test: about 1"));
 }
 
-static void test_short(void **state)
+static void short_work_says_nothing(void **state)
 {
 	(void)state;
 	ts_listen(&(ts_listener){.line = line});
@@ -57,6 +57,7 @@ static void test_short(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_long), cmocka_unit_test(test_short)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(long_work_is_told_once),
+	                                   cmocka_unit_test(short_work_says_nothing)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -313,7 +313,7 @@ static judgement sample_centre(const u32 *in, const u32 *out)
 	return right_if(d3_distance(q, p) <= r + 4 * error && d3_distance(q, on_triangle(q, a, b, c)) <= 4 * error);
 }
 
-static void test_formulas(void **state)
+static void composites_match_double_precision(void **state)
 {
 	(void)state;
 	static const composite composites[] = {TS_LIST_composites(COMPOSITE)};
@@ -322,6 +322,6 @@ static void test_formulas(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_formulas)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(composites_match_double_precision)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,7 +3,7 @@
 #include "../../src/vectors/vectors.h"
 
 /* Every element of every primitive, counted column by column. */
-static void test_spots(void **state)
+static void every_element_has_its_spot(void **state)
 {
 	(void)state;
 	u32 n = 0;
@@ -27,6 +27,6 @@ static void test_spots(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_spots)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(every_element_has_its_spot)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,7 +15,7 @@ static bool same(const ts_vector *v, u32 a, u32 b)
 	return a == b || (strcmp(v->name, "cube_place") == 0 && ts_u2f(a) == ts_u2f(b));
 }
 
-static void test_exact(void **state)
+static void exact_primitives_match_wider_arithmetic(void **state)
 {
 	(void)state;
 	for (u32 t = 0; t < N_EXACT; t++) {
@@ -40,7 +40,7 @@ static void test_exact(void **state)
 static double ulp(double y) { return y == 0 ? 0x1p-149 : ldexp(1, ilogb(y) - 23); }
 
 /* What the contract states of the elementary functions. */
-static void test_bounded(void **state)
+static void elementary_functions_keep_their_bounds(void **state)
 {
 	(void)state;
 	double turn = 2 * acos(-1);
@@ -83,7 +83,7 @@ static void test_bounded(void **state)
 }
 
 /* Nothing that methods share is left without a truth. */
-static void test_complete(void **state)
+static void every_shared_primitive_has_a_truth(void **state)
 {
 	(void)state;
 	assert_int_equal(TS_N_vectors, N_EXACT + 6);
@@ -122,7 +122,7 @@ static void assert_finite(const ts_vector *v)
 	}
 }
 
-static void test_ranges(void **state)
+static void inputs_stay_within_their_ranges(void **state)
 {
 	(void)state;
 	u32 n_wrong = 0;
@@ -146,7 +146,7 @@ static void test_ranges(void **state)
 }
 
 /* Every bit of every file: a change of this digest is a change of the contract, TS_CONTRACT_VERSION. */
-static void test_digest(void **state)
+static void the_digest_of_all_bits_stays(void **state)
 {
 	(void)state;
 	ts_digest digest;
@@ -172,7 +172,7 @@ static void compute(ts_vector_item *item, const ts_vector *v)
 static const char *name_of(ts_vector_fault fault) { return ts_vector_fault_table[fault].name; }
 
 /* A port with that fault in all of a primitive. */
-static void test_faults(void **state)
+static void every_fault_is_found_and_named(void **state)
 {
 	(void)state;
 	for (u32 t = 0; t < ts_vectors_count(); t++) {
@@ -200,7 +200,7 @@ static ts_vector_verdict judge_by(const char *name, ts_vector_item *item)
 }
 
 /* The three of the contract's own list and two of halves, as a port would compute them. */
-static void test_named(void **state)
+static void faults_of_the_contract_are_named(void **state)
 {
 	(void)state;
 	assert_int_equal(judge_by("muladd", t_fused).fault, TS_FAULT_FMA);
@@ -221,7 +221,7 @@ static void test_named(void **state)
 
 /* Rows of half: zeros of both signs from tiny floats, ties to even down and up of subnormal and normal halves, the
  * largest half from below and above, and what is beyond it. */
-static void test_halves(void **state)
+static void halves_meet_every_kind_of_rounding(void **state)
 {
 	(void)state;
 	u32 n_zero[2] = {0}, n_tie[2][2] = {{0}}, n_largest[2] = {0}, n_infinite[2] = {0};
@@ -261,7 +261,7 @@ static bool flushes(const ts_vector *v)
 
 /* A processor that flushes is named, and only the bare operations tell: the contract's functions do not depend on
  * it. */
-static void test_flushing(void **state)
+static void a_flushing_processor_is_named(void **state)
 {
 	(void)state;
 	for (u32 t = 0; t < ts_vectors_count(); t++) {
@@ -278,7 +278,7 @@ static void test_flushing(void **state)
 	}
 }
 #else
-static void test_flushing(void **state)
+static void a_flushing_processor_is_named(void **state)
 {
 	(void)state;
 	skip();
@@ -286,7 +286,7 @@ static void test_flushing(void **state)
 #endif
 
 /* One bit of one item of every primitive. */
-static void test_one_bit(void **state)
+static void one_wrong_bit_is_found(void **state)
 {
 	(void)state;
 	for (u32 t = 0; t < ts_vectors_count(); t++) {
@@ -303,7 +303,7 @@ static void test_one_bit(void **state)
 	}
 }
 
-static void test_ulps(void **state)
+static void floats_are_apart_by_their_steps(void **state)
 {
 	(void)state;
 	assert_int_equal(ts_vector_ulps(0x3f800000, 0x3f800001), 1);
@@ -313,7 +313,7 @@ static void test_ulps(void **state)
 	assert_int_equal(ts_vector_ulps(0xff7fffff, 0x7f7fffff), 2 * 0x7f7fffffll + 1);
 }
 
-static void test_descr(void **state)
+static void dtypes_and_shapes_are_described(void **state)
 {
 	(void)state;
 	char descr[TS_VECTOR_DESCR];
@@ -332,10 +332,18 @@ static void test_descr(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_exact),   cmocka_unit_test(test_bounded), cmocka_unit_test(test_complete),
-		cmocka_unit_test(test_ranges),  cmocka_unit_test(test_digest),  cmocka_unit_test(test_faults),
-		cmocka_unit_test(test_named),   cmocka_unit_test(test_halves),  cmocka_unit_test(test_flushing),
-		cmocka_unit_test(test_one_bit), cmocka_unit_test(test_ulps),    cmocka_unit_test(test_descr),
+		cmocka_unit_test(exact_primitives_match_wider_arithmetic),
+		cmocka_unit_test(elementary_functions_keep_their_bounds),
+		cmocka_unit_test(every_shared_primitive_has_a_truth),
+		cmocka_unit_test(inputs_stay_within_their_ranges),
+		cmocka_unit_test(the_digest_of_all_bits_stays),
+		cmocka_unit_test(every_fault_is_found_and_named),
+		cmocka_unit_test(faults_of_the_contract_are_named),
+		cmocka_unit_test(halves_meet_every_kind_of_rounding),
+		cmocka_unit_test(a_flushing_processor_is_named),
+		cmocka_unit_test(one_wrong_bit_is_found),
+		cmocka_unit_test(floats_are_apart_by_their_steps),
+		cmocka_unit_test(dtypes_and_shapes_are_described),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,7 +43,7 @@ static ts_status verified(u32 as, bool inexact)
 
 static void refuses(u32 as, const char *words) { refused(verified(as, false), words); }
 
-static void test_verified(void **state)
+static void a_backend_that_errs_is_named(void **state)
 {
 	(void)state;
 	char words[64];
@@ -59,7 +59,7 @@ static void test_verified(void **state)
 	refuses(NO_FETCH, "the device was lost");
 }
 
-static void test_composites(void **state)
+static void composites_are_verified_on_a_backend(void **state)
 {
 	(void)state;
 	ts_c_begin(&in_c, 2);
@@ -75,6 +75,7 @@ static void test_composites(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_verified), cmocka_unit_test(test_composites)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(a_backend_that_errs_is_named),
+	                                   cmocka_unit_test(composites_are_verified_on_a_backend)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
