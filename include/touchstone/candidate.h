@@ -246,40 +246,6 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 
 enum { TS_CANDIDATE_BUFFERS = sizeof ts_candidate_buffers / sizeof *ts_candidate_buffers };
 
-/* Buffers that were called otherwise: ROW("old", "new"). Old names work until 0.2; standard error says the new ones. */
-/* clang-format off */
-#ifndef TS_CANDIDATE_RENAMED
-#define TS_CANDIDATE_RENAMED(ROW) \
-	ROW("resize.face", "cube_size.face") ROW("pixel.offset", "mirror_pixel.offset") \
-	ROW("pixel.record", "mirror_pixel.record") ROW("face.depth_triangle", "cube_face.depth_triangle") \
-	ROW("face.margin", "cube_face.margin") ROW("face.mip", "cube_face.mip") ROW("scatter.depth", "depth_map.depth") \
-	ROW("depth.margin", "depth_map.margin") ROW("resolve.lit", "shadow_test.lit") \
-	ROW("resolve.margin", "shadow_test.margin") ROW("rsm_patch.light", "rsm.patch") \
-	ROW("shadow_resize.least", "shadow_cube_size.least_ratio") ROW("split.scale", "split.triangle_density") \
-	ROW("split.triangle", "split.piece") ROW("density.scale", "split.density") ROW("count.offset", "points.offset") \
-	ROW("lookup2.offset", "lookup.second_offset") ROW("lookup2.parent", "lookup.second_parent") \
-	ROW("lookup2.point", "lookup.second_point") ROW("lookup3.offset", "lookup.third_offset") \
-	ROW("lookup3.parent", "lookup.third_parent") ROW("lookup3.point", "lookup.third_point") \
-	ROW("shade2.radiance", "shade.second_radiance") ROW("shade3.radiance", "shade.third_radiance") \
-	ROW("shade.used", "shade.n_samples") ROW("nearest.depth", "depth_grid.depth") ROW("range.least", "segment.extent") \
-	ROW("box.offset", "segment.box_offset") ROW("box.record", "segment.box") ROW("gather.moment", "corner.moment") \
-	ROW("fit.lobes", "corner.lobes") ROW("root.least", "octree.root_least") ROW("root.cube", "octree.root") \
-	ROW("octree_surface.node", "octree.surface") ROW("view_voxel.mask", "view_octree.voxel_mask") \
-	ROW("view_voxel.before", "view_octree.voxel_before") ROW("view_cone.sum", "view_octree.cone_sum") \
-	ROW("view_cone.least", "view_octree.cone_least") ROW("view_cone.node", "view_octree.cone") \
-	ROW("map.depth_node", "view_map.depth_node") ROW("map.margin", "view_map.margin") \
-	ROW("fuse.depth", "view_map.fused_depth") ROW("fuse.node", "view_map.fused_node") \
-	ROW("vpl_pairs.offset", "vpl_gather.pair_offset") ROW("vpl_pairs.node", "vpl_gather.pair_node") \
-	ROW("vpl_pairs.views", "vpl_gather.pair_views") ROW("bilateral.row", "bilateral.filtered_rows") \
-	ROW("blend.sum", "surfel_blend.sum") ROW("blend.heaviest", "surfel_blend.heaviest") \
-	ROW("blend.margin", "surfel_blend.margin")
-#endif
-/* clang-format on */
-#define TS_CANDIDATE_RENAMED_ROW(old_name, new_name) {old_name, new_name},
-static const struct {
-	const char *old_name, *new_name;
-} ts_candidate_renamed[] = {TS_CANDIDATE_RENAMED(TS_CANDIDATE_RENAMED_ROW){NULL, NULL}};
-
 typedef struct {
 	char message[512]; /* of the first failure; "" */
 	char folder[TS_CANDIDATE_PATH];
@@ -412,21 +378,9 @@ static inline int ts_candidate_header(ts_candidate *c, unsigned n_dims, const ui
 	return ts_candidate_fail(c, "cannot be written; the disk may be full", c->open->name);
 }
 
-static inline const char *ts_candidate_name(const char *name)
-{
-	unsigned i;
-	for (i = 0; ts_candidate_renamed[i].old_name != NULL; i++) {
-		if (strcmp(ts_candidate_renamed[i].old_name, name) != 0) continue;
-		fprintf(stderr, "%s is now called %s; the old name works until 0.2\n", name, ts_candidate_renamed[i].new_name);
-		return ts_candidate_renamed[i].new_name;
-	}
-	return name;
-}
-
 /* Begins a buffer whose elements come in parts, in C order. The next one, or the end, closes it. */
-static inline int ts_candidate_open(ts_candidate *c, const char *typed, unsigned n_dims, const uint64_t *shape)
+static inline int ts_candidate_open(ts_candidate *c, const char *name, unsigned n_dims, const uint64_t *shape)
 {
-	const char *name = ts_candidate_name(typed);
 	unsigned i = 0, k;
 	if (c->message[0] != 0 || ts_candidate_close(c)) return 1;
 	while (i < TS_CANDIDATE_BUFFERS && strcmp(ts_candidate_buffers[i].name, name) != 0) i++;

@@ -22,9 +22,9 @@ const ts_command ts_command_table[] = {
 	{"digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", 0, 1, TS_OPT(EFFECT),
      TS_OPT(METHOD), TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS), TS_OPT(SET), TS_OPT(THREADS),
      TS_OPT(NO_FAST_PATHS), TS_OPT(FLUSH_DENORMALS), .run = ts_digest_command},
-	{"golden", "ACTION [CASE...]", "check, new or bless: goldens", 1, TS_MAX_ARGUMENTS, TS_OPT(SHARD),
-     TS_OPT(THREADS), TS_OPT(NO_FAST_PATHS), TS_OPT(BACKEND), TS_OPT(BASELINE), TS_OPT(SKIP), TS_OPT(REASON),
-     TS_OPT(GOLDENS), REPORTS, .run = ts_golden_command, .kept = sizeof(ts_golden_kept), FAILED},
+	{"golden", "ACTION [CASE...]", "check, new or bless: goldens", 1, TS_MAX_ARGUMENTS, TS_OPT(SHARD), TS_OPT(THREADS),
+     TS_OPT(NO_FAST_PATHS), TS_OPT(BACKEND), TS_OPT(BASELINE), TS_OPT(SKIP), TS_OPT(REASON), TS_OPT(GOLDENS), REPORTS,
+     .run = ts_golden_command, .kept = sizeof(ts_golden_kept), FAILED},
 #ifdef TS_REPORTS
 	{"merge", "DIR...", "results of shards, put together", 1, TS_MAX_ARGUMENTS, REPORTS, .run = ts_merge_command},
 #endif

@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "../model/decimal.h"
-#include "../model/renamed.h"
 #include "cli.h"
 #include "../study/sweep.h"
 
@@ -158,11 +157,10 @@ static ts_status take_assignment(void *to, const ts_option *option, const char *
 {
 	(void)option;
 	ts_job *job = &((ts_cli *)to)->job;
-	char typed[64];
+	char name[64];
 	const char *equals = strchr(text, '=');
 	if (equals == NULL) return ts_fail("--set %s: no \"=\"; write --set NAME=VALUE", text);
-	snprintf(typed, sizeof typed, "%.*s", (int)(equals - text < 64 ? equals - text : 63), text);
-	const char *name = ts_name_typed(TS_NAME_param, typed);
+	snprintf(name, sizeof name, "%.*s", (int)(equals - text < 64 ? equals - text : 63), text);
 	size_t n;
 	const ts_param_info *params = ts_param_table(&n);
 	ts_nearest nearest = ts_nearest_begin(name);

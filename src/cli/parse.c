@@ -2,7 +2,6 @@
 #include <getopt.h>
 #include <stdio.h>
 #include <string.h>
-#include "../model/renamed.h"
 #include "cli.h"
 #include "../study/truths.h"
 
@@ -60,13 +59,9 @@ static ts_status refuse_name(const ts_command *command, const known *k, const ch
 {
 	char name[64], lists[64];
 	snprintf(name, sizeof name, "%.*s", (int)strcspn(typed, "="), typed);
-	const char *now = ts_name_now(TS_NAME_option, name + strspn(name, "-"));
 	ts_nearest nearest = ts_nearest_begin(name + strspn(name, "-"));
 	nearest.mark = "--";
-	for (const struct option *o = k->options; o->name != NULL; o++) {
-		if (strcmp(o->name, now) == 0) return ts_fail("%s: option %s is now called --%s", command->name, name, now);
-		ts_nearest_offer(&nearest, o->name);
-	}
+	for (const struct option *o = k->options; o->name != NULL; o++) ts_nearest_offer(&nearest, o->name);
 	snprintf(lists, sizeof lists, "%s help %s", ts_program, command->name);
 	return ts_fail("%s: no option %s%s", command->name, name, ts_nearest_hint(&nearest, lists));
 }

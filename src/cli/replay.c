@@ -2,7 +2,6 @@
  * hold. */
 #include <stdio.h>
 #include <string.h>
-#include "../model/renamed.h"
 #include "replay_report.h"
 
 typedef struct {
@@ -88,7 +87,7 @@ static ts_status work_on(work *w)
 	ts_report_begin(&w->report, cli->job.output.json);
 	w->report.quiet = cli->job.output.quiet;
 	ts_replay_report_begin(&w->report, w->reference, w->candidate);
-	ts_status status = cli->stage != NULL ? replay_one(w, ts_name_typed(TS_NAME_stage, cli->stage)) : replay_all(w);
+	ts_status status = cli->stage != NULL ? replay_one(w, cli->stage) : replay_all(w);
 	if (status == TS_ERROR && cli->stage != NULL) {
 		ts_report_discard(&w->report);
 		return status;

@@ -2,7 +2,6 @@
 #include "relax.h"
 #include <math.h>
 #include <stdio.h>
-#include "../model/renamed.h"
 #include "../trace/field.h"
 
 bool ts_relax_close(const ts_relaxations *r, u64 ref, u64 cand)
@@ -20,18 +19,10 @@ static const char *next_of(const char *list)
 	return comma != NULL ? comma + 1 : NULL;
 }
 
-/* The first n bytes of `text` are the name of a buffer or a field, or BUFFER.FIELD with an old name of the buffer. */
+/* The first n bytes of `text` are `name`. */
 static bool is_name(const char *text, size_t n, const char *name)
 {
-	char item[128];
-	snprintf(item, sizeof item, "%.*s", (int)(n < sizeof item ? n : sizeof item), text);
-	if (strcmp(ts_name_typed(TS_NAME_buffer, item), name) == 0) return true;
-	char *field = strrchr(item, '.');
-	if (field == NULL) return false;
-	*field++ = 0;
-	const char *buffer = ts_name_typed(TS_NAME_buffer, item);
-	size_t length = strlen(buffer);
-	return strncmp(name, buffer, length) == 0 && name[length] == '.' && strcmp(name + length + 1, field) == 0;
+	return strlen(name) == n && strncmp(text, name, n) == 0;
 }
 
 bool ts_relax_takes(const ts_relaxations *r, u32 buffer) { return r->only == NULL || r->only[buffer]; }

@@ -8,7 +8,6 @@
 #include <string.h>
 #include "core.h"
 #include "decimal.h"
-#include "renamed.h"
 
 #define PARAM_U32(field, name, def, min, max, unit, source, help) \
 	{name, "u32", #def, #min, #max, unit, "", source, help},
@@ -157,9 +156,8 @@ static ts_status set_row(ts_params *params, size_t row, const char *text)
 /* Its row; TS_ERROR if there is none. */
 static ts_status find(size_t *row, const char *name)
 {
-	const char *now = ts_name_typed(TS_NAME_param, name);
 	for (*row = 0; *row < N_PARAMS; ++*row) {
-		if (strcmp(table[*row].name, now) == 0) return TS_OK;
+		if (strcmp(table[*row].name, name) == 0) return TS_OK;
 	}
 	return ts_fail("there is no parameter \"%.80s\"; the table of parameters names all", name);
 }

@@ -1,7 +1,6 @@
 /* One stage alone. */
 #include "replay.h"
 #include <inttypes.h>
-#include "../model/renamed.h"
 #include "../compare/order.h"
 #include "../trace/emit.h"
 
@@ -13,9 +12,8 @@ static const ts_step *find_step(const char *name, const ts_pipeline *pipeline)
 	return NULL;
 }
 
-const ts_stage *ts_replay_find(const char *typed, const ts_pipeline *pipeline, const ts_params *params)
+const ts_stage *ts_replay_find(const char *name, const ts_pipeline *pipeline, const ts_params *params)
 {
-	const char *name = ts_name_typed(TS_NAME_stage, typed);
 	const ts_step *step = find_step(name, pipeline);
 	if (step == NULL) {
 		ts_fail("\"%.40s\" is no stage of %s; the table of its stages names all", name, pipeline->name);

@@ -2,7 +2,6 @@
 #include "trace.h"
 #include <stdio.h>
 #include <sys/statvfs.h>
-#include "../model/renamed.h"
 #include "folder.h"
 #include "words.h"
 
@@ -25,15 +24,14 @@ static bool is_of(const char *buffer, const char *stage)
 /* Stages of the method, and "scene". */
 static ts_status keep_only(ts_trace_options *options, const ts_pipeline *method, const char *stages)
 {
-	char item[32];
+	char name[32];
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) options->without[id] = true;
-	while (ts_words_item(&stages, item, sizeof item)) {
-		const char *name = ts_name_typed(TS_NAME_stage, item);
+	while (ts_words_item(&stages, name, sizeof name)) {
 		const ts_stage *stage = ts_stage_find(name);
 		bool scene = strcmp(name, "scene") == 0, known = scene;
 		for (const ts_step *s = ts_pipeline_steps(method); s->stage != NULL; s++) known |= strcmp(s->stage, name) == 0;
 		if (!known) {
-			return ts_fail("--trace-only: \"%s\" is no stage of %s; see: touchstone list stages", item, method->name);
+			return ts_fail("--trace-only: \"%s\" is no stage of %s; see: touchstone list stages", name, method->name);
 		}
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 			bool wanted = scene ? is_of(ts_buffer_table[id].name, "scene") : ts_stage_writes(stage, (ts_buffer_id)id);

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <unistd.h>
 #include "../model/json.h"
-#include "../model/renamed.h"
 #include "describe.h"
 #include "item.h"
 #include "packed.h"
@@ -14,20 +13,11 @@ enum { MAX_JSON_BYTES = 1 << 24 };
 
 bool ts_trace_find(ts_buffer_id *id, const char *name)
 {
-	const char *now = ts_name_typed(TS_NAME_buffer, name);
 	for (u32 i = 0; i < TS_N_BUFFERS; i++) {
 		*id = (ts_buffer_id)i;
-		if (strcmp(ts_buffer_table[i].name, now) == 0) return true;
+		if (strcmp(ts_buffer_table[i].name, name) == 0) return true;
 	}
 	return false;
-}
-
-/* A name in a trace.json, of which the first old one stands for all in what is said. */
-static const char *name_now(ts_trace *trace, ts_name_kind kind, const char *name)
-{
-	const char *now = trace->old_names ? ts_name_now(kind, name) : ts_name_typed(kind, name);
-	trace->old_names |= now != name;
-	return now;
 }
 
 static const char *text_of(const json_t *root, const char *key)
@@ -84,7 +74,7 @@ static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *ent
 	const json_t *file = json_object_get(entry, "file");
 	const char *name = text_of(entry, "name");
 	snprintf(shown, sizeof shown, "%s", name);
-	if (!ts_trace_find(&id, name_now(trace, TS_NAME_buffer, name))) {
+	if (!ts_trace_find(&id, name)) {
 		return ts_fail("%s: no buffer \"%s\"; the table of buffers names all", path, shown);
 	}
 	if (listed[id]) return ts_fail("%s: buffer %s is there twice", path, ts_buffer_table[id].name);
@@ -104,7 +94,7 @@ static ts_status add_params(ts_trace *trace, const char *path, json_t *params)
 	if (params != NULL && !json_is_object(params)) return ts_fail("%s: params is not an object", path);
 	json_object_foreach (params, name, value) {
 		if (!json_is_string(value)) return ts_fail("%s: parameter %s is not a string", path, name);
-		if (ts_params_set(&trace->params, name_now(trace, TS_NAME_param, name), json_string_value(value)) != TS_OK) {
+		if (ts_params_set(&trace->params, name, json_string_value(value)) != TS_OK) {
 			return ts_fail("%s: %s", path, ts_error_message());
 		}
 	}

@@ -31,7 +31,6 @@ struct ts_trace {
 	char *dir;
 	const ts_pipeline *pipeline;
 	bool arrival;             /* points stand in any order */
-	bool old_names;           /* some of its names are old ones of renamed.def */
 	bool open;                /* a candidate that ts_trace_put fills */
 	const ts_stage *replayed; /* the replayed stage whose outputs the trace holds; NULL: none */
 	bool has_params;
@@ -69,7 +68,7 @@ ts_status ts_trace_copy(void *to, const ts_trace_item *item, ts_buffer_id id);
 /* The SHA-256 of the file that a trace holds, or would hold, of the buffer. */
 ts_status ts_trace_sha256(char hex[TS_DIGEST_BYTES], const ts_trace_item *item, ts_buffer_id id);
 
-/* Finds the buffer of a name, present or old; false if there is none. */
+/* Finds the buffer of a name; false if there is none. */
 bool ts_trace_find(ts_buffer_id *id, const char *name);
 
 #endif

@@ -63,9 +63,9 @@ static void a_part_has_the_bits_of_all(void **state)
 	done(ts_params_set(more, "reflectors.count", "7")); /* several batches */
 	ts_scene *hall = small_scene(context, more);
 	ts_trace *whole = small_trace(context, hall, more, "mvr"), *part;
-	ts_run_options options = {.bytes = sizeof options, .buffers = "image.srgb,resize.face"};
+	ts_run_options options = {.bytes = sizeof options, .buffers = "image.srgb,cube_size.face"};
 	done(ts_trace_run(context, &part, hall, more, "reflections", "mvr", &options));
-	const char *const names[] = {"image.srgb", "resize.face"};
+	const char *const names[] = {"image.srgb", "cube_size.face"};
 	for (size_t i = 0; i < 2; i++) {
 		const ts_buffer_view *a = ts_trace_buffer(whole, names[i]), *b = ts_trace_buffer(part, names[i]);
 		assert_true(a != NULL && b != NULL);

@@ -10,10 +10,6 @@ refuses 'the nearest is reflections' render reflexions
 refuses 'the nearest is --method' render reflections --metod epr
 refuses 'the nearest is epr' render reflections --method eprr
 refuses 'no option -x' render reflections -x
-while read -r old now; do
-	refuses "option --$old is now called --$now$" golden check "--$old=x"
-	prints "^  --$now " help golden
-done < <(sed -n 's/^RENAMED(option, "\(.*\)", "\(.*\)")$/\1 \2/p' src/model/renamed.def)
 refuses 'needs a value' render reflections -o
 refuses 'needs a value' render reflections --size
 refuses 'takes no value' render reflections --json=3

@@ -106,9 +106,6 @@ refuses 'parameter reflectors.px is 115' replay $epr --inputs part/trace-epr
 run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x48 --reflectors 1 --order arrival --trace --no-images -o arrival
 refuses 'order is "arrival"; a reference must be canonical' replay arrival/trace-epr --stage splat
 refuses 'order is "arrival"; a reference must be canonical' replay arrival/trace-epr
-run replay $epr --stage count --json
-[ "$status" -eq 0 ] && grep -q '"stage": "points.count"' stdout && grep -q '"number": 10' stdout
-verdict $? 'an old name of a stage'
 # Depth maps made in batches are one file, whose stages are replayed on the whole.
 shadows=(atrium:triangles=10000:texels=32 --size 64x48 --set lamp.views=5 --set lamp.cubes=3 --set depth_map.px=24 --trace --no-images)
 for words in 'soft-shadows ivir --margins --set lamp.source=scene' 'omni-shadows epr --set points.buffered=on' 'soft-shadows pcss' 'omni-shadows mvr --margins'; do

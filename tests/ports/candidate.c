@@ -5,7 +5,6 @@
 #include "../model/test.h"
 #include <sys/stat.h>
 #include <touchstone/candidate.h>
-#include "../../src/model/renamed.h"
 #include "../../src/trace/read.h"
 
 /* Rows of the header's table that records.def has too. */
@@ -31,24 +30,6 @@ static void the_table_is_that_of_the_records(void **state)
 		assert_int_equal(b->bytes, ts_buffer_table[id].element_bytes);
 		assert_int_equal(b->n_dims, rank_of((ts_buffer_id)id));
 	}
-}
-
-/* Its old names of buffers are those of renamed.def. */
-static void old_names_are_those_of_the_library(void **state)
-{
-	(void)state;
-#define RENAMED(kind, old, now) {TS_NAME_##kind, old, now},
-	static const ts_renamed rows[] = {
-#include "../../src/model/renamed.def"
-		{0},
-	};
-	u32 n = 0;
-	for (const ts_renamed *row = rows; row->old != NULL; row++) {
-		if (row->kind != TS_NAME_buffer) continue;
-		assert_string_equal(ts_candidate_renamed[n].old_name, row->old);
-		assert_string_equal(ts_candidate_renamed[n++].new_name, row->now);
-	}
-	assert_null(ts_candidate_renamed[n].old_name);
 }
 
 /* Rows of the table, a text of at most WIDTH characters a line. */
@@ -409,10 +390,10 @@ static int copy(const char *from, const char *to)
 int main(int argc, char **argv)
 {
 	static const struct CMUnitTest tests[] = {
-		cmocka_unit_test(the_table_is_that_of_the_records),  cmocka_unit_test(old_names_are_those_of_the_library),
-		cmocka_unit_test(any_strides_write_the_same),        cmocka_unit_test(fields_apart_make_up_records),
-		cmocka_unit_test(every_field_is_found_at_its_place), cmocka_unit_test(each_kind_of_depth_becomes_axial),
-		cmocka_unit_test(depths_and_indices_become_keys),    cmocka_unit_test(a_failure_is_told_once_and_stays),
+		cmocka_unit_test(the_table_is_that_of_the_records), cmocka_unit_test(any_strides_write_the_same),
+		cmocka_unit_test(fields_apart_make_up_records),     cmocka_unit_test(every_field_is_found_at_its_place),
+		cmocka_unit_test(each_kind_of_depth_becomes_axial), cmocka_unit_test(depths_and_indices_become_keys),
+		cmocka_unit_test(a_failure_is_told_once_and_stays),
 	};
 	if (argc == 4 && strcmp(argv[1], "copy") == 0) return copy(argv[2], argv[3]);
 	if (argc == 2 && strcmp(argv[1], "table") == 0) {

@@ -29,6 +29,4 @@ says_usage scripts/verdicts --only
 says_usage scripts/performance --from
 says_usage scripts/run-tests --tier
 says_usage scripts/house/lengths many
-says_usage scripts/house/bits goldenes reference
-says_usage scripts/house/bits traces one
 finish
