@@ -13,7 +13,7 @@ says_usage() {
 }
 
 count=0
-for script in scripts/* scripts/house/*; do
+for script in scripts/*; do
 	[ -x "$script" ] && [ ! -d "$script" ] || continue
 	taken=$(head -n 20 "$script" | tr '\n#' '  ' | grep -oE "Usage: +$script( +(\[[^]]*\]|[A-Z][A-Z-]*)(\.\.\.)?)+") || continue
 	count=$((count + 1))
@@ -28,5 +28,5 @@ says_usage scripts/pseudocode one two
 says_usage scripts/verdicts --only
 says_usage scripts/performance --from
 says_usage scripts/run-tests --tier
-says_usage scripts/house/lengths many
+says_usage scripts/house roms
 finish
