@@ -107,13 +107,16 @@ LINK_FLAGS = $(LDFLAGS) $(OPT) $(filter -fopenmp,$(THREADED))
 FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN'
 
 # Libraries. Embree and OpenCL are opened at run time. Embree brings no pkg-config file.
-EMBREE := $(shell for v in 4 3; do printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
+EMBREE := $(shell for v in 4 3; do \
+		printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
 packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf zlib libzstd)
 LIBS := $(call packages,--libs,jansson libcrypto zlib libzstd tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test check test-% dist fuzz matrix matrix-short distros distros-short mutants mutants-short mutants-src mutants-src-short faults faults-short release release-check style format deps-build deps-test uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test check test-% dist fuzz matrix matrix-short distros distros-short \
+	mutants mutants-short mutants-src mutants-src-short faults faults-short release release-check style format \
+	deps-build deps-test uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -125,7 +128,8 @@ FAMILIES := $(shell sed -n 's/^\#include FAMILY(\(.*\))/\1/p' src/families.def)
 FOLDERS := vectors base $(FAMILIES)
 ITEMS_C := src/backends/c/items.c
 # The headers that have kernels, as points/splat: items.c is compiled for each.
-ITEM_HEADERS := $(patsubst src/kernels/%.h,%,$(shell grep -lE '^TS_(FN|CALL) void ts_k_\w+_item.const|^TS_VECTORS.\w+.$$' src/kernels/*/*.h))
+ITEM_HEADERS := $(patsubst src/kernels/%.h,%,\
+	$(shell grep -lE '^TS_(FN|CALL) void ts_k_\w+_item.const|^TS_VECTORS.\w+.$$' src/kernels/*/*.h))
 
 # Sources, by folder.
 every = $(wildcard $(foreach in,* */* */*/* */*/*/*,$(1)/$(in).$(2)))
@@ -133,17 +137,22 @@ LIB_C := $(filter-out src/cli/% $(ITEMS_C),$(call every,src,c))
 IMAGE_CC := src/image/openimageio.cc
 LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
-CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends/c backends/c/* methods methods/* families golden vectors)) \
-	$(patsubst %,src/backends/%.c,args fast find wide) src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,descr emit sums)) \
-	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
-	$(if $(REPORTS),$(REPORTS:%=src/cli/%.c) $(patsubst %,src/study/%.c,folder folder_ours table) src/scene/print_text.c) \
-	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends baseline command commit digest golden* help \
-		methods nearest options parse reads say shard sweep truths words worker)))
+CORE_C := $(wildcard $(patsubst %,src/%/*.c,\
+		model output backends/c backends/c/* methods methods/* families golden vectors)) \
+	$(patsubst %,src/backends/%.c,args fast find wide) src/truth/table.c \
+	$(wildcard $(patsubst %,src/trace/%.c,descr emit sums)) \
+	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,\
+		$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
+	$(if $(REPORTS),$(REPORTS:%=src/cli/%.c) $(patsubst %,src/study/%.c,folder folder_ours table) \
+		src/scene/print_text.c) \
+	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends baseline command commit digest \
+		golden* help methods nearest options parse reads say shard sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
 TEST_C := $(filter-out $(patsubst %,tests/%,$(shell sed '/^\#/d' tests/apart.txt)),$(call every,tests,c))
 
-# Tests are one program by many names (tests/main.c), but for those that take arguments or define a function of libc or of the
-# library. Linked into each: what tests begin with, and what lifts llvmpipe's limit of loops, which the driver finds by its name.
+# Tests are one program by many names (tests/main.c), but for those that take arguments or define a function of libc or
+# of the library. Linked into each: what tests begin with, and what lifts llvmpipe's limit of loops, which the driver
+# finds by its name.
 ALONE_C := $(patsubst %,tests/%.c,golden/file output/remove ports/candidate study/bench_start study/speed_limits)
 TEST_ALSO_C := tests/begin.c tests/cli/preload/llvmpipe.c
 LIFT := -Wl,--export-dynamic-symbol=LLVMBuildStore
@@ -156,14 +165,16 @@ CLI_O := $(call object,$(CLI_C))
 CLI_PARTS_O := $(filter-out %/main.c.o,$(CLI_O))
 CORE_O := $(call object,$(CORE_C)) $(ITEMS_O)
 TESTS := $(TEST_C:tests/%.c=$(BUILD)/tests/%)
-ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) tests/main.c $(TEST_ALSO_C) $(wildcard tests/fuzz/*.c)))
+ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) \
+	$(call object,$(TEST_C) tests/main.c $(TEST_ALSO_C) $(wildcard tests/fuzz/*.c)))
 
 ifeq ($(V),0)
 Q := @
 say = @echo "  $(1)	$(2)"
 endif
 
-##   all (default)      libraries and the command: build/touchstone; with DEVICES= without the kernels of Vulkan, CUDA and `explain`
+##   all (default)      libraries and the command: build/touchstone; with DEVICES= without the kernels of Vulkan, CUDA
+##                      and `explain`
 all: $(BUILD)/libtouchstone.a $(BUILD)/libtouchstone.so $(BUILD)/touchstone
 	$(Q)ln -sfn $(patsubst build/%,%,$(BUILD))/touchstone build/touchstone
 	$(say_left_out)
@@ -219,12 +230,13 @@ endef
 export TOUCHSTONE_PC
 
 # For find_package of CMake: a target with the shared library. Paths are found from where the file stands.
+TO_INCLUDE := $(shell realpath -ms --relative-to=$(libdir)/cmake/touchstone $(includedir))
 define TOUCHSTONE_CMAKE
 if(NOT TARGET touchstone::touchstone)
   add_library(touchstone::touchstone SHARED IMPORTED)
   set_target_properties(touchstone::touchstone PROPERTIES
     IMPORTED_LOCATION "$${CMAKE_CURRENT_LIST_DIR}/../../libtouchstone.so.$(ABI)"
-    INTERFACE_INCLUDE_DIRECTORIES "$${CMAKE_CURRENT_LIST_DIR}/$(shell realpath -ms --relative-to=$(libdir)/cmake/touchstone $(includedir))")
+    INTERFACE_INCLUDE_DIRECTORIES "$${CMAKE_CURRENT_LIST_DIR}/$(TO_INCLUDE)")
 endif()
 endef
 define TOUCHSTONE_CMAKE_VERSION
@@ -254,7 +266,8 @@ $(BUILD)/touchstone-core: $(CORE_O)
 
 # The fast paths whose kernels have the text that they were written for.
 FAST_PATHS := $(BUILD)/gen/fast.inc
-$(FAST_PATHS): scripts/fast-paths src/backends/kernels.h src/families.def $(wildcard src/kernels/*/* src/backends/c/*/fast.def) include/touchstone/records.def
+$(FAST_PATHS): scripts/fast-paths src/backends/kernels.h src/families.def include/touchstone/records.def \
+		$(wildcard src/kernels/*/* src/backends/c/*/fast.def)
 	$(Q)mkdir -p $(@D)
 	$(Q)CC='$(CC)' scripts/fast-paths $@
 $(call object,src/backends/c/run.c src/backends/fast.c): $(FAST_PATHS)
@@ -268,8 +281,8 @@ golden:
 
 # The kernels as the text of an OpenCL program.
 PROGRAM := $(BUILD)/gen/program.inc
-$(PROGRAM): scripts/opencl-program scripts/assembled src/backends/kernels.h src/backends/kernels.def src/families.def $(wildcard src/kernels/*/*) \
-		include/touchstone/records.def
+$(PROGRAM): scripts/opencl-program scripts/assembled src/backends/kernels.h src/backends/kernels.def \
+		src/families.def $(wildcard src/kernels/*/*) include/touchstone/records.def
 	$(call say,GEN,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/opencl-program > $@
@@ -280,11 +293,13 @@ $(call object,src/backends/opencl/program.c): OWN := -I$(BUILD)/gen
 GLSL := $(BUILD)/gen/glsl
 PLAIN := $(BUILD)/gen/plain
 SPIRV := $(BUILD)/gen/spirv.inc
-$(GLSL)/made $(PLAIN)/made: scripts/glsl $(wildcard scripts/kernel/*) $(wildcard src/backends/vulkan/*.glsl) src/backends/kernels.h \
-		src/backends/kernels.def src/families.def $(wildcard src/kernels/*/*) include/touchstone/records.def
+$(GLSL)/made $(PLAIN)/made: scripts/glsl $(wildcard scripts/kernel/*) $(wildcard src/backends/vulkan/*.glsl) \
+		src/backends/kernels.h src/backends/kernels.def src/families.def $(wildcard src/kernels/*/*) \
+		include/touchstone/records.def
 	$(call say,GEN,$(@D))
 	$(Q)rm -rf $(@D) && scripts/glsl $(if $(filter $(GLSL)/made,$@),--guarded) $(@D) && touch $@
-$(SPIRV): scripts/vulkan-program scripts/kernel/packed.py scripts/spirv-exact $(BUILD)/gen/devices $(call with,vulkan,$(GLSL)/made)
+$(SPIRV): scripts/vulkan-program scripts/kernel/packed.py scripts/spirv-exact $(BUILD)/gen/devices \
+		$(call with,vulkan,$(GLSL)/made)
 	$(call say,GEN,$@)
 	$(Q)scripts/vulkan-program $(call with,vulkan,$(GLSL) $(BUILD)/gen/spirv) > $@
 $(call object,src/backends/vulkan/program.c): $(SPIRV)
@@ -301,20 +316,21 @@ $(call object,src/report/page.c): OWN := -I$(BUILD)/gen
 
 # As C that tells what it computes.
 EXPLAINED := $(BUILD)/gen/explained.inc
-$(EXPLAINED): scripts/explained $(wildcard scripts/kernel/*) src/backends/kernels.h src/families.def $(wildcard src/kernels/*/*) \
-		include/touchstone/records.def
+$(EXPLAINED): scripts/explained $(wildcard scripts/kernel/*) src/backends/kernels.h src/families.def \
+		$(wildcard src/kernels/*/*) include/touchstone/records.def
 	$(call say,GEN,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/explained > $@
 $(call object,src/explain/kernels.c): $(BUILD)/gen/devices $(call with,explain,$(EXPLAINED))
-# What tells spends its time in telling: higher levels take twice as long to compile and more, and it runs no faster. It tells
-# values that it does not use.
-$(call object,src/explain/kernels.c): OWN := $(if $(call with,explain,yes),,-DTS_LEFT_OUT) -I$(BUILD)/gen -Wno-unused-value $(if $(filter -O2 -O3,$(OPT)),-Og)
+# What tells spends its time in telling: higher levels take twice as long to compile and more, and it runs no faster. It
+# tells values that it does not use.
+$(call object,src/explain/kernels.c): OWN := $(if $(call with,explain,yes),,-DTS_LEFT_OUT) -I$(BUILD)/gen \
+	-Wno-unused-value $(if $(filter -O2 -O3,$(OPT)),-Og)
 
 # And as pseudo-code.
 PSEUDOCODE := $(BUILD)/gen/pseudocode
-$(PSEUDOCODE)/made: scripts/pseudocode $(wildcard scripts/kernel/*) src/backends/kernels.h src/families.def $(wildcard src/kernels/*/*) \
-		include/touchstone/records.def
+$(PSEUDOCODE)/made: scripts/pseudocode $(wildcard scripts/kernel/*) src/backends/kernels.h src/families.def \
+		$(wildcard src/kernels/*/*) include/touchstone/records.def
 	$(call say,GEN,$(@D))
 	$(Q)rm -rf $(@D) && scripts/pseudocode $(@D) && touch $@
 
@@ -330,7 +346,8 @@ $(PTX) $(ALL_PTX): scripts/ptx src/backends/cuda/entries.cu
 	$(Q)scripts/ptx $@ $(patsubst %,-DOF=%,$(filter $(FOLDERS),$(subst ., ,$(@F)))) -MMD -MP
 -include $(patsubst %.ptx,%.d,$(PTX) $(ALL_PTX))
 PACKED_PTX := $(BUILD)/gen/ptx.inc
-$(PACKED_PTX): scripts/cuda-program scripts/kernel/packed.py $(BUILD)/gen/clang $(BUILD)/gen/devices src/backends/kernels.def src/families.def $(PTX)
+$(PACKED_PTX): scripts/cuda-program scripts/kernel/packed.py $(BUILD)/gen/clang $(BUILD)/gen/devices \
+		src/backends/kernels.def src/families.def $(PTX)
 	$(call say,GEN,$@)
 	$(Q)scripts/cuda-program $(BUILD)/gen/ptx $(PTX) > $@
 $(call object,src/backends/cuda/program.c): $(PACKED_PTX)
@@ -348,7 +365,7 @@ $(MANUAL)/made: scripts/manual $(BUILD)/touchstone
 	$(call say,GEN,$(@D))
 	$(Q)rm -rf $(@D) && SOURCE_DATE_EPOCH='$(SOURCE_DATE_EPOCH)' scripts/manual $(BUILD)/touchstone $(@D) && touch $@
 
-##   docs               the documents, the headers and the manual as pages for a browser: build/docs/index.html; needs pandoc
+##   docs               the documents, headers and manual as pages for a browser: build/docs/index.html; needs pandoc
 docs: $(MANUAL)/made
 	$(Q)scripts/site $(MANUAL) build/docs
 	$(Q)scripts/links-check build/docs
@@ -367,9 +384,10 @@ $(PYTHON_PACKAGE)/made: $(PYTHON_SOURCES) $(wildcard include/touchstone/*) scrip
 python: all $(PYTHON_PACKAGE)/made
 	@echo "PYTHONPATH='$$(realpath $(BUILD)/python)' python3"
 
-# A probe asks about one pixel, the command reads arguments, a study adds up figures, a file is read once: the compiler would
-# work for longer than they do.
-BRIEF := $(call object,$(filter src/probe/% src/api/% src/cli/% src/study/% src/report/% src/scene/gltf/%,$(LIB_C) $(LIB_CC) $(CLI_C)) $(wildcard src/methods/*/tools/*.c))
+# A probe asks about one pixel, the command reads arguments, a study adds up figures, a file is read once: the compiler
+# would work for longer than they do.
+BRIEF := $(call object,$(wildcard src/methods/*/tools/*.c) \
+	$(filter src/probe/% src/api/% src/cli/% src/study/% src/report/% src/scene/gltf/%,$(LIB_C) $(LIB_CC) $(CLI_C)))
 $(BRIEF): OWN += $(if $(filter -O2 -O3,$(OPT)),-O1)
 # Items are long and have few loops: they run no faster at -O3, which is theirs where somebody asks for it.
 $(ITEMS_O): OWN := $(if $(filter file-O3,$(origin OPT)$(OPT)),-O2)
@@ -378,10 +396,11 @@ $(ITEMS_O): OWN := $(if $(filter file-O3,$(origin OPT)$(OPT)),-O2)
 $(BUILD)/flags: FORCE
 	$(call keep,$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS))
 
-# What is being built: a commit, when it was made, and whether its source was changed since. In a tarball, whose files are as old
-# as the commit, .commit says which.
+# What is being built: a commit, when it was made, and whether its source was changed since. In a tarball, whose files
+# are as old as the commit, .commit says which.
 BUILT := $(shell { if [ -e .git ]; then \
-		git -c log.showSignature=false log -1 --format='%H %ct' && git --no-optional-locks status --porcelain -- src include Makefile; \
+		git -c log.showSignature=false log -1 --format='%H %ct' && \
+		git --no-optional-locks status --porcelain -- src include Makefile; \
 	else grep -v Format .commit && find src include Makefile -type f -newer .commit; fi; } 2>/dev/null)
 COMMIT := $(or $(firstword $(BUILT))$(and $(word 3,$(BUILT)),-dirty),unknown)
 # What is dated has this date.
@@ -391,7 +410,8 @@ $(BUILD)/commit: FORCE
 $(call object,src/model/commit.c): $(BUILD)/commit
 $(call object,src/model/commit.c): OWN := -DTS_COMMIT='"$(COMMIT)"'
 
-# OWN: flags of single objects. Not added to CPPFLAGS or OPT: what a user gives those on the command line cannot be added to.
+# OWN: flags of single objects. Not added to CPPFLAGS or OPT: what a user gives those on the command line cannot be
+# added to.
 $(BUILD)/obj/%.c.o: %.c $(BUILD)/flags
 	$(call say,CC,$<)
 	$(Q)mkdir -p $(@D)
@@ -419,15 +439,17 @@ $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 demo: DEVICES = $(file <$(BUILD)/gen/devices)
 demo: deps-build
 	$(Q)$(MAKE) --no-print-directory all DEVICES='$(DEVICES)'
-	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 720x405 -o out/demo --force --report out/demo.html
+	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 720x405 -o out/demo --force \
+		--report out/demo.html
 	$(say_left_out)
 
-##   test               install what is missing, build, run the tests; T="PARTS OF NAMES"; also with config=asan|ubsan|tsan
+##   test               install what is missing, build, run the tests; T="PARTS OF NAMES"; also config=asan|ubsan|tsan
 ##   test-TIER          the same for a tier of tests/tiers.txt, which `test` leaves out: devices ports packages long
 TEST_TIERS := $(patsubst %,test-%,$(shell sed -nE 's/^([a-z]+):.*/\1/p' tests/tiers.txt))
 test $(TEST_TIERS): deps-test
 	$(Q)$(MAKE) --no-print-directory all tests
-	$(Q)CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-tests $(patsubst test-%,--tier %,$(filter-out test,$@)) $(T)
+	$(Q)CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-tests \
+		$(patsubst test-%,--tier %,$(filter-out test,$@)) $(T)
 
 ##   check              as test, but installs nothing and says what is missing; so do the others with TS_INSTALL=0
 check:
@@ -439,21 +461,25 @@ tests: $(TESTS) $(PYTHON_PACKAGE)/made $(BUILD)/touchstone-core $(BUILD)/record/
 $(BUILD)/obj/tests/%: OWN = -O1 -Dmain=test_$(subst /,_,$(patsubst $(BUILD)/obj/tests/%.c.o,%,$@))
 $(call object,tests/main.c $(ALONE_C)): OWN := -O1 -I$(BUILD)/gen
 TEST_LIST := $(BUILD)/gen/tests.inc
+TEST_ROWS := $(foreach test,$(filter-out $(ALONE_C),\
+	$(TEST_C)),TEST($(subst /,_,$(test:tests/%.c=%)), "$(test:tests/%.c=%)"))
 $(TEST_LIST): FORCE
-	$(call keep,$(foreach test,$(filter-out $(ALONE_C),$(TEST_C)),TEST($(subst /,_,$(test:tests/%.c=%)), "$(test:tests/%.c=%)")))
+	$(call keep,$(TEST_ROWS))
 $(call object,tests/main.c): $(TEST_LIST)
 
 FIND_ABOVE := $(FIND_MODULE):'$$ORIGIN/..:$$ORIGIN/../..:$$ORIGIN/../../..:$$ORIGIN/../../../..'
 define LINK_TEST
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CXX) $(LINK_FLAGS) $(LIFT) $(FIND_ABOVE) $(filter %.o %.a,$^) $(LIBS) -lcmocka $(call packages,--libs,OpenCL) -o $@
+	$(Q)$(CXX) $(LINK_FLAGS) $(LIFT) $(FIND_ABOVE) $(filter %.o %.a,$^) $(LIBS) -lcmocka \
+		$(call packages,--libs,OpenCL) -o $@
 endef
 TEST_LINKS := $(call object,$(TEST_ALSO_C)) $(CLI_PARTS_O) $(BUILD)/libtouchstone.a
 ALONE := $(ALONE_C:tests/%.c=$(BUILD)/tests/%)
 $(ALONE): $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(TEST_LINKS) | $(BUILD)/libtouchstone-image.so
 	$(LINK_TEST)
-$(BUILD)/tests/all: $(call object,tests/main.c $(filter-out $(ALONE_C),$(TEST_C))) $(TEST_LINKS) | $(BUILD)/libtouchstone-image.so
+$(BUILD)/tests/all: $(call object,tests/main.c $(filter-out $(ALONE_C),$(TEST_C))) $(TEST_LINKS) \
+		| $(BUILD)/libtouchstone-image.so
 	$(LINK_TEST)
 	$(Q)mkdir -p $(sort $(dir $(TESTS)))
 	$(Q)for test in $(filter-out $(ALONE),$(TESTS)); do ln -f $@ $$test || exit; done
@@ -466,28 +492,32 @@ $(BUILD)/cuda/libcuda.so.1: $(wildcard tests/backends/cuda/*) src/backends/cuda/
 	$(Q)$(CC) -std=c11 -O2 $(WARN) -fopenmp -fPIC -fvisibility=hidden -shared -Wl,-soname,$(@F) -Iinclude \
 		-DTS_PTX='"tests/backends/cuda"' -DTS_CACHE='"$(abspath $(@D))/cache"' tests/backends/cuda/driver.c -ldl -o $@
 
-# The command, noting who reads which parameter (src/model/param.h). What does not name the accessor is not built for it.
+# The command, noting who reads which parameter (src/model/param.h). What does not name the accessor is not built for
+# it.
 RECORD_C := $(filter $(LIB_C) $(CLI_C),$(shell grep -rl TS_PARAM src --include='*.c'))
 RECORD_O := $(patsubst %,$(BUILD)/record/%.o,$(RECORD_C) tests/record/record.c)
 $(BUILD)/record/%.c.o: %.c $(BUILD)/flags
 	$(call say,CC,$<)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(C_FLAGS) $(CPP_LIBS) -O1 -DTS_RECORD_PARAMS $(OWN) -c $< -o $@
-$(BUILD)/record/touchstone: $(RECORD_O) $(filter-out $(call object,$(RECORD_C)),$(CLI_O) $(LIB_O)) | $(BUILD)/libtouchstone-image.so
+$(BUILD)/record/touchstone: $(RECORD_O) $(filter-out $(call object,$(RECORD_C)),$(CLI_O) $(LIB_O)) \
+		| $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE):'$$ORIGIN/..' $^ $(LIBS) -o $@
 -include $(RECORD_O:.o=.d)
 
-##   fuzz               five minutes each of damaged files and command lines, a program of tests/fuzz each; FUZZ_S=seconds
+##   fuzz               five minutes each of damaged files and command lines, by each program of tests/fuzz;
+##                      FUZZ_S=seconds
 FUZZ_S ?= 300
 FUZZ := $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/*.c))
 FUZZ_BIN := $(FUZZ:%=build/fuzz/tests/fuzz/%)
-# The limit of one allocation is above what the header of an EXR file makes OpenEXR ask for, before it looks for the bytes.
+# The limit of one allocation is above what the header of an EXR file makes OpenEXR ask for, before it looks for the
+# bytes.
 FUZZ_FLAGS = -max_total_time=$(FUZZ_S) -timeout=10 -rss_limit_mb=4096 -malloc_limit_mb=1048576 -print_final_stats=1 \
 	-artifact_prefix=build/fuzz/
-$(BUILD)/tests/fuzz/%: $(BUILD)/obj/tests/fuzz/%.c.o $(BUILD)/obj/tests/begin.c.o $(CLI_PARTS_O) $(BUILD)/libtouchstone.a \
-		| $(BUILD)/libtouchstone-image.so
+$(BUILD)/tests/fuzz/%: $(BUILD)/obj/tests/fuzz/%.c.o $(BUILD)/obj/tests/begin.c.o $(CLI_PARTS_O) \
+		$(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CXX) $(LINK_FLAGS) -fsanitize=fuzzer $(FIND_ABOVE) $^ $(LIBS) -o $@
@@ -496,8 +526,9 @@ fuzz: deps-test
 	$(Q)$(MAKE) --no-print-directory config=fuzz $(FUZZ_BIN)
 	$(Q)scripts/fuzz-seeds
 	$(Q)mkdir -p $(FUZZ:%=build/fuzz/corpus/%)
-	$(Q)for target in $(FUZZ); do LSAN_OPTIONS=suppressions=scripts/lsan.supp build/fuzz/tests/fuzz/$$target $(FUZZ_FLAGS) \
-		-max_len=65536 build/fuzz/corpus/$$target build/fuzz/seeds/$$target || exit 1; done
+	$(Q)for target in $(FUZZ); do \
+		LSAN_OPTIONS=suppressions=scripts/lsan.supp build/fuzz/tests/fuzz/$$target $(FUZZ_FLAGS) -max_len=65536 \
+			build/fuzz/corpus/$$target build/fuzz/seeds/$$target || exit 1; done
 
 ##   matrix             compilers x optimisation x threads x denormals x architectures: one digest list
 ##   matrix-short       the part of it that .ci/run runs
@@ -514,15 +545,18 @@ distros distros-short:
 ##   mutants-short      the part of it that .ci/run runs
 mutants mutants-short: deps-test
 	$(Q)$(MAKE) --no-print-directory all
-	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK="$(CXX) $(LINK_FLAGS) -Wl,-rpath,'$(abspath $(BUILD))'" \
+	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' \
+		LINK="$(CXX) $(LINK_FLAGS) -Wl,-rpath,'$(abspath $(BUILD))'" \
 		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(if $(filter %-short,$@),--short) $(T)
 
-##   mutants-src        mutants of src/, each run by the tests that reach it, and how many they kill; T="PARTS OF NAMES"; an hour
+##   mutants-src        mutants of src/, each run by the tests that reach it, and how many they kill;
+##                      T="PARTS OF NAMES"; an hour
 ##   mutants-src-short  the part of it that .ci/run runs
 mutants-src mutants-src-short:
 	$(Q)scripts/install-deps --matrix
 	$(Q)$(MAKE) --no-print-directory all tests
-	$(Q)BUILD='$(BUILD)' FLAGS='$(CPP_LIBS)' $(JOBS_OF_ITS_OWN) scripts/mutants-src $(if $(filter %-short,$@),--short) $(T)
+	$(Q)BUILD='$(BUILD)' FLAGS='$(CPP_LIBS)' $(JOBS_OF_ITS_OWN) \
+		scripts/mutants-src $(if $(filter %-short,$@),--short) $(T)
 
 ##   faults             calls that fail, one by one, in small commands; T="COMMANDS OR KINDS"; most of an hour
 ##   faults-short       the part of it that .ci/run runs
@@ -530,11 +564,12 @@ faults faults-short: deps-test
 	$(Q)$(MAKE) --no-print-directory all
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' scripts/faults $(if $(filter %-short,$@),--short) $(T)
 
-##   release-check      what a release must pass beside .ci/run: all of tests with TS_WHOLE=1, faults, matrix, distros, mutants,
-##                      mutants-src, fresh mutants, and the tests with each sanitizer; hours
+##   release-check      what a release must pass beside .ci/run: all of tests with TS_WHOLE=1, faults, matrix, distros,
+##                      mutants, mutants-src, fresh mutants, and the tests with each sanitizer; hours
 release-check:
 	$(Q)scripts/install-deps --matrix
-	$(Q)for part in test test-long faults matrix distros mutants mutants-src; do TS_WHOLE=1 $(MAKE) --no-print-directory $$part || exit; done
+	$(Q)for part in test test-long faults matrix distros mutants mutants-src; do \
+		TS_WHOLE=1 $(MAKE) --no-print-directory $$part || exit; done
 	$(Q)$(MAKE) --no-print-directory mutants-src T='--fresh commit'
 	$(Q)for config in asan ubsan tsan; do $(MAKE) --no-print-directory test config=$$config || exit; done
 
@@ -570,11 +605,14 @@ MAN := $(DESTDIR)$(mandir)/man1
 BASH_COMPLETION := $(DESTDIR)$(bashcompletiondir)
 ZSH_COMPLETION := $(DESTDIR)$(zshcompletiondir)
 PYTHON := $(DESTDIR)$(pythondir)/touchstone
-REFERENCE := $(filter-out reference/RECIPES.md reference/PICTURES.md,$(wildcard $(patsubst %,reference/*.%,md json png)))
+REFERENCE := $(filter-out reference/RECIPES.md reference/PICTURES.md,\
+	$(wildcard $(patsubst %,reference/*.%,md json png)))
 FAMILY_PAGES := $(wildcard reference/methods/*.md)
 COMMANDS := $(shell sed -nE 's/^\t\{"([a-z]+)",.*/\1/p' src/cli/commands.c)
-install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(ALL_PTX) $(PYTHON_PACKAGE)/made
-	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/cmake/touchstone $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes $(DATA)/ports/vulkan $(DATA)/examples $(DOC)/reference/methods $(MAN) \
+install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDOCODE)/made $(ALL_PTX) \
+		$(PYTHON_PACKAGE)/made
+	install -d $(BIN) $(LIB)/pkgconfig $(LIB)/cmake/touchstone $(LIB)/touchstone $(INCLUDE) $(DATA)/scenes \
+		$(DATA)/ports/vulkan $(DATA)/examples $(DOC)/reference/methods $(MAN) \
 		$(BASH_COMPLETION) $(ZSH_COMPLETION) $(PYTHON)
 	install -m 755 $(BUILD)/installed/touchstone $(BIN)/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(LIB)/libtouchstone.a
@@ -584,7 +622,8 @@ install: all $(BUILD)/installed/touchstone $(MANUAL)/made $(PLAIN)/made $(PSEUDO
 	ln -sfn libtouchstone.so.$(ABI) $(LIB)/libtouchstone.so
 	printf '%s\n' "$$TOUCHSTONE_PC" | install -m 644 /dev/stdin $(LIB)/pkgconfig/touchstone.pc
 	printf '%s\n' "$$TOUCHSTONE_CMAKE" | install -m 644 /dev/stdin $(LIB)/cmake/touchstone/touchstoneConfig.cmake
-	printf '%s\n' "$$TOUCHSTONE_CMAKE_VERSION" | install -m 644 /dev/stdin $(LIB)/cmake/touchstone/touchstoneConfigVersion.cmake
+	printf '%s\n' "$$TOUCHSTONE_CMAKE_VERSION" | \
+		install -m 644 /dev/stdin $(LIB)/cmake/touchstone/touchstoneConfigVersion.cmake
 	install -m 644 $(wildcard include/touchstone/*.h) $(INCLUDE)
 	scripts/assembled include/touchstone/records.def | install -m 644 /dev/stdin $(INCLUDE)/records.def
 	install -m 755 scripts/spirv-exact $(DATA)/spirv-exact
@@ -614,28 +653,34 @@ uninstall:
 	rm -f $(patsubst %,$(LIB)/libtouchstone%,.a .so .so.$(ABI) .so.$(VERSION))
 	rm -rf $(LIB)/touchstone $(LIB)/cmake/touchstone $(INCLUDE) $(DATA) $(DOC)/kernels $(PYTHON)
 	rm -f $(addprefix $(DOC)/,README.md CHANGELOG.md LICENSE $(REFERENCE) $(FAMILY_PAGES))
-	for folder in $(DOC)/reference/methods $(DOC)/reference $(DOC); do [ ! -d $$folder ] || rmdir --ignore-fail-on-non-empty $$folder; done
+	for folder in $(DOC)/reference/methods $(DOC)/reference $(DOC); do \
+		[ ! -d $$folder ] || rmdir --ignore-fail-on-non-empty $$folder; done
 
-##   installcheck       judges what is installed there: command, libraries, pkg-config, manual, completion; and uninstall
+##   installcheck       judges what is installed there: command, libraries, pkg-config, manual, completion; uninstall
 installcheck: | $(filter install,$(MAKECMDGOALS))
-	$(Q)MAKE='$(MAKE)' BUILD='$(BUILD)' CC='$(CC)' CXX='$(CXX)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' prefix='$(prefix)' \
-		BIN='$(BIN)' LIB='$(LIB)' INCLUDE='$(INCLUDE)' PYTHON='$(PYTHON)' ABI='$(ABI)' MAN='$(MAN)' BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
+	$(Q)MAKE='$(MAKE)' BUILD='$(BUILD)' CC='$(CC)' CXX='$(CXX)' PKG_CONFIG='$(PKG_CONFIG)' DESTDIR='$(DESTDIR)' \
+		prefix='$(prefix)' BIN='$(BIN)' LIB='$(LIB)' INCLUDE='$(INCLUDE)' PYTHON='$(PYTHON)' ABI='$(ABI)' MAN='$(MAN)' \
+		BASH_COMPLETION='$(BASH_COMPLETION)' ZSH_COMPLETION='$(ZSH_COMPLETION)' scripts/installcheck
 
 ##   dist               build/touchstone-VERSION.tar.xz of the last commit, the same bytes each time
-DIST = build/touchstone-$(subst $(space),.,$(shell git show HEAD:include/touchstone/status.h 2>/dev/null | $(SHOWN_NUMBERS)))
+NUMBERS_OF_HEAD = $(shell git show HEAD:include/touchstone/status.h 2>/dev/null | $(SHOWN_NUMBERS))
+DIST = build/touchstone-$(subst $(space),.,$(NUMBERS_OF_HEAD))
 dist:
 	$(Q)[ -e .git ] || { echo "make dist: no git checkout here, whose last commit would be packed" >&2; exit 2; }
-	$(Q)command -v xz > /dev/null || { echo "make dist: no xz here; scripts/install-deps --test installs it" >&2; exit 2; }
+	$(Q)command -v xz > /dev/null || \
+		{ echo "make dist: no xz here; scripts/install-deps --test installs it" >&2; exit 2; }
 	$(Q)mkdir -p build && part=$(DIST).$$$$.tar && trap 'rm -f $$part $$part.xz' EXIT && \
 		git -c tar.umask=0022 archive --prefix=$(notdir $(DIST))/ -o $$part HEAD && \
 		env -u XZ_OPT -u XZ_DEFAULTS xz -T1 -2 -f $$part && mv -f $$part.xz $(DIST).tar.xz
 	@echo $(DIST).tar.xz
 
-##   wheel              build/touchstone-VERSION-py3-none-PLATFORM.whl: the package for Python with the library, the same bytes each time
+##   wheel              build/touchstone-VERSION-py3-none-PLATFORM.whl: the package for Python with the library,
+##                      the same bytes each time
 wheel: $(BUILD)/libtouchstone.so $(BUILD)/libtouchstone-image.so $(PYTHON_PACKAGE)/made
 	$(Q)scripts/wheel $(BUILD) $(VERSION) build
 
-##   release            what a tag carries: tarball, static core, packages, wheel, documents and their digests, in build/dist; T="PARTS"
+##   release            what a tag carries: tarball, static core, packages, wheel, documents and their digests,
+##                      in build/dist; T="PARTS"
 release:
 	$(Q)MAKE='$(MAKE)' $(JOBS_OF_ITS_OWN) scripts/release $(T)
 
@@ -645,9 +690,11 @@ clean:
 
 ##   help               this list
 help:
-	@echo "make [TARGET] [config=release|debug|asan|ubsan|tsan|fuzz|coverage] [CC= CXX= CPPFLAGS= CFLAGS= CXXFLAGS= LDFLAGS= OPT=]"
-	@echo "     [WERROR=1 V=1 JOBS=N]"
+	@echo "make [TARGET] [config=release|debug|asan|ubsan|tsan|fuzz|coverage] [CC= CXX= CPPFLAGS= CFLAGS= CXXFLAGS="
+	@echo "     LDFLAGS= OPT=] [WERROR=1 V=1 JOBS=N]"
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants mutants-short mutants-src mutants-src-short faults faults-short release-check bench style format deps-build deps-test install uninstall installcheck dist wheel release python docs clean help FORCE
+.PHONY: all core golden demo test $(TEST_TIERS) check tests fuzz matrix matrix-short distros distros-short mutants \
+	mutants-short mutants-src mutants-src-short faults faults-short release-check bench style format deps-build \
+	deps-test install uninstall installcheck dist wheel release python docs clean help FORCE
