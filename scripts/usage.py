@@ -1,5 +1,6 @@
-"""The words that a script is called with, by the usage in its own text: `Usage: scripts/NAME [--option] [--of VALUE] WORD
-[WORD...]`, with what may be left out in brackets, and words in capitals."""
+"""The words that a script is called with, by the usage in its own text:
+`Usage: scripts/NAME [--option] [--of VALUE] WORD [WORD...]`, with what may be left out in brackets, and words in
+capitals."""
 import re
 import sys
 

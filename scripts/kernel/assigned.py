@@ -1,5 +1,6 @@
-"""Which variables may be read before they are set: on every way to where a variable, or a member of a struct, is read, something
-was assigned to it. An array is set by one of its elements, and what a function gets by a pointer to change is set by it."""
+"""Which variables may be read before they are set: on every way to where a variable, or a member of a struct, is read,
+something was assigned to it. An array is set by one of its elements, and what a function gets by a pointer to change is
+set by it."""
 import re
 
 from pycparser import c_ast
@@ -30,11 +31,12 @@ class Flow:
 		"""Of a variable or a member: its own, or those of its members."""
 		if kind.kind != "struct":
 			return {name}
-		return set().union(*(self.places(f"{name}.{member}", of) for member, of in self.tree.structs[kind.name].items()))
+		return set().union(*(self.places(f"{name}.{member}", of)
+		                     for member, of in self.tree.structs[kind.name].items()))
 
 	def place(self, node):
-		"""The name of what an expression is, if it is in a variable that was declared without a value, and whether that is
-		an element of an array."""
+		"""The name of what an expression is, if it is in a variable that was declared without a value, and whether that
+		is an element of an array."""
 		if isinstance(node, c_ast.ID):
 			return (node.name if node.name in self.unset else None), False
 		if isinstance(node, c_ast.StructRef) and node.type == ".":
@@ -113,7 +115,8 @@ class Flow:
 		changed = []
 		for kind, argument in zip(kinds, node.args.exprs if node.args else []):
 			of = argument.expr if isinstance(argument, c_ast.UnaryOp) and argument.op == "&" else argument
-			if kind.kind == "pointer" and self.place(of)[0] and (not kind.of.const or self.tree.type_of(of).kind == "array"):
+			if kind.kind == "pointer" and self.place(of)[0] and (not kind.of.const
+			                                                     or self.tree.type_of(of).kind == "array"):
 				changed += [] if kind.of.const else [of]
 				state = self.within(of, state)
 			else:

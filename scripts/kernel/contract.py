@@ -17,8 +17,8 @@ FLOORS = "ts_k_floor_quotient"
 ROWS = "src/kernels/vectors/"  # hold what primitives give
 ARRIVAL, SAYS_SO = re.compile(r"ts_next_[iu]\d+"), "order of arrival"
 ATOMIC = re.compile(r"ts_(?:min|or|add|next|mark)_u\d+|ts_(?:add|next)_i64")
-# Where two results of 4 bytes are one of 8, because that is where devices have the operation; and where the words of a row are
-# a record, which the functions under test get by a pointer.
+# Where two results of 4 bytes are one of 8, because that is where devices have the operation; and where the words of a
+# row are a record, which the functions under test get by a pointer.
 POINTS_ANEW = re.compile(r"ts_k_vector_(key_min|add_i64)|ts_row_at_\w+")
 
 
@@ -51,7 +51,8 @@ def with_effects(tree):
 def products(node):
 	"""Those of two numbers that are not literals, in an expression."""
 	found = [each for child in T.children(node) for each in products(child)]
-	one = isinstance(node, c_ast.BinaryOp) and node.op == "*" and not (T.is_literal(node.left) or T.is_literal(node.right))
+	one = isinstance(node, c_ast.BinaryOp) and node.op == "*"
+	one = one and not (T.is_literal(node.left) or T.is_literal(node.right))
 	return found + [node] if one else found
 
 

@@ -1,5 +1,5 @@
-"""The kernels as C that tells what it computes: parameters, variables, results, decisions and stores, each with its place in
-the text. What each tells is a row of a table (src/explain/told.h)."""
+"""The kernels as C that tells what it computes: parameters, variables, results, decisions and stores, each with its
+place in the text. What each tells is a row of a table (src/explain/told.h)."""
 from pycparser import c_ast, c_generator
 
 from . import tree as T
@@ -11,8 +11,8 @@ ATOMIC = {"ts_min_u64", "ts_min_u32", "ts_or_u64", "ts_add_i64", "ts_next_i64", 
 
 
 class Writer(c_generator.CGenerator):
-	"""A function NAME becomes told_NAME. What stands in one expression is computed from left to right, as compilers need
-	not."""
+	"""A function NAME becomes told_NAME. What stands in one expression is computed from left to right, as compilers
+	need not."""
 
 	def __init__(self, tree):
 		super().__init__()
@@ -120,7 +120,8 @@ class Writer(c_generator.CGenerator):
 		text = self.plain.visit(c_ast.UnaryOp("*", where)) if not is_address(where) else self.plain.visit(where.expr)
 		if len(texts) > 1:
 			offered = self.name()
-			offer = f"{to.name} {offered} = {texts[1]}; {self.told('VALUE', node, f'{name} of {text}', to, '&' + offered)}"
+			offer = (f"{to.name} {offered} = {texts[1]}; "
+			         f"{self.told('VALUE', node, f'{name} of {text}', to, '&' + offered)}")
 			texts[1] = offered
 		call, after = f"{name}({', '.join([at] + texts[1:])});", self.told("STORE", node, text, to, at)
 		begin = f"{before}__auto_type {at} = {texts[0]}; {offer}"
@@ -144,13 +145,15 @@ class Writer(c_generator.CGenerator):
 	def visit_Assignment(self, node):
 		at = self.name()
 		given = f"*{at} {node.op} {self.visit(node.rvalue)};"
-		return f"({{ __auto_type {at} = &{self.visit(node.lvalue)}; {given} {self.stored(node, node.lvalue, at)} *{at}; }})"
+		return (f"({{ __auto_type {at} = &{self.visit(node.lvalue)}; {given} "
+		        f"{self.stored(node, node.lvalue, at)} *{at}; }})")
 
 	def visit_UnaryOp(self, node):
 		if not is_step(node):
 			return super().visit_UnaryOp(node)
 		at, old = self.name(), self.name()
-		step = f"__auto_type {at} = &{self.visit(node.expr)}; __auto_type {old} = *{at}; *{at} {node.op.strip('p')[0]}= 1;"
+		step = (f"__auto_type {at} = &{self.visit(node.expr)}; __auto_type {old} = *{at}; "
+		        f"*{at} {node.op.strip('p')[0]}= 1;")
 		result = f"(void)*{at}; {old}" if node.op.startswith("p") else f"(void){old}; *{at}"
 		return f"({{ {step} {self.stored(node, node.expr, at)} {result}; }})"
 
@@ -186,7 +189,8 @@ class Writer(c_generator.CGenerator):
 		return self.visit(node if isinstance(node, c_ast.Compound) else c_ast.Compound([node], node.coord))
 
 	def visit_ParamList(self, node):
-		return ", ".join(self._generate_decl(each) if isinstance(each, c_ast.Decl) else self.visit(each) for each in node.params)
+		return ", ".join(self._generate_decl(each) if isinstance(each, c_ast.Decl) else self.visit(each)
+		                 for each in node.params)
 
 	def visit_Decl(self, node, no_type=False):
 		"""What has no value yet is 0, so that what is told never depends on what was in memory."""

@@ -66,7 +66,8 @@ class Statements(Expressions):
 
 	def is_alias(self, node):
 		"""A pointer to an item's own: a name for the thing itself, as long as that is found without an index."""
-		if not is_own(self.tree.declaration(node.type)) or any(isinstance(each, c_ast.ArrayRef) for each in below(node.init)):
+		if not is_own(self.tree.declaration(node.type)) or any(isinstance(each, c_ast.ArrayRef)
+		                                                       for each in below(node.init)):
 			return False
 		self.aliases[node.name] = self.value(node.init)
 		return True

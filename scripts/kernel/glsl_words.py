@@ -13,8 +13,8 @@ SUFFIXES = {"u32": "u", "i64": "l", "u64": "ul"}
 # Words of GLSL that kernels have as names, or well might.
 RESERVED = set("""active attribute buffer cast centroid class coherent common enum external filter fixed flat half in
 	inout input interface invariant layout lowp mat3 noise out output partition patch precise precision readonly
-	resource sample sampler shared smooth subroutine superp template texture this uniform union using varying vec2 vec3 vec4
-	writeonly""".split())
+	resource sample sampler shared smooth subroutine superp template texture this uniform union using varying vec2 vec3
+	vec4 writeonly""".split())
 LEVELS = [["||"], ["&&"], ["|"], ["^"], ["&"], ["==", "!="], ["<", ">", "<=", ">="], ["<<", ">>"], ["+", "-"],
           ["*", "/", "%"]]
 PRECEDENCE = {op: level for level, ops in enumerate(LEVELS) for op in ops}

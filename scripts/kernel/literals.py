@@ -20,4 +20,5 @@ def fault(text):
 		return f"{text} is out of range"
 	if Decimal(digits) == Decimal(nearest):
 		return None
-	return f"{text} is not exact: write {Decimal(nearest):f}f or ts_u2f(0x{struct.unpack('<I', struct.pack('<f', nearest))[0]:08x}u)"
+	bits = struct.unpack("<I", struct.pack("<f", nearest))[0]
+	return f"{text} is not exact: write {Decimal(nearest):f}f or ts_u2f(0x{bits:08x}u)"

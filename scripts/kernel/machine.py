@@ -1,5 +1,5 @@
-"""The machine code of a build against the allow-lists of tests/kernels/objects, one per processor: the instructions that touch
-floats where numbers of buffers are made, and what the objects of the C backend call from outside."""
+"""The machine code of a build against the allow-lists of tests/kernels/objects, one per processor: the instructions
+that touch floats where numbers of buffers are made, and what the objects of the C backend call from outside."""
 import glob
 import os
 import re
@@ -33,7 +33,8 @@ def rows(path):
 
 
 class List:
-	"""Patterns of whole instructions, mnemonic and operands; without a space, of mnemonics. `used`: the lines that were needed."""
+	"""Patterns of whole instructions, mnemonic and operands; without a space, of mnemonics.
+	`used`: the lines that were needed."""
 
 	def __init__(self, name):
 		self.path = f"{LISTS}/{name}.txt"
@@ -47,7 +48,8 @@ class List:
 
 	@staticmethod
 	def pattern(lines):
-		return re.compile("|".join(f"(?P<line{number}>(?:{line}){'' if ' ' in line else '(?: .*)?'})" for number, line in lines))
+		return re.compile("|".join(f"(?P<line{number}>(?:{line}){'' if ' ' in line else '(?: .*)?'})"
+		                           for number, line in lines))
 
 	@lru_cache(maxsize=None)
 	def has(self, section, text):

@@ -6,7 +6,8 @@ ESCAPED = [f"\\{byte:03o}" for byte in range(256)]
 
 
 def show(maker, modules):
-	"""Prints the modules, bytes each, in the order of the kernels. Compilers read a string ten times faster than a list of numbers."""
+	"""Prints the modules, bytes each, in the order of the kernels.
+	Compilers read a string ten times faster than a list of numbers."""
 	packed = zlib.compress(b"".join(modules))
 	firsts = [sum(map(len, modules[:at])) for at in range(len(modules) + 1)]
 	print(f"/* Made by {maker} from src/kernels. */")

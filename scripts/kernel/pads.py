@@ -1,4 +1,5 @@
-"""Pads of stored records: a function that sets every other member sets them too, so that equal records have equal bytes."""
+"""Pads of stored records: a function that sets every other member sets them too,
+so that equal records have equal bytes."""
 from pycparser import c_ast
 
 from . import tree as T

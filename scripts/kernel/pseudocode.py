@@ -1,5 +1,5 @@
-"""The kernels as exact pseudo-code in the syntax of Python: every conversion is written, a pointer to an item's own is the
-thing itself or a reference, and a pointer to what items share is a buffer from an element on."""
+"""The kernels as exact pseudo-code in the syntax of Python: every conversion is written, a pointer to an item's own is
+the thing itself or a reference, and a pointer to what items share is a buffer from an element on."""
 import re
 import struct
 
@@ -10,8 +10,8 @@ from .comments import comments
 from .glsl import Lengths, parameters
 from .glsl_words import PRECEDENCE, below, is_own
 
-WORDS = {"and", "as", "assert", "async", "await", "class", "def", "del", "from", "global", "import", "in", "is", "lambda", "not",
-         "or", "pass", "raise", "range", "try", "with", "yield", "None"}
+WORDS = {"and", "as", "assert", "async", "await", "class", "def", "del", "from", "global", "import", "in", "is",
+         "lambda", "not", "or", "pass", "raise", "range", "try", "with", "yield", "None"}
 PRIMARY, UNARY, NOT, TERNARY = 30, 20, 1.5, -2
 COLUMNS = 120
 LOGICAL = {"&&": "and", "||": "or"}
@@ -26,7 +26,8 @@ def literal(text, kind):
 	if kind != "f32":
 		return text.rstrip("uUlL")
 	value = float.fromhex(text.rstrip("f")) if "x" in text else float(text.rstrip("f"))
-	shortest = next(short for short in (f"{value:.{n}g}" for n in range(1, 18)) if rounded(float(short)) == rounded(value))
+	shortest = next(short for short in (f"{value:.{n}g}" for n in range(1, 18))
+	                if rounded(float(short)) == rounded(value))
 	return shortest if re.search(r"[.e]", shortest) else shortest + ".0"
 
 
@@ -39,7 +40,8 @@ def wrapped(line):
 	"""Long lines in several, broken behind commas within brackets."""
 	text, lines = line, []
 	while len(text) > COLUMNS:
-		at = [m.end() for m in re.finditer(r", ", text[:COLUMNS]) if text[: m.start()].count("(") > text[: m.start()].count(")")]
+		at = [m.end() for m in re.finditer(r", ", text[:COLUMNS])
+		      if text[: m.start()].count("(") > text[: m.start()].count(")")]
 		if not at or text.lstrip().startswith("#"):
 			break
 		lines.append(text[: at[-1]].rstrip())
@@ -79,7 +81,8 @@ class Writer:
 				of = T.Type("array", "array", kind.of, length=length.pop() if len(length) == 1 else None)
 				kinds[name] = kind._replace(of=of._replace(const=kind.of.const))
 		listed = ", ".join(f"{name_of(name)}: {self.parameter(kind)}" for name, kind in kinds.items())
-		self.put(f"def {function.name}({listed}) -> {self.type(self.returns) if self.returns.name != 'void' else 'None'}:")
+		gives = self.type(self.returns) if self.returns.name != "void" else "None"
+		self.put(f"def {function.name}({listed}) -> {gives}:")
 		self.depth += 1
 		for name, kind in kinds.items():
 			if kind.kind == "struct" and self.is_changed(node.body, name):
@@ -121,7 +124,8 @@ class Writer:
 					yield each.expr.name
 
 	def is_changed(self, body, name):
-		return any(isinstance(each, c_ast.Assignment) and root(each.lvalue) == name or is_step(each) and root(each.expr) == name or
+		return any(isinstance(each, c_ast.Assignment) and root(each.lvalue) == name or is_step(each)
+		           and root(each.expr) == name or
 		           isinstance(each, c_ast.FuncCall) and name in self.lent(each) for each in below(body))
 
 	def lent(self, call):
@@ -162,7 +166,8 @@ class Writer:
 	def put_expression(self, node):
 		if is_step(node):
 			self.put(f"{self.place(node.expr)} {node.op.strip('p')[0]}= 1")
-		elif not (isinstance(node, c_ast.Cast) and self.tree.type_of(node).name == "void" and isinstance(node.expr, c_ast.ID)):
+		elif not (isinstance(node, c_ast.Cast) and self.tree.type_of(node).name == "void"
+		          and isinstance(node.expr, c_ast.ID)):
 			self.finish(self.value(node))
 
 	def put_Compound(self, node):
@@ -394,8 +399,8 @@ class Writer:
 		op = self.quotient(node.op, to)
 		comparing = node.op in ("==", "!=", "<", ">", "<=", ">=")
 		low = 8 if comparing else max(level, 2) if not node.op in "|^&" else UNARY
-		return f"{self.as_type(node.left, to, low)} {op} {self.as_type(node.right, to, low if comparing else low + 1)}", \
-			PRECEDENCE["=="] if comparing else level
+		right = self.as_type(node.right, to, low if comparing else low + 1)
+		return f"{self.as_type(node.left, to, low)} {op} {right}", PRECEDENCE["=="] if comparing else level
 
 	def quotient(self, op, to):
 		if op != "/" or to.name == "f32":

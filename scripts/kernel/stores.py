@@ -1,5 +1,6 @@
-"""Which floats are stored that have not passed ts_put (rule 12): a float is settled if it has, if it is a literal, was read from
-what is stored, is the lesser or greater of such, or comes from a function or a variable that holds nothing else."""
+"""Which floats are stored that have not passed ts_put (rule 12): a float is settled if it has, if it is a literal, was
+read from what is stored, is the lesser or greater of such, or comes from a function or a variable that holds nothing
+else."""
 from pycparser import c_ast
 
 from . import tree as T
@@ -27,8 +28,8 @@ def literals(node):
 
 
 class Values(c_ast.NodeVisitor):
-	"""What each variable of a function is given, and what the function returns. A variable whose address is taken may be given
-	anything: None."""
+	"""What each variable of a function is given, and what the function returns. A variable whose address is taken may
+	be given anything: None."""
 
 	def __init__(self, function):
 		self.given, self.returned = {}, []
@@ -60,7 +61,8 @@ class Values(c_ast.NodeVisitor):
 
 
 class Whole(c_ast.NodeVisitor):
-	"""The structs of which one item's own becomes a stored one, so that all their members pass ts_put where they are set."""
+	"""The structs of which one item's own becomes a stored one,
+	so that all their members pass ts_put where they are set."""
 
 	def __init__(self, tree):
 		self.tree, self.names = tree, set()
@@ -124,7 +126,8 @@ class Stores:
 			return not self.is_settled(function, node.args.exprs[0])
 		if isinstance(node, c_ast.ID) and node.name not in within:
 			given = self.values[function].given.get(node.name, [])
-			return any(self.unsettled_bits(function, value, (*within, node.name)) for value in given if value is not None)
+			return any(self.unsettled_bits(function, value, (*within, node.name)) for value in given
+			           if value is not None)
 		return any(self.unsettled_bits(function, child, within) for child in T.children(node))
 
 	def is_constant(self, function, node):

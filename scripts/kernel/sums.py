@@ -1,5 +1,5 @@
-"""Stored floats that are computed from what was stored there: sums across items, whose order no device promises (rule 30). The
-lesser or greater of what was there and another is the same in each order."""
+"""Stored floats that are computed from what was stored there: sums across items, whose order no device promises (rule
+30). The lesser or greater of what was there and another is the same in each order."""
 from pycparser import c_ast
 
 from . import tree as T
@@ -22,7 +22,8 @@ class Sums(c_ast.NodeVisitor):
 	def names(self, node, within=()):
 		"""Of the arrays that a pointer or an element may be of."""
 		while isinstance(node, (c_ast.ArrayRef, c_ast.UnaryOp, c_ast.BinaryOp)) or getattr(node, "type", None) == ".":
-			node = node.expr if isinstance(node, c_ast.UnaryOp) else node.left if isinstance(node, c_ast.BinaryOp) else node.name
+			is_one, is_two = (isinstance(node, kind) for kind in (c_ast.UnaryOp, c_ast.BinaryOp))
+			node = node.expr if is_one else node.left if is_two else node.name
 		if isinstance(node, c_ast.StructRef):
 			return {f"{name}->{node.field.name}" for name in self.names(node.name, within)}
 		if not isinstance(node, c_ast.ID):
@@ -51,7 +52,8 @@ class Sums(c_ast.NodeVisitor):
 		if isinstance(node, c_ast.ID) and self.tree.type_of(node).kind != "pointer":
 			return self.follow(node, self.read, within)
 		kind = self.tree.types.get(id(node))
-		is_one = isinstance(kind, T.Type) and (is_stored_float(kind) or kind.kind == "pointer" and is_stored_float(kind.of))
+		is_one = isinstance(kind, T.Type) and (is_stored_float(kind) or kind.kind == "pointer"
+		                                       and is_stored_float(kind.of))
 		found = self.names(node) if is_one else set()
 		return found.union(*(self.read(child, within) for child in T.children(node) if id(child) in self.tree.types
 		                     or isinstance(child, c_ast.ExprList)))

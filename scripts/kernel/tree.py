@@ -14,10 +14,11 @@ LANGUAGE = os.path.join(HERE, "language.h")
 ALL = "src/backends/kernels.h"
 SHARED, PARTED = "volatile", "restrict"  # how language.h marks what items share, and what may be in parts
 
-# kind: scalar, struct, pointer, null, array, function or list (of an initializer); of: what a pointer or an array is to, what a
-# function returns; with: a function's parameters; shared: by items; const: is not written; parted: a pointer to what may be in
-# parts; length: of an array, None if its initializer tells.
-Type = namedtuple("Type", "kind name of with_ shared const parted length", defaults=(None, None, (), False, False, False, None))
+# kind: scalar, struct, pointer, null, array, function or list (of an initializer); of: what a pointer or an array is
+# to, what a function returns; with: a function's parameters; shared: by items; const: is not written; parted: a pointer
+# to what may be in parts; length: of an array, None if its initializer tells.
+Type = namedtuple("Type", "kind name of with_ shared const parted length",
+                  defaults=(None, None, (), False, False, False, None))
 Function = namedtuple("Function", "name node type path line")
 
 KNOWN = {"+": operator.add, "-": operator.sub, "*": operator.mul, "<<": operator.lshift}
@@ -62,7 +63,8 @@ def children(node):
 
 
 def is_literal(node):
-	return isinstance(node, c_ast.Constant) or (isinstance(node, c_ast.UnaryOp) and node.op == "-" and is_literal(node.expr))
+	return isinstance(node, c_ast.Constant) or (isinstance(node, c_ast.UnaryOp) and node.op == "-"
+	                                            and is_literal(node.expr))
 
 
 def preprocessed(paths):
@@ -165,7 +167,8 @@ class Tree:
 			if any(isinstance(p, c_ast.ID) for p in parameters):
 				self.refuse(node, "parameters are declared in their list")
 			kinds = tuple(decayed(self.held(p)) for p in parameters)
-			return Type("function", "function", self.declaration(node.type), tuple(kind for kind in kinds if kind.name != "void"))
+			return Type("function", "function", self.declaration(node.type),
+			            tuple(kind for kind in kinds if kind.name != "void"))
 		if isinstance(node, (c_ast.Typename, c_ast.Decl)):
 			return self.declaration(node.type)
 		if isinstance(node, c_ast.Enum):

@@ -1,5 +1,5 @@
-"""Where a function's body can be changed by one step, and to what; found by libclang. A place has a name that stands while
-its line and its function do: `src/image/png.c take_data: if (n {< -> <=} 8) return 0;`."""
+"""Where a function's body can be changed by one step, and to what; found by libclang. A place has a name that stands
+while its line and its function do: `src/image/png.c take_data: if (n {< -> <=} 8) return 0;`."""
 import collections
 import re
 
@@ -11,7 +11,8 @@ OPERATORS = {
 	               b">>": b"<<", b"+=": b"-=", b"-=": b"+="},
 	"logic": {b"&&": b"||", b"||": b"&&"},
 }
-# and: negated (a condition), constant (an integer plus or minus 1), deleted (a call or an assignment), returned (another value).
+# and: negated (a condition), constant (an integer plus or minus 1), deleted (a call or an assignment),
+# returned (another value).
 SWAPPED = {old: (name, new) for name, pairs in OPERATORS.items() for old, new in pairs.items()}
 # Released twice or never: no test of this build sees that, but `make test config=asan` does.
 RELEASES = re.compile(rb"\w*(free|close|release|destroy|unmap)\w*\(")
@@ -80,7 +81,8 @@ class Finder:
 		if b"atomic" in pragma:
 			return
 		if node.kind == Kind.VAR_DECL:
-			children = [child for child in children if span(child)[0] > node.location.offset and not self.is_size(child)]
+			children = [child for child in children if span(child)[0] > node.location.offset
+			            and not self.is_size(child)]
 		elif node.kind == Kind.CASE_STMT or (pragma and node.kind == Kind.FOR_STMT):
 			children = children[-1:]
 		self.take(node, children)
@@ -155,7 +157,8 @@ class Finder:
 
 	def add(self, operator, start, end, text, shown, shown_end, shown_text=None):
 		inside = lambda at: any(a < at < b for a, b in self.macros)
-		if inside(start) or inside(end) or any(a <= start and end <= b and (a, b) != (start, end) for a, b in self.macros):
+		if inside(start) or inside(end) or any(a <= start and end <= b and (a, b) != (start, end)
+		                                       for a, b in self.macros):
 			return
 		source = self.source
 		first = source.rfind(b"\n", 0, shown) + 1
@@ -174,7 +177,8 @@ def is_statement(parent, i, n):
 
 
 def parse(path, source, flags):
-	return Index.create().parse(path, flags, [(path, source.decode())], TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
+	return Index.create().parse(path, flags, [(path, source.decode())],
+	                            TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
 
 
 def find(path, source, flags):
@@ -200,7 +204,8 @@ extern unsigned char *ts_mutants_reached;
 #define TS_MUTANT(n) (ts_mutants_reached[n] || (ts_mutants_reached[n] = 1), ts_mutant == n)
 #line 1
 """
-# And, once a program or library, what reads TS_MUTANT=NUMBER, and TS_MUTANTS_REACHED=FILE whose bytes the places passed set.
+# And, once a program or library, what reads TS_MUTANT=NUMBER, and TS_MUTANTS_REACHED=FILE, whose bytes are set by the
+# places passed.
 DEFINED = b"""
 #include <fcntl.h>
 #include <stdlib.h>

@@ -46,7 +46,8 @@ def shown(comment, code):
 def names(code):
 	"""What the code declares."""
 	bare = re.sub(r"/\*.*?\*/", "", code, flags=re.S)
-	found = re.findall(r"^#define (\w+)", bare, re.M) + re.findall(r"^(?:TS_API|static inline) [^;(]*?(\w+)\(", bare, re.M)
+	found = re.findall(r"^#define (\w+)", bare, re.M)
+	found += re.findall(r"^(?:TS_API|static inline) [^;(]*?(\w+)\(", bare, re.M)
 	found += re.findall(r"^typedef [^{;]*?(\w+);", bare, re.M) + re.findall(r"^\} ?(\w+);", bare, re.M)
 	found += re.findall(r"^typedef enum \{[^}]*\} (\w+);", bare, re.M)
 	return list(dict.fromkeys(found or re.findall(r"\bTS_\w+", bare)))
@@ -90,14 +91,17 @@ def page(path, text):
 	"""The Markdown of a header, and the anchor of each of its symbols."""
 	text = GUARDS.sub("", LICENCE.sub("", text))
 	opening = COMMENT.match(text)
-	out = [f"# {path.rsplit('/', 1)[1]}\n", f"`#include <touchstone/{path.rsplit('/', 1)[1]}>`\n", prose(opening[0].rstrip())]
+	out = [f"# {path.rsplit('/', 1)[1]}\n", f"`#include <touchstone/{path.rsplit('/', 1)[1]}>`\n",
+	       prose(opening[0].rstrip())]
 	anchors = {}
-	body = re.sub(r"^#(?:ifndef|include|endif|undef|if|else).*\n|^#define TOUCHSTONE_.*\n", "", text[opening.end():], flags=re.M)
+	body = re.sub(r"^#(?:ifndef|include|endif|undef|if|else).*\n|^#define TOUCHSTONE_.*\n", "", text[opening.end():],
+	              flags=re.M)
 	for found, comment, code in sections(body):
 		title = ", ".join(found[:3]) + ", ..." * (len(found) > 3)
 		out.append(f"\n## {escaped(title)}\n")
 		out.append(prose(comment) if comment else "")
 		out.append(f"\n```c\n{code}\n```\n")
-		enumerators = re.findall(r"\bTS_[A-Z_0-9]+\b", re.sub(r"/\*.*?\*/", "", code, flags=re.S)) if "enum {" in code else []
+		enumerators = re.findall(r"\bTS_[A-Z_0-9]+\b",
+		                         re.sub(r"/\*.*?\*/", "", code, flags=re.S)) if "enum {" in code else []
 		anchors.update({name: re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for name in found + enumerators})
 	return "\n".join(out), anchors

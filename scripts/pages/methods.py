@@ -1,8 +1,8 @@
-"""The template of METHODS: reference/METHODS.md, which has what all methods share, and a page of reference/methods for the stages
-of each family. A stage has a heading of its own, "### `stage`", below it the generated block, and then
+"""The template of METHODS: reference/METHODS.md, which has what all methods share, and a page of reference/methods for
+the stages of each family. A stage has a heading of its own, "### `stage`", below it the generated block, and then
 PARTS in this order: each begins a paragraph with its name in bold. The first is always there; an empty one is left out.
-A departure is an item of DEPARTURE's form. Sections, "## 11. Title", are numbered through all pages. Measurements belong in
-reference/FIGURES.md: a page of a family has no other headings below its sections."""
+A departure is an item of DEPARTURE's form. Sections, "## 11. Title", are numbered through all pages. Measurements
+belong in reference/FIGURES.md: a page of a family has no other headings below its sections."""
 import re
 
 COMMON = "METHODS.md"
@@ -85,7 +85,8 @@ def stages(text):
 
 
 def departures(texts):
-	"""(link to the stage, how many departures it has, the switches that go back to the paper) of all stages with any."""
+	"""(link to the stage, how many departures it has, the switches that go back to the paper) of all stages with
+	any."""
 	for page, text in texts.items():
 		for _, name, body in stages(text):
 			found = [DEPARTURE.fullmatch(item) for item in items(dict(parts(body)).get("Departures", ""))]
@@ -103,7 +104,8 @@ def stage_faults(name, body):
 	if before[1].strip():
 		yield f"{name}: there is text before its first part"
 	if names != [part for part in PARTS if part in names] or PARTS[0] not in names:
-		yield f"{name}: its parts are {', '.join(names) or 'none'}; expected {', '.join(PARTS)}, of which the first is needed"
+		yield (f"{name}: its parts are {', '.join(names) or 'none'}; "
+		       f"expected {', '.join(PARTS)}, of which the first is needed")
 	for part, text in named:
 		if not text.strip():
 			yield f"{name}: {part} is empty"

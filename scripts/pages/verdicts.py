@@ -1,6 +1,7 @@
 """What `bench list` says of the papers' claims, in short for reference/VERDICTS.md, a row each, and at length for
-reference/FIGURES.md. A verdict is the text that scripts/verdicts wrote: counts of rows, and behind "times: " the same of
-times; behind "differs in n of m rows: " the relations that fail, the scenes, the class of the cause, and the cause."""
+reference/FIGURES.md. A verdict is the text that scripts/verdicts wrote: counts of rows, and behind "times: " the same
+of times; behind "differs in n of m rows: " the relations that fail, the scenes, the class of the cause, and the
+cause."""
 import collections
 import re
 
@@ -17,7 +18,8 @@ Fault = collections.namedtuple("Fault", "relation scenes group cause see")
 
 
 def parted(verdict):
-	"""The parts of a verdict: on counts, errors and pictures, and on times; and how many rows of times were not judged."""
+	"""The parts of a verdict: on counts, errors and pictures, and on times;
+	and how many rows of times were not judged."""
 	left = NOT_JUDGED.search(verdict)
 	counts, _, times = (f"; {NOT_JUDGED.sub('', verdict)}").partition("; times: ")
 	return counts[2:], times, int(left[1]) if left else 0
@@ -33,7 +35,8 @@ def faults(part):
 def rows(part, left=0):
 	"""How many rows hold, of how many."""
 	holds, differs = HOLDS.match(part), DIFFERS.match(part)
-	out = [f"{int(differs[2]) - int(differs[1])} of {differs[2]}" if differs else f"{holds[1]} of {holds[1]}"] if holds or differs else []
+	out = [f"{int(differs[2]) - int(differs[1])} of {differs[2]}"
+	       if differs else f"{holds[1]} of {holds[1]}"] if holds or differs else []
 	return ", ".join(out + ([f"{left} not judged"] if left else []))
 
 
@@ -51,12 +54,13 @@ def row(claim):
 		return [*start, verdict, "", "", "", reason]
 	counts, times, left = parted(verdict)
 	found = [fault for fault in faults(counts) + faults(times) if fault]
-	answers = [f"{'times ' * bool(k)}{('differ' if k else 'differs') if DIFFERS.match(part) else ('hold' if k else 'holds')}"
+	answers = [("differs" if DIFFERS.match(part) else "holds") if k == 0 else
+	           ("times differ" if DIFFERS.match(part) else "times hold")
 	           for k, part in enumerate((counts, times)) if rows(part)]
 	if answers == ["holds", "times hold"] or answers == ["differs", "times differ"]:
 		answers = answers[:1]
-	return [*start, ", ".join(answers) or verdict, rows(counts), rows(times, left), joined(fault.group for fault in found),
-	        joined(fault.cause.partition(": ")[0] for fault in found)]
+	return [*start, ", ".join(answers) or verdict, rows(counts), rows(times, left),
+	        joined(fault.group for fault in found), joined(fault.cause.partition(": ")[0] for fault in found)]
 
 
 def listed(claims):

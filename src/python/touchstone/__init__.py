@@ -38,10 +38,10 @@ from typing import Any
 
 import numpy as np
 
-from ._library import (Error, Path, Row, check, failure, ffi, filled, in_order, lib, made, options_for, params_for, path_for,
-                       pointer, rows_of, struct_of, text_for, text_of, tree_of, view_of)
-from ._pictures import (crumbs, decode_image, encode_exr, encode_png, estimate_metrics, flicker, light_metrics, marks_for,
-                        metrics, read_image, read_image_bytes, write_exr, write_png)
+from ._library import (Error, Path, Row, check, failure, ffi, filled, in_order, lib, made, options_for, params_for,
+                       path_for, pointer, rows_of, struct_of, text_for, text_of, tree_of, view_of)
+from ._pictures import (crumbs, decode_image, encode_exr, encode_png, estimate_metrics, flicker, light_metrics,
+                        marks_for, metrics, read_image, read_image_bytes, write_exr, write_png)
 from ._tables import (backends, buffers, builtins, devices, float_passes, float_text, methods, parameters, primitive_of,
                       primitives, probes, settings, sizes, stages, truths, version)
 
@@ -82,8 +82,8 @@ def _relaxed(options: Mapping[str, Any], mask: np.ndarray | None = None) -> tupl
 
 
 class Context:
-	"""What computes. backend: one of backends(). say(line), progress(label, done, total) and cancelled(), which ends what
-	runs where it returns true, are called meanwhile."""
+	"""What computes. backend: one of backends(). say(line), progress(label, done, total) and cancelled(), which ends
+	what runs where it returns true, are called meanwhile."""
 
 	def __init__(self, backend: str | None = None, device: int = 0, threads: int = 0, no_fast_paths: bool = False,
 	             say: Callable[[str], object] | None = None, progress: Callable[[str, int, int], object] | None = None,
@@ -103,7 +103,8 @@ class Context:
 		return f"<touchstone.Context: {self._name}>"
 
 	def open_scene(self, spec: Path, params: Params | None = None, **options: Any) -> Scene:
-		"""A built-in scene or a file; options are members of ts_scene_options, such as camera="circle" or eye=(0, 1, 2)."""
+		"""A built-in scene or a file; options are members of ts_scene_options, such as camera="circle" or eye=(0, 1,
+		2)."""
 		wanted, kept = _places(options)
 		handle, _ = made("ts_scene", lib.ts_scene_free, lib.ts_scene_open, self._handle, made, path_for(spec),
 		                 params_for(params), wanted)
@@ -139,8 +140,8 @@ class Context:
 		members["n_images"] = len(pictures)
 		given, texts = options_for("ts_scene_arrays", **members)
 		wanted, places = _places(options or {})
-		handle, _ = made("ts_scene", lib.ts_scene_free, lib.ts_scene_make, self._handle, made, given, params_for(params),
-		                 wanted)
+		handle, _ = made("ts_scene", lib.ts_scene_free, lib.ts_scene_make, self._handle, made, given,
+		                 params_for(params), wanted)
 		return Scene(self, handle, name or "arrays")
 
 	def run(self, scene: Scene, effect: str, method: str, params: Params | None = None,
@@ -155,8 +156,8 @@ class Context:
 
 	def write(self, folder: Path, scene: Scene, effect: str, method: str, params: Params | None = None,
 	          **options: Any) -> None:
-		"""Runs a method and writes its trace to a new folder; options are members of ts_write_options: margins, arrival and
-		compress."""
+		"""Runs a method and writes its trace to a new folder; options are members of ts_write_options: margins, arrival
+		and compress."""
 		wanted, _ = options_for("ts_write_options", **options)
 		check(lib.ts_trace_write(self._handle, path_for(folder), scene._handle, params_for(params), text_for(effect),
 		                         text_for(method), wanted))
@@ -166,15 +167,15 @@ class Context:
 		found = {}
 		each = ffi.callback("void(void *, const char *, const char *)",
 		                    lambda _, buffer, hex: found.update({text_of(buffer): text_of(hex)}))
-		check(lib.ts_run_digests(self._handle, scene._handle, params_for(params), text_for(effect), text_for(method), each,
-		                         ffi.NULL))
+		check(lib.ts_run_digests(self._handle, scene._handle, params_for(params), text_for(effect), text_for(method),
+		                         each, ffi.NULL))
 		return found
 
 	def truth(self, scene: Scene, effect: str, truth: str, params: Params | None = None) -> Row:
-		"""A ground truth by rays, one of truths(): `radiance`, linear RGB, and `srgb`, the same as displayed, both rows of
-		pixels; and `estimated`, whether some of the rays were left out."""
-		image, _ = made("ts_truth_image", lib.ts_truth_image_free, lib.ts_truth_render, self._handle, made, scene._handle,
-		                params_for(params), text_for(effect), text_for(truth))
+		"""A ground truth by rays, one of truths(): `radiance`, linear RGB, and `srgb`, the same as displayed, both rows
+		of pixels; and `estimated`, whether some of the rays were left out."""
+		image, _ = made("ts_truth_image", lib.ts_truth_image_free, lib.ts_truth_render, self._handle, made,
+		                scene._handle, params_for(params), text_for(effect), text_for(truth))
 		shape = (image.height, image.width, 3)
 		return Row(radiance=view_of(image.radiance, shape, np.float32, image),
 		           srgb=view_of(image.srgb, shape, np.uint8, image), estimated=image.estimated != 0)
@@ -188,8 +189,8 @@ class Context:
 		return self._traced(lib.ts_trace_open_npy, path_for(path))
 
 	def open_list(self, folder: Path, files: Mapping[str, Path], reference: Trace, arrival: bool = False) -> Trace:
-		"""Opens a folder without trace.json as a candidate of the reference's method; files: those of the folder, by buffer.
-		A file that is no .npy holds raw elements."""
+		"""Opens a folder without trace.json as a candidate of the reference's method; files: those of the folder, by
+		buffer. A file that is no .npy holds raw elements."""
 		listed = b",".join(os.fsencode(name) + b"=" + os.fsencode(file) for name, file in files.items())
 		return self._traced(lib.ts_trace_open_list, path_for(folder), path_for(listed), arrival, reference._handle)
 
@@ -211,8 +212,8 @@ class Context:
 		return inputs, outputs
 
 	def check_vectors(self, primitive: str, found: np.ndarray) -> Row:
-		"""The verdict on what a port computed of a primitive's inputs: a namespace of the members of ts_vector_judged, and
-		of `same`, which is True or False."""
+		"""The verdict on what a port computed of a primitive's inputs: a namespace of the members of ts_vector_judged,
+		and of `same`, which is True or False."""
 		row = primitive_of(primitive)
 		found = in_order(found, row.out_dtype, len(row.shape), primitive)
 		if found.shape != row.shape:
@@ -230,16 +231,16 @@ class Context:
 		"""Verdicts of a candidate; options are members of ts_compare_options, such as ulp=1 or forced=True. mask: an
 		array of rows of pixels, which are judged where it is not 0."""
 		wanted, kept = _relaxed(options, mask)
-		return Verdicts(*made("ts_verdicts", lib.ts_verdicts_free, lib.ts_compare, self._handle, made, reference._handle,
-		                      candidate._handle, wanted))
+		return Verdicts(*made("ts_verdicts", lib.ts_verdicts_free, lib.ts_compare, self._handle, made,
+		                      reference._handle, candidate._handle, wanted))
 
 	def marks(self, buffer: str, reference: Trace, candidate: Trace, mask: np.ndarray | None = None,
 	          **options: Any) -> np.ndarray:
 		"""Which elements of a buffer differ, as an array of its shape. mask, options: as of compare."""
 		wrong = np.zeros(reference.shape(buffer), np.uint8)
 		wanted, kept = _relaxed(options, mask)
-		check(lib.ts_compare_marks(self._handle, pointer("uint8_t", wrong), wrong.size, text_for(buffer), reference._handle,
-		                           candidate._handle, wanted))
+		check(lib.ts_compare_marks(self._handle, pointer("uint8_t", wrong), wrong.size, text_for(buffer),
+		                           reference._handle, candidate._handle, wanted))
 		return wrong != 0
 
 	def replay(self, stage: str, reference: Trace, candidate: Trace | None = None, mask: np.ndarray | None = None,
@@ -255,8 +256,8 @@ class Context:
 		                    candidate._handle if candidate is not None else ffi.NULL)
 
 	def continue_from(self, reference: Trace, buffers: Mapping[str, np.ndarray]) -> Trace:
-		"""Runs a method on from one's own buffers: a candidate of these, of what the stages make that read them, directly
-		or through others, and of the reference's other buffers. What the caller gives stays as given."""
+		"""Runs a method on from one's own buffers: a candidate of these, of what the stages make that read them,
+		directly or through others, and of the reference's other buffers. What the caller gives stays as given."""
 		reference.match()
 		for name in buffers:
 			if name not in reference:
@@ -293,7 +294,8 @@ class Scene:
 
 
 class Trace(collections.abc.Mapping):
-	"""The buffers of a run, of a folder or of a candidate, by name. Arrays are views: of a run and of a folder read only."""
+	"""The buffers of a run, of a folder or of a candidate, by name.
+	Arrays are views: of a run and of a folder read only."""
 
 	def __init__(self, context: Context, handle: Any, scene: Scene | None = None, writable: bool = False) -> None:
 		self._context, self._handle, self._scene, self._writable = context, handle, scene, writable
@@ -359,8 +361,8 @@ class Trace(collections.abc.Mapping):
 
 	def candidate(self, arrival: bool = False) -> Trace:
 		"""An empty candidate of the same method and parameters."""
-		handle, _ = made("ts_trace", lib.ts_trace_close, lib.ts_trace_candidate, self._context._handle, made, self._handle,
-		                 arrival)
+		handle, _ = made("ts_trace", lib.ts_trace_close, lib.ts_trace_candidate, self._context._handle, made,
+		                 self._handle, arrival)
 		return Trace(self._context, handle, writable=True)
 
 	def save(self, folder: Path, producer: str | None = None) -> None:
@@ -395,12 +397,13 @@ class Trace(collections.abc.Mapping):
 		if "item" in question:
 			question["item_said"] = 1
 		options, kept = options_for("ts_explain_options", stage=stage, **question)
-		tree, _ = made("ts_tree", lib.ts_tree_free, lib.ts_explain_item, self._context._handle, made, options, self._handle,
-		               *[side._handle if side is not None else ffi.NULL for side in (inputs, other)])
+		tree, _ = made("ts_tree", lib.ts_tree_free, lib.ts_explain_item, self._context._handle, made, options,
+		               self._handle, *[side._handle if side is not None else ffi.NULL for side in (inputs, other)])
 		return tree_of(tree)
 
 	def _ask(self, function: Any, *question: Any) -> dict:
-		return tree_of(made("ts_tree", lib.ts_tree_free, function, self._context._handle, made, self._handle, *question)[0])
+		return tree_of(made("ts_tree", lib.ts_tree_free, function, self._context._handle, made, self._handle,
+		                    *question)[0])
 
 
 class Verdicts(collections.abc.Sequence):

@@ -18,8 +18,8 @@ Row = types.SimpleNamespace  # the members of a struct of the headers, by their 
 
 
 class Error(Exception):
-	"""What could not be done, and why, in one line. kind: "argument", "file", "format", "memory", "device", "library" or
-	"cancelled", the kinds of ts_kind."""
+	"""What could not be done, and why, in one line. kind: "argument", "file", "format", "memory", "device", "library"
+	or "cancelled", the kinds of ts_kind."""
 	__module__ = "touchstone"
 
 	def __init__(self, message: str, kind: str = "argument") -> None:
@@ -28,11 +28,12 @@ class Error(Exception):
 
 
 def _open() -> Any:
-	"""TOUCHSTONE_LIBRARY, else the one of a wheel or of a build, else what the loader finds, else what stands where this
-	package was installed with it."""
+	"""TOUCHSTONE_LIBRARY, else the one of a wheel or of a build, else what the loader finds, else what stands where
+	this package was installed with it."""
 	soname = (_here / "soname").read_text().strip()
 	own = [str(path) for path in (_here / soname, _here.parents[1] / "libtouchstone.so") if path.exists()]
-	tried = [os.environ["TOUCHSTONE_LIBRARY"]] if os.environ.get("TOUCHSTONE_LIBRARY") else own or [soname, str(_here.parents[2] / soname)]
+	named = os.environ.get("TOUCHSTONE_LIBRARY")
+	tried = [named] if named else own or [soname, str(_here.parents[2] / soname)]
 	for path in tried:
 		try:
 			return ffi.dlopen(path)
@@ -114,8 +115,8 @@ def options_for(kind: str, **members: Any) -> tuple[Any, dict]:
 
 
 def made(kind: str, release: Any, function: Any, *arguments: Any) -> tuple[Any, bool]:
-	"""(handle, whether all is the same): what a function of the library makes, in the place of the argument `made`. It is
-	released when nobody has the handle any more."""
+	"""(handle, whether all is the same): what a function of the library makes, in the place of the argument `made`. It
+	is released when nobody has the handle any more."""
 	handle = ffi.new(kind + " **")
 	same = check(function(*[handle if argument is made else argument for argument in arguments]))
 	return ffi.gc(handle[0], release), same

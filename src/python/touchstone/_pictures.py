@@ -19,7 +19,8 @@ def read_image(path: Path) -> np.ndarray:
 def read_image_bytes(file: bytes, name: str = "image") -> np.ndarray:
 	"""As read_image, of the bytes of a file. name: what a message calls the picture."""
 	n_channels, data = ffi.new("uint32_t *"), ffi.from_buffer(file)
-	pixels, size = _read("float", lambda *out: lib.ts_image_read_bytes(*out, n_channels, data, len(data), text_for(name)))
+	pixels, size = _read("float",
+	                     lambda *out: lib.ts_image_read_bytes(*out, n_channels, data, len(data), text_for(name)))
 	return view_of(pixels, (*size, n_channels[0]), np.float32, pixels, writable=True)
 
 
@@ -99,8 +100,8 @@ def marks_for(marks: np.ndarray | None, shape: tuple[int, int] | None, what: str
 
 
 def metrics(reference: np.ndarray, image: np.ndarray, mask: np.ndarray | None = None) -> Row:
-	"""How far two pictures of 8-bit RGB are apart: rmse, psnr, ssim and the other members of ts_metrics. Pixels are judged
-	where the mask, rows of pixels, is not 0; so in the other metrics."""
+	"""How far two pictures of 8-bit RGB are apart: rmse, psnr, ssim and the other members of ts_metrics. Pixels are
+	judged where the mask, rows of pixels, is not 0; so in the other metrics."""
 	pictures, judged, size = _pictures(np.uint8, mask, reference=reference, image=image)
 	return struct_of(lib.ts_metrics_compare(*(pointer("uint8_t", picture) for picture in (*pictures, judged)), *size))
 
@@ -117,22 +118,24 @@ def estimate_metrics(reference: np.ndarray, image: np.ndarray, all_reference: np
 
 def flicker(reference_before: np.ndarray, reference: np.ndarray, image_before: np.ndarray, image: np.ndarray,
             mask: np.ndarray | None = None) -> float:
-	"""How much more a picture of 8-bit RGB changes from one frame to the next than its reference does, in grey levels."""
+	"""How much more a picture of 8-bit RGB changes from one frame to the next than its reference does,
+	in grey levels."""
 	pictures, judged, size = _pictures(np.uint8, mask, reference_before=reference_before, reference=reference,
 	                                   image_before=image_before, image=image)
 	return lib.ts_metrics_flicker(*(pointer("uint8_t", picture) for picture in (*pictures, judged)), *size)
 
 
 def light_metrics(reference: np.ndarray, image: np.ndarray, mask: np.ndarray | None = None) -> Row:
-	"""How far two pictures of light, float32 of linear RGB, are apart: relative, median, beyond and the other members of
-	ts_light_metrics."""
+	"""How far two pictures of light, float32 of linear RGB, are apart: relative, median, beyond and the other members
+	of ts_light_metrics."""
 	pictures, judged, size = _pictures(np.float32, mask, reference=reference, image=image)
 	light = [pointer("float", picture) for picture in pictures]
 	return struct_of(lib.ts_metrics_light(*light, pointer("uint8_t", judged), *size))
 
 
 def crumbs(reference: np.ndarray, image: np.ndarray) -> np.ndarray:
-	"""Where light is more than 0.1 above or below all that the reference has around a pixel: bool, by rows of pixels."""
+	"""Where light is more than 0.1 above or below all that the reference has around a pixel: bool,
+	by rows of pixels."""
 	pictures, _, size = _pictures(np.float32, None, reference=reference, image=image)
 	marks = np.empty(size[::-1], np.uint8)
 	lib.ts_metrics_crumbs(pointer("uint8_t", marks), *(pointer("float", picture) for picture in pictures), *size)

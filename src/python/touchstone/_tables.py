@@ -7,7 +7,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ._library import Error, Row, check, ffi, filled, lib, options_for, params_for, rows_of, struct_of, text_for, text_of
+from ._library import (Error, Row, check, ffi, filled, lib, options_for, params_for, rows_of, struct_of, text_for,
+                       text_of)
 
 
 def version() -> str:
@@ -37,8 +38,8 @@ def methods() -> list[Row]:
 
 
 def stages(effect: str | None = None, method: str | None = None) -> list[Row]:
-	"""The stages of a method, in their order, each with its `number`; or all stages. `inputs` and `outputs` are the buffers
-	that a stage reads and makes."""
+	"""The stages of a method, in their order, each with its `number`; or all stages. `inputs` and `outputs` are the
+	buffers that a stage reads and makes."""
 	if method is None:
 		found = rows_of(lib.ts_stage_at)
 	else:
@@ -75,7 +76,8 @@ def sizes() -> list[Row]:
 
 @functools.lru_cache(None)
 def buffers() -> dict[str, Row]:
-	"""All buffers by name. `dtype` is that of their elements; `is_image`: whether rows and columns are those of pixels."""
+	"""All buffers by name. `dtype` is that of their elements;
+	`is_image`: whether rows and columns are those of pixels."""
 	fields = rows_of(lib.ts_field_at)
 	found = {row.name: row for row in rows_of(lib.ts_buffer_at)}
 	for row in found.values():
@@ -92,8 +94,8 @@ def _dtype(scalar: str) -> np.dtype:
 
 @functools.lru_cache(None)
 def primitives() -> dict[str, Row]:
-	"""All primitives that a port must compute with the same bits, by name. in_dtype and out_dtype are NumPy's, and their
-	fields the columns; `shape` is that of the outputs."""
+	"""All primitives that a port must compute with the same bits, by name. in_dtype and out_dtype are NumPy's, and
+	their fields the columns; `shape` is that of the outputs."""
 	found = {row.name: row for row in rows_of(lib.ts_vector_at)}
 	for row in found.values():
 		row.in_dtype, row.out_dtype = (np.dtype(ast.literal_eval(text)) for text in (row.in_dtype, row.out_dtype))

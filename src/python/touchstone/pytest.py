@@ -18,7 +18,9 @@ def touchstone_context() -> touchstone.Context:
 
 
 @pytest.fixture
-def touchstone_judge(touchstone_context: touchstone.Context) -> Callable[[str, touchstone.Trace, touchstone.Trace], None]:
+def touchstone_judge(
+	touchstone_context: touchstone.Context,
+) -> Callable[[str, touchstone.Trace, touchstone.Trace], None]:
 	"""Fails unless a stage is right, given the candidate's own inputs."""
 
 	def judge(stage: str, reference: touchstone.Trace, candidate: touchstone.Trace) -> None:
