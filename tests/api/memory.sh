@@ -1,6 +1,6 @@
 #!/bin/bash
-# A program of the library whose N-th allocation fails, for some N: it goes on to the same lines, or ends by one line that
-# speaks of memory. Prints TAP.
+# A program of the library whose N-th allocation fails, for some N: it goes on to the same lines, or ends by one line
+# that speaks of memory. Prints TAP.
 . "$(dirname "$0")/../cli/tap.bash"
 build=${BUILD:-build/release}
 case $build in
@@ -9,18 +9,21 @@ case $build in
 	exit ;;
 esac
 ${CC:-gcc} -std=gnu11 -O1 -shared -fPIC tests/faults/*.c -o "$scratch/fault.so" -ldl 2> "$scratch/stderr" &&
-	LD_PRELOAD=$scratch/fault.so TOUCHSTONE_FAULT=memory:0 true || { echo "1..0 # SKIP calls cannot be failed here" && exit; }
+	LD_PRELOAD=$scratch/fault.so TOUCHSTONE_FAULT=memory:0 true ||
+	{ echo "1..0 # SKIP calls cannot be failed here" && exit; }
 mkdir "$scratch/lib"
 soname=$(readelf -d "$build/libtouchstone.so" | sed -n 's/.*soname: \[\(.*\)\]/\1/p')
 ln -s "$PWD/$build/libtouchstone.so" "$scratch/lib/$soname"
 ln -s "$PWD/$build/libtouchstone-image.so" "$scratch/lib"
-${CC:-gcc} -std=c11 -Iinclude tests/api/example/example.c -L"$scratch/lib" -l":$soname" -Wl,-rpath,"$scratch/lib" -o "$scratch/example" &&
+${CC:-gcc} -std=c11 -Iinclude tests/api/example/example.c -L"$scratch/lib" -l":$soname" -Wl,-rpath,"$scratch/lib" \
+	-o "$scratch/example" &&
 	OMP_NUM_THREADS=1 "$scratch/example" > "$scratch/right"
 verdict $? 'the example'
 
 good=0 failed=0
 for ((n = 1; n < 600; n += 23)); do
-	timeout 60 env OMP_NUM_THREADS=1 LD_PRELOAD="$scratch/fault.so" TOUCHSTONE_FAULT=memory:$n "$scratch/example" > "$scratch/stdout" 2> "$scratch/stderr"
+	timeout 60 env OMP_NUM_THREADS=1 LD_PRELOAD="$scratch/fault.so" TOUCHSTONE_FAULT=memory:$n "$scratch/example" \
+		> "$scratch/stdout" 2> "$scratch/stderr"
 	case $? in
 	0) cmp -s "$scratch/stdout" "$scratch/right" || good=1 ;;
 	2) [ "$(wc -l < "$scratch/stderr")" = 1 ] && grep -q memory "$scratch/stderr" && failed=$((failed + 1)) || good=1 ;;

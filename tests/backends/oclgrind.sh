@@ -63,8 +63,8 @@ reported ts_next_u32 'p) (*(p))++'
 frame() {
 	local of=(render "${@:2}" --method "$1" --size 16x16 --no-images --trace)
 	run "${of[@]}" -o "c-$1"
-	timeout 800 oclgrind --data-races --log races "$touchstone" "${of[@]}" -o "cl-$1" --backend opencl --inexact --no-worker \
-		--build "$build" > stdout 2> stderr
+	timeout 800 oclgrind --data-races --log races "$touchstone" "${of[@]}" -o "cl-$1" --backend opencl --inexact \
+		--no-worker --build "$build" > stdout 2> stderr
 	[ ! -s races ]
 	verdict $? "$1: no data race"
 	run compare "c-$1/trace-$1" "cl-$1/trace-$1"

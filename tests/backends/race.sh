@@ -1,6 +1,6 @@
 #!/bin/bash
-# The build of config=tsan sees races: each atomic operation of the kernels, made plain in a copy of compat.h, is reported,
-# and so is a loop that does not wait for the one before; as they are, nothing is. Prints TAP.
+# The build of config=tsan sees races: each atomic operation of the kernels, made plain in a copy of compat.h, is
+# reported, and so is a loop that does not wait for the one before; as they are, nothing is. Prints TAP.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -69,7 +69,8 @@ reported() {
 	result $? "reported: $name"
 }
 
-compile=$(env -u MAKEFLAGS -u MAKELEVEL make -n V=1 JOBS=1 config=tsan BUILD=build/none build/none/obj/src/model/text.c.o |
+compile=$(env -u MAKEFLAGS -u MAKELEVEL make -n V=1 JOBS=1 config=tsan BUILD=build/none \
+	build/none/obj/src/model/text.c.o |
 	sed -n 's/ -MMD.* -c src.*//p')
 if ! echo 'int main(void) { return 0; }' | $compile -x c - -o "$folder/race" 2> /dev/null; then
 	echo "1..0 # SKIP no compiler with ThreadSanitizer and OpenMP"

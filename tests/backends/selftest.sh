@@ -1,6 +1,6 @@
 #!/bin/bash
-# Every object of the C backend has a self-test of its own, and one that is built by other flags, or changes them, is named.
-# Prints TAP.
+# Every object of the C backend has a self-test of its own, and one that is built by other flags, or changes them, is
+# named. Prints TAP.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -44,8 +44,10 @@ named() {
 		skip "$* $source" "no $1"
 		return
 	fi
-	"$@" -std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Iinclude -iquote src/backends/c/points -c "$source" -o "$folder/other.o" &&
-		${CC:-gcc} -fopenmp -Iinclude -iquote tests/model "$folder/main.c" "$folder/other.o" "$build/libtouchstone.a" -lcrypto -lm \
+	"$@" -std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Iinclude -iquote src/backends/c/points -c "$source" \
+		-o "$folder/other.o" &&
+		${CC:-gcc} -fopenmp -Iinclude -iquote tests/model "$folder/main.c" "$folder/other.o" "$build/libtouchstone.a" \
+		-lcrypto -lm \
 			-o "$folder/other" 2> "$folder/log"
 	if [ $? -ne 0 ]; then
 		sed 's/^/# /' "$folder/log"
@@ -57,7 +59,8 @@ named() {
 	if [ "$primitive" = passes ]; then
 		[ $status -eq 0 ]
 	else
-		[ $status -eq 2 ] && [ "$(wc -l < "$folder/out")" -eq 1 ] && grep -q "^self-test: $file breaks the numeric contract in .*$primitive" "$folder/out"
+		[ $status -eq 2 ] && [ "$(wc -l < "$folder/out")" -eq 1 ] &&
+			grep -q "^self-test: $file breaks the numeric contract in .*$primitive" "$folder/out"
 	fi
 	result $? "$* ${source##*/}: ${primitive}"
 	sed 's/^/# /' "$folder/out"
@@ -79,7 +82,8 @@ for compiler in gcc clang; do
 	named $one "not-a-number" $one $compiler -O2 $exact -ffinite-math-only $sly
 done
 named $one "division" $one gcc -O2 $exact -freciprocal-math
-named "src/backends/c/items.c of ../../kernels/points/align.h" "addition" src/backends/c/items.c gcc -O1 -ffast-math $sly \
+named "src/backends/c/items.c of ../../kernels/points/align.h" "addition" src/backends/c/items.c gcc -O1 \
+	-ffast-math $sly \
 	-I"${BUILD:-build/release}/gen" '-DITEMS="../../kernels/points/align.h"' '-DITEMS_DEF="items/points/align.def"'
 
 # begin, end TEXT...: that source with it before all else, and before its end.

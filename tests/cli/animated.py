@@ -47,7 +47,8 @@ def slerp(t):
 	angle = np.arccos(min(abs(dot), 1))
 	if angle < 1e-6:
 		return unit[k]
-	return np.sin((1 - s) * angle) / np.sin(angle) * unit[k] + np.sign(dot) * np.sin(s * angle) / np.sin(angle) * unit[k + 1]
+	return (np.sin((1 - s) * angle) / np.sin(angle) * unit[k]
+	        + np.sign(dot) * np.sin(s * angle) / np.sin(angle) * unit[k + 1])
 
 
 def cubic(t):
@@ -86,7 +87,8 @@ class file:
 
 def tetrahedron(f, size):
 	points = [[0, 0, 0], [size, 0, 0], [0, size, 0], [0, 0, size]]
-	return {"attributes": {"POSITION": f.put(points, "VEC3"), "NORMAL": f.put([[0, 0, 1], [1, 0, 0], [0, 1, 0], [0.6, 0.8, 0]], "VEC3")},
+	return {"attributes": {"POSITION": f.put(points, "VEC3"),
+	                       "NORMAL": f.put([[0, 0, 1], [1, 0, 0], [0, 1, 0], [0.6, 0.8, 0]], "VEC3")},
 	        "indices": f.put([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3], "SCALAR", "H", 5123)}
 
 
@@ -99,7 +101,8 @@ def document():
 	            {"input": f.put(SIZE_TIMES, "SCALAR"), "output": f.put(SIZES, "VEC3"), "interpolation": "STEP"},
 	            {"input": f.put(EYE_TIMES, "SCALAR"), "output": f.put(EYES, "VEC3")}]
 	channels = [{"sampler": i, "target": {"node": node, "path": path}}
-	            for i, (node, path) in enumerate([(1, "rotation"), (2, "translation"), (2, "scale"), (4, "translation")])]
+	            for i, (node, path) in enumerate([(1, "rotation"), (2, "translation"), (2, "scale"),
+	                                              (4, "translation")])]
 	root = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 4]}],
 	        "nodes": [{"mesh": 0}, {"translation": PIVOT, "children": [2, 3]}, {"name": "arm", "mesh": 1},
 	                  {"name": "ball", "mesh": 2, "translation": BALL, "scale": [-1, 1, 1]},
@@ -123,7 +126,8 @@ def damage(root, f, defect):
 		"range": lambda: a["samplers"][0].update(input=999), "sampler": lambda: a["channels"][0].update(sampler=9),
 		"type": lambda: a["samplers"][0].update(output=a["samplers"][1]["output"]),
 		"twice": lambda: a["channels"].append(a["channels"][0]),
-		"matrix": lambda: (root["nodes"][1].pop("translation"), root["nodes"][1].update(matrix=np.eye(4).ravel().tolist())),
+		"matrix": lambda: (root["nodes"][1].pop("translation"),
+		                   root["nodes"][1].update(matrix=np.eye(4).ravel().tolist())),
 		"cycle": lambda: root["nodes"][2].update(children=[1]),
 		"huge": lambda: a["samplers"][3].update(output=f.put([[0, 0, 0], [1e38, 0, 0]], "VEC3")),
 		"zero": lambda: a["samplers"][0].update(output=f.put([[0, 0, 0, 1], [0, 0, 0, 0], [0, 0, 0, 1]], "VEC4")),

@@ -23,12 +23,14 @@ cmp early/trace-epr/02-pose.vertex.npy late/trace-epr/02-pose.vertex.npy &&
 verdict $? 'after 38 frames the animation begins again'
 
 run replay alone-17/trace-epr
-[ "$status" -eq 0 ] && grep -q 'eye.view: same' stdout && grep -q 'pose: same' stdout && grep -q 'cube_size: same' stdout
+[ "$status" -eq 0 ] && grep -q 'eye.view: same' stdout && grep -q 'pose: same' stdout &&
+	grep -q 'cube_size: same' stdout
 verdict $? 'replay takes motion and path from the trace'
 prints 'bits agree with image.radiance' probe alone-17/trace-epr --pixel 48,27
 
 # A mirror on a node that moves goes with it.
-run render reflections animated.gltf --method epr --size 96x54 --reflectors 0 --reflector ball --frame 17 --trace -o mirror
+run render reflections animated.gltf --method epr --size 96x54 --reflectors 0 --reflector ball --frame 17 --trace \
+	-o mirror
 [ "$status" -eq 0 ] && /usr/bin/python3 - mirror/trace-epr "$animated" <<'PY'
 import sys
 import numpy as np

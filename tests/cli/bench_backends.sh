@@ -5,8 +5,8 @@
 frame=(--scene atrium:triangles=10000:texels=32 --objects 2 --size 96x54 --set reflectors.px=30 --set cube.max_px=64)
 prints '^c  *[0-9.]*  *[0-9.]*  *[0-9.]*$' bench start "${frame[@]}" --runs 1
 
-# Of this machine's devices, if there are any, by the method with the fewer kernels to build. What is counted is the same in
-# every column, so rates go by the times.
+# Of this machine's devices, if there are any, by the method with the fewer kernels to build. What is counted is the
+# same in every column, so rates go by the times.
 mkdir "$scratch/tmp"
 OCL_ICD_VENDORS=/nonexistent run bench backends "${frame[@]}" --runs 1 --threads 2 --json
 cp "$scratch/stdout" "$scratch/epr"
@@ -16,10 +16,12 @@ backends() {
 	python3 - "$scratch/$1" "$@" <<'PY'
 import json, sys
 report, method, stage, splats = json.load(open(sys.argv[1])), sys.argv[2], sys.argv[3], int(sys.argv[4])
-assert report["method"] == method and report["mirrors"] == 2 and report["runs"] == 1 and report["scene"].startswith("atrium")
+assert report["method"] == method and report["mirrors"] == 2 and report["runs"] == 1
+assert report["scene"].startswith("atrium")
 names = [row["column"] for row in report["columns"]]
 devices = names[2:]
-assert names[:2] == ["c1", "c2"] and all(row["device"] and row["compiler"] and row["flags"] for row in report["columns"])
+assert names[:2] == ["c1", "c2"]
+assert all(row["device"] and row["compiler"] and row["flags"] for row in report["columns"])
 assert devices or any("no opencl device" in note or "left out" in note for note in report["notes"]), report["notes"]
 times = {row["stage"]: row for row in report["milliseconds"]}
 stages = [row["stage"] for row in report["milliseconds"]]
@@ -67,7 +69,8 @@ without_device refuses 'no device can be measured' bench backends "${frame[@]}" 
 
 # A frame that llvmpipe's limit of loops cuts short.
 if grep -q llvmpipe <("$touchstone" list backends); then
-	cut=(bench backends --scene atrium:triangles=10000:texels=32 --objects 1 --size 480x270 --method mvr --runs 1 --threads 1)
+	cut=(bench backends --scene atrium:triangles=10000:texels=32 --objects 1 --size 480x270 --method mvr --runs 1
+		--threads 1)
 	OCL_ICD_VENDORS=/nonexistent run "${cut[@]}"
 	[ "$status" -eq 0 ] && grep -q '^vulkan0: left out: stage eye: .* ended a loop of eye early' "$scratch/stdout" &&
 		grep -q '^time, ms *c1$' "$scratch/stdout"

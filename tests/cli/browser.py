@@ -26,8 +26,9 @@ class Browser:
 		self.profile = tempfile.mkdtemp()
 		theirs, self.to = os.pipe()
 		self.back, ours = os.pipe()
-		command = f"exec '{found()}' --headless=new --no-sandbox --disable-gpu --disable-dev-shm-usage --hide-scrollbars " \
-			f"--no-first-run --user-data-dir='{self.profile}' --remote-debugging-pipe about:blank 3<&{theirs} 4>&{ours}"
+		command = (f"exec '{found()}' --headless=new --no-sandbox --disable-gpu --disable-dev-shm-usage "
+		           f"--hide-scrollbars --no-first-run --user-data-dir='{self.profile}' "
+		           f"--remote-debugging-pipe about:blank 3<&{theirs} 4>&{ours}")
 		self.process = subprocess.Popen(["bash", "-c", command], pass_fds=(theirs, ours), stdin=subprocess.DEVNULL,
 		                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 		os.close(theirs)
@@ -37,7 +38,8 @@ class Browser:
 		for domain in ("Page", "Runtime", "Log", "Network"):
 			self.call(domain + ".enable")
 		width, height = self.size
-		self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=self.phone)
+		self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+		          mobile=self.phone)
 		scheme = {"name": "prefers-color-scheme", "value": "dark" if self.dark else "light"}
 		self.call("Emulation.setEmulatedMedia", features=[scheme])
 		return self
@@ -105,7 +107,8 @@ class Browser:
 	def press(self, key, shift=False):
 		code = KEYS[key]
 		text = {"Space": " ", "Enter": "\r"}.get(key, "")
-		named = {"key": " " if key == "Space" else key, "code": key, "windowsVirtualKeyCode": code, "modifiers": 8 if shift else 0}
+		named = {"key": " " if key == "Space" else key, "code": key, "windowsVirtualKeyCode": code,
+		         "modifiers": 8 if shift else 0}
 		self.call("Input.dispatchKeyEvent", type="keyDown", text=text, **named)
 		self.call("Input.dispatchKeyEvent", type="keyUp", **named)
 

@@ -30,7 +30,8 @@ cp -r r/trace-epr c
 ends 0 '^40 buffers judged, 0 different, 0 missing$' 'a copy is the same' compare r/trace-epr c
 change c/20-image.srgb.npy 1 $((3 * (20 * 96 + 33) + 1)) 0 ff
 change c/09-align.frame.npy 80 12 12 0000803f
-ends 1 'stage 09 align, buffer align.frame, piece 12, field s: ref .* candidate 1 = 0x1p+0 (3f800000) .* ulp — first of 1; inputs identical' \
+ends 1 \
+	'stage 09 align, buffer align.frame, piece 12, field s: ref .* candidate 1 = 0x1p+0 (3f800000) .* ulp — first of 1; inputs identical' \
 	'the first divergence in the order of the pipeline' compare r/trace-epr c
 grep -q '^40 buffers judged, 2 different, 0 missing$' stdout
 verdict $? 'and how many there are'
@@ -65,23 +66,29 @@ suite = xml.dom.minidom.parse(sys.argv[1]).documentElement
 cases = suite.getElementsByTagName("testcase")
 assert len(cases) == int(suite.getAttribute("tests")) == len({c.getAttribute("name") for c in cases})
 failures = suite.getElementsByTagName("failure")
-assert len(failures) == int(suite.getAttribute("failures")) == 2 and "align.frame" in failures[0].getAttribute("message")
+assert len(failures) == int(suite.getAttribute("failures")) == 2
+assert "align.frame" in failures[0].getAttribute("message")
 PY
 verdict $? '--junit is XML, a case a stage'
-ends 2 '/nonexistent/j.xml: cannot be written: No such file' 'where it cannot be written' compare r/trace-epr c --junit /nonexistent/j.xml
+ends 2 '/nonexistent/j.xml: cannot be written: No such file' 'where it cannot be written' compare r/trace-epr c \
+	--junit /nonexistent/j.xml
 
 run compare r/trace-epr c -o pictures
-[ "$status" -eq 1 ] && [ -s pictures/image.srgb.png ] && [ -s pictures/report.json ] && [ "$(ls pictures | wc -l)" -eq 2 ]
+[ "$status" -eq 1 ] && [ -s pictures/image.srgb.png ] && [ -s pictures/report.json ] &&
+	[ "$(ls pictures | wc -l)" -eq 2 ]
 verdict $? '-o draws the pixels that differ'
-ends 0 ', 0 different' 'its picture is a mask of all but them' compare r/trace-epr r/trace-epr --mask pictures/image.srgb.png
-ends 1 'image.srgb' 'and a mask judges what it shows' compare r/trace-epr c --ignore align.frame --mask pictures/image.srgb.png
+ends 0 ', 0 different' 'its picture is a mask of all but them' compare r/trace-epr r/trace-epr \
+	--mask pictures/image.srgb.png
+ends 1 'image.srgb' 'and a mask judges what it shows' compare r/trace-epr c --ignore align.frame \
+	--mask pictures/image.srgb.png
 python3 - <<'PY'
 import struct, zlib
 def png(name, black, width=96, height=54):
 	rows = b"".join(b"\0" + bytes(0 if (x, y) == black else 255 for x in range(width)) for y in range(height))
 	def chunk(kind, data):
 		return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-	open(name, "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +
+	open(name, "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR",
+	                                                    struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +
 	                       chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 png("mask.png", (33, 20))
 png("other.png", (34, 20))
@@ -91,7 +98,8 @@ PY
 ends 0 'relaxed: --ignore align.frame --mask mask.png' 'a pixel that the mask leaves out' \
 	compare r/trace-epr c --ignore align.frame --mask mask.png
 ends 1 'image.srgb' 'another pixel' compare r/trace-epr c --ignore align.frame --mask other.png
-ends 2 'mask: 95 x 54 pixels; eye.depth_triangle has 96 x 54' 'a mask of another size' compare r/trace-epr c --mask small.png
+ends 2 'mask: 95 x 54 pixels; eye.depth_triangle has 96 x 54' 'a mask of another size' compare r/trace-epr c \
+	--mask small.png
 ends 2 'mask: 96 x 27 pixels; eye.depth_triangle has 96 x 54' 'of half the height' compare r/trace-epr c --mask half.png
 ends 2 'none.png: No such file' 'no mask' compare r/trace-epr c --mask none.png
 
@@ -100,7 +108,8 @@ ends 0 '^1 buffers judged, 0 different' 'one buffer' compare r/trace-epr/11-poin
 ends 1 'align.frame, piece 12, field s' 'one that differs' compare r/trace-epr/09-align.frame.npy c/09-align.frame.npy
 ends 2 'holds points.key' 'two buffers' compare r/trace-epr/09-align.frame.npy c/11-points.key.npy
 ends 2 'does not say which buffer' 'a file of no buffer' compare r/trace-epr/09-align.frame.npy j.xml
-ends 0 ' 0 different in 0 % of the pixels, largest difference 0, root mean square 0$' 'the same image' compare r/epr.png r/epr.png
+ends 0 ' 0 different in 0 % of the pixels, largest difference 0, root mean square 0$' 'the same image' compare \
+	r/epr.png r/epr.png
 ends 1 'pixel (.*), channel .*first of' 'other images' compare r/epr.png r/mvr.png
 ends 1 'first of' 'other floats' compare r/epr.exr r/mvr.exr
 ends 0 'different' 'within a relaxation' compare r/epr.exr r/mvr.exr --abs 1e9
@@ -184,6 +193,7 @@ verdict $? 'a full standard output is an error'
 "$touchstone" compare r/trace-epr c --tap > /dev/full 2> stderr
 [ $? -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ]
 verdict $? 'also with --tap'
-ends 2 '/dev/full: cannot be written: No space left' 'and a full disk of --junit' compare r/trace-epr c --junit /dev/full
+ends 2 '/dev/full: cannot be written: No space left' 'and a full disk of --junit' compare r/trace-epr c \
+	--junit /dev/full
 
 finish

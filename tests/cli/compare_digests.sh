@@ -3,7 +3,8 @@
 . "$(dirname "$0")/tap.bash"
 export OMP_WAIT_POLICY=passive # other tests run beside this one
 cd "$scratch" || exit
-frame=(render reflections atrium:triangles=10000:texels=32 --size 48x27 --reflectors 1 --set cube.max_px=16 --method epr --no-images)
+frame=(render reflections atrium:triangles=10000:texels=32 --size 48x27 --reflectors 1 --set cube.max_px=16 --method epr
+	--no-images)
 run "${frame[@]}" --trace-only image -o small
 run "${frame[@]}" --trace -o whole
 run "${frame[@]}" --trace-only image --set lookup.samples=adaptive -o other
@@ -23,9 +24,11 @@ judges 0 "$same" 'two traces of files that are left out' "$small" "$small"
 judges 0 "$same" 'a file against a digest' "$whole" "$small"
 judges 0 "$same" 'a digest against a file' "$small" "$whole"
 judges 0 "$same" 'relaxed too, where digests are the same' "$small" "$whole" --ulp 1
-judges 1 '^stage 19 shade, buffer shade.(radiance|n_samples), SHA-256 ref [0-9a-f]{16}\.\.\. candidate [0-9a-f]{16}\.\.\., as other/trace-epr leaves its file out; inputs identical$' \
+judges 1 \
+	'^stage 19 shade, buffer shade.(radiance|n_samples), SHA-256 ref [0-9a-f]{16}\.\.\. candidate [0-9a-f]{16}\.\.\., as other/trace-epr leaves its file out; inputs identical$' \
 	'the first stage that differs is named' "$whole" "$other"
-judges 1 '^shade +shade.radiance +[1-9][0-9,]* +- .* different$' 'its elements are counted, and none is called different' "$whole" "$other"
+judges 1 '^shade +shade.radiance +[1-9][0-9,]* +- .* different$' \
+	'its elements are counted, and none is called different' "$whole" "$other"
 judges 1 '^shade +shade.radiance .* not judged$' 'a relaxed comparison needs the elements' "$whole" "$other" --abs 0.1
 run compare "$whole" "$other" --abs 0.1 --tap
 grep -q '^ok .* - shade # SKIP not judged: a relaxed comparison needs its file, which other/trace-epr leaves out' stdout
@@ -57,7 +60,8 @@ exec(sys.argv[1])
 json.dump(root, open("bad/trace.json", "w"))
 PY
 	run compare "$whole" bad
-	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q 'bad/trace.json: buffer scene.vertex: a shape, and 64 hex' stderr
+	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] &&
+		grep -q 'bad/trace.json: buffer scene.vertex: a shape, and 64 hex' stderr
 	verdict $? "refused: $1"
 }
 spoils 'a short digest' 'entry["sha256"] = "12"'

@@ -24,7 +24,9 @@ writes opaque.png <<< 'pixels = [[0, 0, 0, 255]] * 40'
 
 # 3 values of 2 of the 40 pixels, by 10, 20 and 20 of 255: the root of the mean of squares is 0.01074.
 ends 1 'all figures' a.png b.png
-grep -qE '^120 values, 3 different in 5 % of the pixels, largest difference 0\.07843[0-9]*, root mean square 0\.01073[0-9]*$' stdout &&
+grep -qE \
+	'^120 values, 3 different in 5 % of the pixels, largest difference 0\.07843[0-9]*, root mean square 0\.01073[0-9]*$' \
+	stdout &&
 	grep -qE '^pixel \(2, 1\), channel 1: ref 0.50196[0-9]* = .* candidate 0.54117[0-9]* = .* — first of 3$' stdout
 verdict $? 'figures and the first difference'
 ends 1 'all differences' a.png b.png --first 9
@@ -33,12 +35,13 @@ verdict $? '--first lists them all'
 ends 0 'nothing differs' a.png a.png --percent 0 --hardfail 0 --rmse 0
 
 # Each tolerance on both sides of its bound; all that are typed must hold.
-for stands in '--percent 5' '--hardfail 0.0785' '--rmse 0.01074' '--allow 3' '--abs 0.0785' '--abs 0.04 --percent 5 --allow 2' \
-	'--percent 5 --hardfail 0.0785 --rmse 0.01074 --allow 3'; do
+for stands in '--percent 5' '--hardfail 0.0785' '--rmse 0.01074' '--allow 3' '--abs 0.0785' \
+	'--abs 0.04 --percent 5 --allow 2' '--percent 5 --hardfail 0.0785 --rmse 0.01074 --allow 3'; do
 	# shellcheck disable=SC2086
 	ends 0 'stands' a.png b.png $stands
 done
-for falls in '--percent 4.99' '--hardfail 0.0784' '--rmse 0.01073' '--allow 2' '--abs 0.0784' '--abs 0.04 --percent 4.9' \
+for falls in '--percent 4.99' '--hardfail 0.0784' '--rmse 0.01073' '--allow 2' '--abs 0.0784' \
+	'--abs 0.04 --percent 4.9' \
 	'--abs 0.04 --allow 1' '--percent 100 --hardfail 1 --rmse 1 --allow 2' '--percent 5 --hardfail 0.0784' \
 	'--percent 5 --rmse 0.01073'; do
 	# shellcheck disable=SC2086
@@ -54,7 +57,8 @@ assert report["different"] == 0 and report["pixels"] == 40 and abs(report["large
 verdict $? 'the relaxations are part of the reports'
 suits 1 0 0 0 'JUnit of images that pass'
 run compare a.png b.png --hardfail 0 --tap
-[ "$status" -eq 1 ] && grep -qx '# relaxed: --hardfail 0' stdout && grep -q '^not ok 1 - .*\.png$' stdout && grep -qx '1..1' stdout
+[ "$status" -eq 1 ] && grep -qx '# relaxed: --hardfail 0' stdout && grep -q '^not ok 1 - .*\.png$' stdout &&
+	grep -qx '1..1' stdout
 verdict $? 'and of TAP'
 for wrong in '--percent x' '--rmse -1' '--hardfail nan' '--percent'; do
 	# shellcheck disable=SC2086
@@ -63,7 +67,8 @@ done
 
 # Masks, pictures, JUnit.
 ends 1 'behind a mask' a.png b.png --mask mask.png
-grep -q '^117 values, 1 different in 2.564 % ' stdout && grep -q '; relaxed: --mask mask.png$' stdout && grep -q '^pixel (0, 3)' stdout
+grep -q '^117 values, 1 different in 2.564 % ' stdout && grep -q '; relaxed: --mask mask.png$' stdout &&
+	grep -q '^pixel (0, 3)' stdout
 verdict $? 'the mask leaves a pixel out'
 run compare a.png b.png -o out --junit j.xml
 [ "$status" -eq 1 ] && [ "$(ls out)" = $'difference.png\nreport.json' ]
@@ -95,7 +100,8 @@ useless() {
 	shift 3
 	for option; do
 		# shellcheck disable=SC2086
-		refuses "^touchstone: ${option%% *}: means something for $right only; $file is one of two $kind: leave the option out$" \
+		refuses \
+			"^touchstone: ${option%% *}: means something for $right only; $file is one of two $kind: leave the option out$" \
 			compare "$file" "$file" $option
 	done
 }
@@ -120,7 +126,8 @@ run compare missing.png a.png --junit /dev/stdout
 verdict $? 'an error is in the XML once'
 
 # Display values and radiance.
-refuses '^touchstone: r/epr.exr holds linear radiance, and r/epr.png sRGB codes; --exposure 1 compares them as a display shows them$' \
+refuses \
+	'^touchstone: r/epr.exr holds linear radiance, and r/epr.png sRGB codes; --exposure 1 compares them as a display shows them$' \
 	compare r/epr.png r/epr.exr
 refuses '^touchstone: r/epr.exr holds linear radiance, and r/epr.png sRGB codes;' compare r/epr.exr r/epr.png
 for pair in 'r/epr.png r/epr.exr' 'r/epr.exr r/epr.png' 'r/epr.exr r/epr.exr'; do

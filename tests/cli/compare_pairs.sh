@@ -1,11 +1,12 @@
 #!/bin/bash
-# `compare` of candidates with one pair of nodes too few, too many, or another, whose places in the list tell nothing; and
-# `explain` of a pair.
+# `compare` of candidates with one pair of nodes too few, too many, or another, whose places in the list tell nothing;
+# and `explain` of a pair.
 . "$(dirname "$0")/tap.bash"
 room=$(realpath scenes/room.gltf)
 cd "$scratch" || exit 2
 
-run render indirect "$room" --method megaviews --size 32x18 --reflectors 0 --set rsm.px=8 --set octree.levels=3 --no-images --trace -o r
+run render indirect "$room" --method megaviews --size 32x18 --reflectors 0 --set rsm.px=8 --set octree.levels=3 \
+	--no-images --trace -o r
 verdict "$status" 'a trace'
 
 # plant FOLDER: a candidate whose pairs, (node, node of views), the Python on standard input changes.
@@ -31,7 +32,8 @@ PY
 named() {
 	run compare r/trace-megaviews planted --first 9
 	[ "$status" -eq 1 ] && grep -qE "^traverse +traverse\.rendered +[0-9,]+ +$1 " stdout &&
-		sed -n 's/^stage .*, buffer traverse.rendered, \(pair.*\) — first of .*/\1/p; s/^  \(pair .*\)/\1/p' stdout | cmp -s - right
+		sed -n 's/^stage .*, buffer traverse.rendered, \(pair.*\) — first of .*/\1/p; s/^  \(pair .*\)/\1/p' stdout |
+		cmp -s - right
 }
 
 plant planted <<'PY'
@@ -42,7 +44,8 @@ verdict $? 'a pair too few is named'
 tail -n 1 stdout | grep -q ' — first of 1 missing, 0 beside; inputs identical$'
 verdict $? 'and no other'
 run compare r/trace-megaviews planted --forced
-[ "$status" -eq 1 ] && grep -A1 '^stage .* traverse: different' stdout | grep -qF "traverse.rendered, $(cat right) — first of 1 missing, 0 beside"
+[ "$status" -eq 1 ] && grep -A1 '^stage .* traverse: different' stdout |
+	grep -qF "traverse.rendered, $(cat right) — first of 1 missing, 0 beside"
 verdict $? 'with --forced too'
 plant planted <<'PY'
 names((absent[0], ": not of the reference"))
@@ -88,7 +91,8 @@ run compare r/trace-megaviews planted
 [ "$status" -eq 0 ] && grep -q '"arrival"' planted/trace.json
 verdict $? 'in order of arrival any order is right'
 
-refuses 'no item writes element 3 of traverse.rendered; it is made of what items leave: ask for one by its number and kernel$' \
+refuses \
+	'no item writes element 3 of traverse.rendered; it is made of what items leave: ask for one by its number and kernel$' \
 	explain r/trace-megaviews --stage traverse --element traverse.rendered:3
 prints 'kernel traverse_count, item 0 of' explain r/trace-megaviews --stage traverse --item 0 --kernel traverse_count
 

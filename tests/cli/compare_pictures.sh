@@ -1,5 +1,6 @@
 #!/bin/bash
-# What `compare -o DIR` draws of cubes: each texel that a port has wrong is white, in its place on its face, and no other.
+# What `compare -o DIR` draws of cubes: each texel that a port has wrong is white, in its place on its face,
+# and no other.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 cd "$scratch" || exit 2
@@ -93,7 +94,8 @@ from pictures import *
 assert n == 64 and third == 2 * 6 * n * n
 sizes = [6 * (n >> level) ** 2 for level in range(7)]
 cube = 2 * sum(sizes)
-spoil("m", "cube_face.mip", 4, [4 * cube + 1, 4 * (cube + sizes[0] + (4 * 32 + 7) * 32 + 5) + 3, 4 * (cube + sum(sizes[:6]) + 5)])
+spoil("m", "cube_face.mip",
+      4, [4 * cube + 1, 4 * (cube + sizes[0] + (4 * 32 + 7) * 32 + 5) + 3, 4 * (cube + sum(sizes[:6]) + 5)])
 spoil("m", "cube_face.margin", 8, [2 * ((n + 9) * n + 4) + 1])
 PY
 run compare r/trace-mvr m -o mips

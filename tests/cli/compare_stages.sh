@@ -1,6 +1,6 @@
 #!/bin/bash
-# `compare` of a candidate with faults in several stages: the verdict of each stage, the first differences of each buffer,
-# their fields, and the counts behind prefix sums, in text, JSON, TAP and JUnit XML.
+# `compare` of a candidate with faults in several stages: the verdict of each stage, the first differences of each
+# buffer, their fields, and the counts behind prefix sums, in text, JSON, TAP and JUnit XML.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 cd "$scratch" || exit 2
@@ -48,13 +48,17 @@ PY
 
 # Without --forced: the first divergence is one line, and the last one.
 run compare r/trace-epr several
-[ "$status" -eq 1 ] && tail -n 1 stdout | grep -q '^stage 05 mirror_pixel, buffer mirror_pixel.record, pixel (.*, field position\[0\]: ref .* [+-]1 ulp — first of 12; inputs identical$'
+[ "$status" -eq 1 ] &&
+	tail -n 1 stdout | grep -q \
+	'^stage 05 mirror_pixel, buffer mirror_pixel.record, pixel (.*, field position\[0\]: ref .* [+-]1 ulp — first of 12; inputs identical$'
 verdict $? 'the first divergence is the last line'
 tells 'mirror_pixel.record: elements that differ, by field: position 12, normal 3' 'elements of each field'
 tells 'align.frame: elements that differ, by field: s 1' 'of later stages too'
 for n in 1 3 12 13 1000; do
 	run compare r/trace-epr several --first $n
-	[ "$status" -eq 1 ] && [ "$(grep -cE '^  pixel \([0-9]+, [0-9]+\), field position\[0\]: ref .* candidate .* [+-]1 ulp$' stdout)" -eq $(((n < 12 ? n : 12) - 1)) ]
+	[ "$status" -eq 1 ] &&
+		[ "$(grep -cE '^  pixel \([0-9]+, [0-9]+\), field position\[0\]: ref .* candidate .* [+-]1 ulp$' stdout)" \
+		-eq $(((n < 12 ? n : 12) - 1)) ]
 	verdict $? "--first $n of 12"
 done
 for n in 0 -1 1001 4294967297 x ''; do
@@ -108,14 +112,17 @@ PY
 for count in 0 17 "$last"; do
 	echo "count_wrong('points.offset', $count)" | plant count
 	run compare r/trace-epr count
-	[ "$status" -eq 1 ] && tail -n 1 stdout | grep -qE "^stage 10 points.count, buffer points.offset, count of piece $count \(element $((count + 1)) less element $count\), ref [0-9]+ candidate [0-9]+ — first of 1; inputs identical\$"
+	[ "$status" -eq 1 ] &&
+		tail -n 1 stdout | grep -qE \
+		"^stage 10 points.count, buffer points.offset, count of piece $count \(element $((count + 1)) less element $count\), ref [0-9]+ candidate [0-9]+ — first of 1; inputs identical\$"
 	verdict $? "the count of piece $count of $last"
 done
 tells 'points.offset: sums, judged by their counts' 'and how that is known'
 prints ' 0 different' compare r/trace-epr count --allow 1
 echo "sums = words('points.offset'); sums[:-1] = sums[1:]" | plant inclusive
 run compare r/trace-epr inclusive
-[ "$status" -eq 1 ] && tail -n 1 stdout | grep -q 'points.offset, element 0, where the sums begin, ref 0 candidate [1-9]'
+[ "$status" -eq 1 ] &&
+	tail -n 1 stdout | grep -q 'points.offset, element 0, where the sums begin, ref 0 candidate [1-9]'
 verdict $? 'sums that do not begin at 0'
 run replay r/trace-epr --stage points.count --inputs count
 [ "$status" -eq 1 ] && grep -q "first count of element $last .*: [0-9]* is right, [0-9]* was found" stdout
@@ -126,7 +133,8 @@ run compare r/trace-epr count --forced
 [ "$status" -eq 1 ] && grep -q '^[0-9]* buffers judged, 1 different, 0 missing, [1-9] not judged$' stdout
 verdict $? 'a stage that cannot be run'
 tells 'stage 10 points.count: different' 'the stage at fault differs'
-tells 'stage 11 points: not judged: count/10-points.offset.npy: element .* would be right' 'and the next says why it is not judged'
+tells 'stage 11 points: not judged: count/10-points.offset.npy: element .* would be right' \
+	'and the next says why it is not judged'
 tells 'stage 20 image: same' 'which keeps no other from being judged'
 run compare r/trace-epr count --forced --tap --junit j.xml
 grep -qE '^ok [0-9]+ - points # SKIP not judged: count/' stdout && grep -q '^not ok [0-9]* - points.count$' stdout &&
@@ -137,7 +145,8 @@ cases = {c.getAttribute("name"): c for c in suite.getElementsByTagName("testcase
 skipped, failures = suite.getElementsByTagName("skipped"), suite.getElementsByTagName("failure")
 assert len(cases) == int(suite.getAttribute("tests")) and len(skipped) == int(suite.getAttribute("skipped")) > 0
 assert len(failures) == int(suite.getAttribute("failures")) == 1
-assert "count of piece" in failures[0].getAttribute("message") and "judged by their counts" in failures[0].firstChild.data
+assert "count of piece" in failures[0].getAttribute("message")
+assert "judged by their counts" in failures[0].firstChild.data
 assert cases["points"].firstChild.getAttribute("message").startswith("not judged: count/")
 PY
 verdict $? 'TAP and JUnit say so too'
@@ -178,12 +187,15 @@ keys = words("11-points.key", 8)
 open("right", "w").write("".join(f"  {line}\n" for line in [name(keys[500]) + ": missing", name(keys[7]) + ": twice"] +
                                  [name(keys[i]) + ", field length:" for i in (3, 600, 900)]))
 PY
-run compare r/trace-epr arrival --first 9 --ignore points.key,splat.depth_index,lookup.point,lookup.second_point,lookup.third_point,lookup.second_parent,lookup.third_parent
-grep -a '^stage 11 points, buffer points.record, key (' stdout | sed 's/^.*record, /  /; s/ — .*//' | cat - <(grep -a '^  key' stdout | sed 's/length: .*/length:/') | cmp -s - right
+run compare r/trace-epr arrival --first 9 --ignore \
+	points.key,splat.depth_index,lookup.point,lookup.second_point,lookup.third_point,lookup.second_parent,lookup.third_parent
+grep -a '^stage 11 points, buffer points.record, key (' stdout | sed 's/^.*record, /  /; s/ — .*//' |
+	cat - <(grep -a '^  key' stdout | sed 's/length: .*/length:/') | cmp -s - right
 verdict $? 'points in order of arrival, by their keys'
 tells 'points.record: elements that differ, by field: length 3' 'and fields of those that are there'
 run compare r/trace-epr arrival --forced --first 2
-grep -aA2 '^stage 11 points: different' stdout | grep -qF "points.key,$(sed -n '1s/^ //p' right) — first of 1 missing, 1 beside"
+grep -aA2 '^stage 11 points: different' stdout |
+	grep -qF "points.key,$(sed -n '1s/^ //p' right) — first of 1 missing, 1 beside"
 verdict $? 'a point too few is missing from what the stage makes'
 
 # The scene is no stage, and is judged all the same.

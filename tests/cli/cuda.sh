@@ -1,6 +1,6 @@
 #!/bin/bash
-# The CUDA backend from the command line: its PTX, run instruction by instruction, gives the bits of C; and so does a GPU, if there
-# is one. What it refuses, how it ends where there is no device, and where the driver fails.
+# The CUDA backend from the command line: its PTX, run instruction by instruction, gives the bits of C; and so does a
+# GPU, if there is one. What it refuses, how it ends where there is no device, and where the driver fails.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/cuda.bash"
@@ -34,7 +34,8 @@ verdict $? 'and how it is run'
 mkdir "$scratch/ptx"
 refuses 'ptx/vectors.ptx: No such file' digest "${on[@]}" --build "$scratch/ptx"
 if command -v clang > /dev/null; then
-	scripts/ptx "$scratch/fused.ptx" -ffp-contract=fast && scripts/cuda-program "$scratch/ptx" "$scratch/fused.ptx" > /dev/null
+	scripts/ptx "$scratch/fused.ptx" -ffp-contract=fast &&
+		scripts/cuda-program "$scratch/ptx" "$scratch/fused.ptx" > /dev/null
 	refuses 'breaks the numeric contract' digest "${on[@]}" --build "$scratch/ptx"
 	rm "$scratch"/ptx/*
 fi
@@ -42,10 +43,12 @@ cp "${touchstone%/*}"/gen/ptx/{vectors,points_vectors,hulls_vectors}.ptx "$scrat
 refuses 'stage pose: build: .*pose.ptx: No such file' digest "${on[@]}" --build "$scratch/ptx"
 echo 'void' > "$scratch/ptx/vectors.ptx"
 run digest "${on[@]}" --build "$scratch/ptx"
-[ "$status" -eq 2 ] && grep -q 'ptxas: this is not' "$scratch/stderr" && tail -n 1 "$scratch/stderr" | grep -q 'cuda: vectors: '
+[ "$status" -eq 2 ] && grep -q 'ptxas: this is not' "$scratch/stderr" && tail -n 1 "$scratch/stderr" |
+	grep -q 'cuda: vectors: '
 verdict $? 'what the compiler of the driver says is shown'
 
-# Each call of the driver that may fail, the first few times, and kernels: one line, nothing left, and no bits that are wrong.
+# Each call of the driver that may fail, the first few times, and kernels: one line, nothing left,
+# and no bits that are wrong.
 fails() { # CALL RESULT TIMES
 	local bad=0 n=0 last=1
 	while [ "$last" -ne 0 ] && [ "$n" -lt "$3" ]; do
@@ -62,8 +65,11 @@ fails() { # CALL RESULT TIMES
 	done
 	verdict "$bad" "$1 fails, $n times tried"
 }
-for call in cuInit cuDeviceGetCount cuDeviceGet cuDevicePrimaryCtxRetain cuModuleLoadDataEx cuModuleGetFunction; do fails "$call" 2 4; done
-for call in cuCtxSetCurrent cuMemAlloc_v2 cuMemcpyHtoD_v2 cuMemcpyDtoH_v2 cuMemsetD8_v2 cuLaunchKernel cuCtxSynchronize; do
+for call in cuInit cuDeviceGetCount cuDeviceGet cuDevicePrimaryCtxRetain cuModuleLoadDataEx cuModuleGetFunction; do
+	fails "$call" 2 4
+done
+for call in cuCtxSetCurrent cuMemAlloc_v2 cuMemcpyHtoD_v2 cuMemcpyDtoH_v2 cuMemsetD8_v2 cuLaunchKernel \
+	cuCtxSynchronize; do
 	fails "$call" 2 9
 done
 fails kernel 700 9

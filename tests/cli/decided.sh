@@ -1,17 +1,18 @@
 #!/bin/bash
-# `compare --decided` of shadows: comparisons that turn by less than a step are undecided and no others, what a depth map
-# holds is judged by its margins, and a method that has none is judged whole. Of hulls: segments of depths that nearly tie
-# with the step are undecided and no others, and boxes of pixels are judged. Of many views: texels of maps and pixels. Of
-# surfels: what is nearest, blended and shaded.
+# `compare --decided` of shadows: comparisons that turn by less than a step are undecided and no others, what a depth
+# map holds is judged by its margins, and a method that has none is judged whole. Of hulls: segments of depths that
+# nearly tie with the step are undecided and no others, and boxes of pixels are judged. Of many views: texels of maps
+# and pixels. Of surfels: what is nearest, blended and shaded.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
-small=(atrium:triangles=10000:texels=32 --size 96x54 --no-images --set lamp.views=8 --set depth_map.px=128 --set lamp.cubes=4 --set lamp.views_a_pass=3
-	--set depth_map.bias=0)
+small=(atrium:triangles=10000:texels=32 --size 96x54 --no-images --set lamp.views=8 --set depth_map.px=128
+	--set lamp.cubes=4 --set lamp.views_a_pass=3 --set depth_map.bias=0)
 
 # row BUFFER: different and undecided of a line of the table.
 row() { awk -v b="$1" '$2 == b { gsub(",", ""); print $4, $7 }' stdout; }
 
-for words in 'soft-shadows mvr' 'omni-shadows epr' 'surfels deferred --set surfels.from_mesh=5000 --set deferred.shader=phong_shadow'; do
+for words in 'soft-shadows mvr' 'omni-shadows epr' \
+	'surfels deferred --set surfels.from_mesh=5000 --set deferred.shader=phong_shadow'; do
 	read -r effect method more <<< "$words"
 	set -- $more
 	run render "$effect" "${small[@]}" "$@" --method "$method" --set depth_map.bias_slope=0 --margins -o ref
@@ -68,7 +69,8 @@ refuses 'needs depth_map.margin for each element of depth_map.depth, which a ref
 	compare without/trace-mvr ref/trace-mvr --layout depth_map.depth=06-depth_map.depth.npy --decided
 
 # Steps beside that at which two neighbours of different segments would tie, 4 ulps off.
-hulls=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set depth_grid.px=64 --set rsm.px=2 --method hulls --no-images)
+hulls=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set depth_grid.px=64 --set rsm.px=2
+	--method hulls --no-images)
 run "${hulls[@]}" --trace -o plain
 read -r below above beyond < <(python3 - plain/trace-hulls <<'PY'
 import glob, struct, sys
@@ -107,13 +109,15 @@ run compare low/trace-hulls other --decided
 [ "$status" -eq 1 ] && [ "$(row hull.box)" = '1 -' ] && [ "$(row segment.label)" = '0 -' ]
 verdict $? 'the box of a pixel that is decided is judged'
 refuses 'needs segment.margin for each element of segment.label, which a reference with margins has' \
-	compare plain/trace-hulls high/trace-hulls --layout segment.label="$(cd plain/trace-hulls && echo *-segment.label.npy)" --decided
+	compare plain/trace-hulls high/trace-hulls \
+	--layout segment.label="$(cd plain/trace-hulls && echo *-segment.label.npy)" --decided
 
-# Of many views: another value in the first element that is not decided passes, in the first that is it does not; and a bias
-# that is a hundredth or a fortieth more turns shadows that are decided.
+# Of many views: another value in the first element that is not decided passes, in the first that is it does not; and a
+# bias that is a hundredth or a fortieth more turns shadows that are decided.
 rm -rf ref
 for method in megaviews bruteforce; do
-	views=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set octree.levels=5 --set vpl.paths=450 --set rsm.px=16 --no-images
+	views=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set octree.levels=5 --set vpl.paths=450
+		--set rsm.px=16 --no-images
 		--set vpl_gather.lights=0 --method "$method")
 	run "${views[@]}" --margins -o ref
 	for more in depth_map.bias=1.01 vpl_gather.bias_plane=1.025; do
@@ -150,10 +154,12 @@ PY
 	rm -rf ref far
 done
 
-# Of surfels: the same; margins of two words are of pairs of f32 bits. An outline of which nothing is undecided is made so.
-run render surfels checkerboard:surfels=20000 --size 96x54 --no-images --set deferred.shader=npr --margins --self-contained -o ref
-for words in 'surfel_depth.surfel surfel_depth.margin 8 1 2' 'surfel_blend.sum surfel_blend.margin 8 8 2' 'surfel_blend.heaviest surfel_blend.margin 8 1 2' \
-	'image.radiance deferred.margin 4 3 1'; do
+# Of surfels: the same; margins of two words are of pairs of f32 bits.
+# An outline of which nothing is undecided is made so.
+run render surfels checkerboard:surfels=20000 --size 96x54 --no-images --set deferred.shader=npr --margins \
+	--self-contained -o ref
+for words in 'surfel_depth.surfel surfel_depth.margin 8 1 2' 'surfel_blend.sum surfel_blend.margin 8 8 2' \
+	'surfel_blend.heaviest surfel_blend.margin 8 1 2' 'image.radiance deferred.margin 4 3 1'; do
 	read -r buffer margin bytes each pair <<< "$words"
 	for which in 1 0; do
 		rm -rf other

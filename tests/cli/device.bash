@@ -1,6 +1,7 @@
 # What the scripts on backends of devices share. Sourced after tap.bash and traces.bash.
 
-# need_device BACKEND: ends the script where there is no device, as a skip, or as a failure if TS_REQUIRE names the backend.
+# need_device BACKEND: ends the script where there is no device, as a skip,
+# or as a failure if TS_REQUIRE names the backend.
 need_device() {
 	run list backends
 	grep -q "^$1 " "$scratch/stdout" && return
@@ -20,7 +21,8 @@ ends() {
 	verdict $? "$3"
 }
 
-# ends_without_device BACKEND PATTERN: what commands do where there is none, which the script's own without_device sees to.
+# ends_without_device BACKEND PATTERN: what commands do where there is none,
+# which the script's own without_device sees to.
 ends_without_device() {
 	without_device digest --backend "$1"
 	ends 77 "$2" 'no device: skipped'
@@ -44,7 +46,8 @@ same() {
 	verdict $? "$name"
 }
 
-# same_digests NAME RUN OPTION...: of C and of what the backend's options, the array `on`, name. RUN: the command as it runs there.
+# same_digests NAME RUN OPTION...: of C and of what the backend's options, the array `on`, name.
+# RUN: the command as it runs there.
 same_digests() {
 	local name=$1 runs=$2
 	shift 2
@@ -55,7 +58,8 @@ same_digests() {
 	verdict $? "$name"
 }
 
-# same_traces RUN: those of C and of the backend, in canonical order and in that of arrival. Leaves them, and the list of backends.
+# same_traces RUN: those of C and of the backend, in canonical order and in that of arrival.
+# Leaves them, and the list of backends.
 same_traces() {
 	local runs=$1 order
 	run "${frame[@]}" --method epr --trace -o "$scratch/c"

@@ -6,7 +6,8 @@ small=(digest atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set
 for method in epr mvr; do
 	run "${small[@]}" --method $method --threads 1
 	cp "$scratch/stdout" "$scratch/$method"
-	[ "$status" -eq 0 ] && ! grep -vqE '^(# reflections by [a-z]+|[0-9a-f]{64}  [0-9]{2}-[a-z_]+\.[a-z_]+\.npy)$' "$scratch/$method" &&
+	[ "$status" -eq 0 ] &&
+		! grep -vqE '^(# reflections by [a-z]+|[0-9a-f]{64}  [0-9]{2}-[a-z_]+\.[a-z_]+\.npy)$' "$scratch/$method" &&
 		grep -q 'image.srgb' "$scratch/$method"
 	verdict $? "$method: one line a buffer"
 	run "${small[@]}" --method $method --threads 3
@@ -21,12 +22,14 @@ for method in epr mvr; do
 done
 
 # Buffers of all views are one file, however few are made at once; and shadows fall without mirrors.
-shadows=(digest atrium:triangles=10000:texels=32 --size 96x54 --set lamp.views=7 --set lamp.cubes=3 --set depth_map.px=32)
+shadows=(digest atrium:triangles=10000:texels=32 --size 96x54 --set lamp.views=7 --set lamp.cubes=3
+	--set depth_map.px=32)
 for effect in soft-shadows omni-shadows; do
 	for method in mvr ivir; do
 		run "${shadows[@]}" --effect $effect --method $method
 		cp "$scratch/stdout" "$scratch/all"
-		[ "$status" -eq 0 ] && grep -q "^# $effect by $method$" "$scratch/all" && grep -q 'shadow_test.lit' "$scratch/all"
+		[ "$status" -eq 0 ] && grep -q "^# $effect by $method$" "$scratch/all" &&
+			grep -q 'shadow_test.lit' "$scratch/all"
 		verdict $? "$effect by $method has its buffers"
 		run "${shadows[@]}" --effect $effect --method $method --set lamp.views_a_pass=2 --threads 3 --flush-denormals
 		cmp -s "$scratch/stdout" "$scratch/all"
@@ -46,7 +49,8 @@ done
 cmp -s "$scratch/buffered-off" "$scratch/buffered-on"
 verdict $? 'stored points change nothing but that they are there'
 refuses 'no effect "shadow"; the nearest is' digest --effect shadow
-refuses 'no method "epr" of soft-shadows; "touchstone list methods" lists all$' digest --effect soft-shadows --method epr
+refuses 'no method "epr" of soft-shadows; "touchstone list methods" lists all$' digest --effect soft-shadows \
+	--method epr
 
 run "${small[@]}" --method epr --set seed=1
 ! cmp -s "$scratch/stdout" "$scratch/epr"

@@ -4,7 +4,8 @@
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 cd "$scratch" || exit 2
-"$touchstone" "${frame[@]}" --method epr,mvr --self-contained -o out > /dev/null || { echo "Bail out! no trace"; exit 1; }
+"$touchstone" "${frame[@]}" --method epr,mvr --self-contained -o out > /dev/null ||
+	{ echo "Bail out! no trace"; exit 1; }
 epr=out/trace-epr
 
 prints '^launch 1 of 2, kernel split_count of [0-9]* items$' explain $epr --stage split
@@ -50,7 +51,8 @@ length = head + 32 * 5 + 12
 data[length : length + 4] = struct.pack("<f", struct.unpack("<f", data[length : length + 4])[0] / 2)
 open("port/record.npy", "wb").write(data)
 json.dump({"format": "touchstone-trace", "version": 1, "contract": 1, "pipeline": "epr", "order": "canonical",
-	"producer": {"name": "a port"}, "buffers": [{"name": "points.record", "file": "record.npy"}]}, open("port/trace.json", "w"))
+	"producer": {"name": "a port"}, "buffers": [{"name": "points.record", "file": "record.npy"}]},
+          open("port/trace.json", "w"))
 PY
 run explain $epr --stage splat --item 5
 mv stdout alone

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Calls of every command fail, one by one (scripts/faults, its brief form): it does what it does undisturbed, or ends with
-# exit code 2 and one line that names the cause, and leaves everything as it was.
+# Calls of every command fail, one by one (scripts/faults, its brief form): it does what it does undisturbed, or ends
+# with exit code 2 and one line that names the cause, and leaves everything as it was.
 . "$(dirname "$0")/tap.bash"
 
 scripts/faults --brief > "$scratch/said"

@@ -54,7 +54,8 @@ run render reflections scenes/model.gltf --method epr --size 96x54 --no-images -
 [ "$status" -eq 0 ] && [ "$(grep -c 'no mirror is in the picture; try --mirror' stderr)" -eq 0 ]
 verdict $? 'mirrors come where the eye looks'
 
-run render reflections scenes/model.gltf --method epr --size 96x54 --no-images --eye 0,1,9 --target 0,1,20 --mirror 0,1,0,1
+run render reflections scenes/model.gltf --method epr --size 96x54 --no-images --eye 0,1,9 --target 0,1,20 \
+	--mirror 0,1,0,1
 [ "$status" -eq 0 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q 'no mirror is in the picture; try --mirror' stderr
 verdict $? 'a picture without its mirrors says so'
 

@@ -5,9 +5,10 @@
 export OMP_WAIT_POLICY=passive # other tests run beside this one
 ref=$scratch/reference
 mkdir "$ref"
-cat > "$ref/cases.txt" <<'CASES'
+small='--size 24x16 --reflectors 1 --set reflectors.px=12 --set cube.max_px=16 --small'
+cat > "$ref/cases.txt" <<CASES
 # The smallest that there are.
-few: epr atrium:triangles=10000:texels=32 --size 24x16 --reflectors 1 --set reflectors.px=12 --set cube.max_px=16 --small # kept
+few: epr atrium:triangles=10000:texels=32 $small # kept
 none: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0
 CASES
 
@@ -117,13 +118,16 @@ all_of "$ref" | cmp -s - "$scratch/before"
 verdict $? 'check writes nothing'
 (cd "$ref/few/small" && sha256sum -c --ignore-missing --status ../SHA256SUMS)
 verdict $? 'sha256sum finds the small files right'
-run digest atrium:triangles=10000:texels=32 --method epr --size 24x16 --reflectors 1 --set reflectors.px=12 --set cube.max_px=16
+run digest atrium:triangles=10000:texels=32 --method epr --size 24x16 --reflectors 1 --set reflectors.px=12 \
+	--set cube.max_px=16
 grep -v '^#' "$scratch/stdout" | cmp -s - "$ref/few/SHA256SUMS"
 verdict $? 'SHA256SUMS is what digest prints'
 # What EPR reads, without what scenes of files do and what its other choices would.
-"$touchstone" list params --effect reflections --method epr --json | sed -n 's/.*"name": "\(.*\)".*/\1/p' | sort > "$scratch/listed"
+"$touchstone" list params --effect reflections --method epr --json | sed -n 's/.*"name": "\(.*\)".*/\1/p' |
+	sort > "$scratch/listed"
 sed 's/=.*//' "$ref/few/params.txt" | grep -vx 'effect\|method\|scene' | sort > "$scratch/held"
-grep -qx 'scene=atrium:triangles=10000:texels=32' "$ref/few/params.txt" && grep -qx 'cube.max_px=16' "$ref/few/params.txt" &&
+grep -qx 'scene=atrium:triangles=10000:texels=32' "$ref/few/params.txt" &&
+	grep -qx 'cube.max_px=16' "$ref/few/params.txt" &&
 	[ "$(comm -13 "$scratch/listed" "$scratch/held")" = '' ] &&
 	[ "$(comm -23 "$scratch/listed" "$scratch/held" | tr '\n' ' ')" = 'scene.ground surfels.neighbours ' ]
 verdict $? 'params.txt holds the scene and every parameter that is read'
@@ -138,13 +142,15 @@ with() {
 
 with 'poke few/small/04-eye.depth_triangle.npy $((128 + 8 * 27))'
 golden check few
-says 1 '^different  few  *04-eye.depth_triangle.npy: element \[1, 3\]: golden [0-9]+ \(0x[0-9a-f]+\) here [0-9]+ .*small/ does not' \
+says 1 \
+	'^different  few  *04-eye.depth_triangle.npy: element \[1, 3\]: golden [0-9]+ \(0x[0-9a-f]+\) here [0-9]+ .*small/ does not' \
 	'a changed byte is found with its element'
 (cd "$ref/few/small" && ! sha256sum -c --ignore-missing --status ../SHA256SUMS)
 verdict $? 'sha256sum finds it too'
 with 'poke few/small/05-mirror_pixel.record.npy -96; poke few/small/20-image.srgb.npy -1'
 golden check few
-says 1 '05-mirror_pixel.record.npy: element \[[0-9]+\], field position\[0\]: golden -?0x[0-9a-fp.+-]+ \([0-9a-f]{8}\) here ' \
+says 1 \
+	'05-mirror_pixel.record.npy: element \[[0-9]+\], field position\[0\]: golden -?0x[0-9a-fp.+-]+ \([0-9a-f]{8}\) here ' \
 	'the first in the pipeline is named, with its field'
 with "sed -i '/12-splat/s/^./x/; /12-splat/s/^x\(.\)/\1\1/' few/SHA256SUMS"
 golden check few
@@ -202,7 +208,8 @@ for y, row in enumerate(rows):
 		packed += bytes([(value - (0, a, b, (a + b) // 2, nearest)[y % 5]) % 256])
 	above = row
 chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-open(sys.argv[2], "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, len(rows), 8, 2, 0, 0, 0)) +
+open(sys.argv[2], "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR",
+                                                           struct.pack(">IIBBBBB", width, len(rows), 8, 2, 0, 0, 0)) +
                               chunk(b"IDAT", zlib.compress(packed, 1)) + chunk(b"IEND", b""))
 PY
 }
@@ -293,7 +300,8 @@ with 'rm cases.txt; mkfifo cases.txt'
 fails 'not a regular file' check
 with "sed -i '\$s/triangles=10000/triangles=9/' cases.txt"
 golden check none
-says 1 'params.txt: scene=dining:triangles=10000:texels=32, but cases.txt makes it dining:triangles=9:texels=32' 'another scene is found'
+says 1 'params.txt: scene=dining:triangles=10000:texels=32, but cases.txt makes it dining:triangles=9:texels=32' \
+	'another scene is found'
 fails 'out of range' new none
 
 # What bless looks at: that this build computes what was proposed.

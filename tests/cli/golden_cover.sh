@@ -27,27 +27,36 @@ soft, omni, indirect, particles = ([m for m in methods if m[0] == effect]
 hulls, lamps = [("indirect", "hulls")], [("area-light", m) for m in ("hulls", "direct")]
 deferred, surfels = [("surfels", "deferred")], [m for m in methods if m[0] == "surfels"]
 megaviews = [("indirect", m) for m in ("megaviews", "manylods", "bruteforce")]
-takers = {"density.rate": views, "points.buffered": views, "points.snap": views, "scatter.at": views, "scatter.headroom": views[:1], "lamp.source": soft[:1], "lamp.radius": soft + lamps, "lamp.fov": soft,
-          "lamp.views": soft, "lamp.views_a_pass": soft + omni, "depth_map.px": soft + omni, "lamp.cubes": omni, "depth_map.bias": soft + omni,
-          "depth_map.bias_slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],
+takers = {"density.rate": views, "points.buffered": views, "points.snap": views, "scatter.at": views,
+          "scatter.headroom": views[:1], "lamp.source": soft[:1], "lamp.radius": soft + lamps, "lamp.fov": soft,
+          "lamp.views": soft, "lamp.views_a_pass": soft + omni, "depth_map.px": soft + omni, "lamp.cubes": omni,
+          "depth_map.bias": soft + omni, "depth_map.bias_slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],
           **{p: [("omni-shadows", "epr")] for p in ("shadow_splat.rate", "shadow_splat.depth", "shadow_splat.resize")},
-          "rsm.px": indirect, **{p: hulls for p in ("depth_grid.px", "segment.method", "segment.step", "corner.facing", "hull.corners", "hull.surface", "hull.interpolation",
+          "rsm.px": indirect, **{p: hulls for p in ("depth_grid.px", "segment.method", "segment.step", "corner.facing",
+                                                    "hull.corners", "hull.surface", "hull.interpolation",
                                                     "hull.cosine", "hull.sharpness", "hull.integrals")},
           "gloss.lobe": lamps + [("indirect", m) for m in ("hulls", "direct")],
-          **{p: megaviews for p in ("octree.levels", "vpl.paths", "vpl.bounces", "vpl.place", "view_map.px", "view_map.field", "view_map.apart", "view_map.multipixel", "view_map.fill", "view_map.fusion", "traverse.cull", "traverse.hierarchies",
-                                    "traverse.queue_mb", "vpl_gather.level", "vpl_gather.cutoff", "vpl_gather.lights", "vpl_gather.near", "vpl_gather.bias",
-                                    "vpl_gather.test", "vpl_gather.query", "vpl_gather.bias_plane", "vpl_gather.shadows", "bilateral.px")},
+          **{p: megaviews for p in ("octree.levels", "vpl.paths", "vpl.bounces", "vpl.place", "view_map.px",
+                                    "view_map.field", "view_map.apart", "view_map.multipixel", "view_map.fill",
+                                    "view_map.fusion", "traverse.cull", "traverse.hierarchies", "traverse.queue_mb",
+                                    "vpl_gather.level", "vpl_gather.cutoff", "vpl_gather.lights", "vpl_gather.near",
+                                    "vpl_gather.bias", "vpl_gather.test", "vpl_gather.query",
+                                    "vpl_gather.bias_plane", "vpl_gather.shadows", "bilateral.px")},
           "particle.count": particles, "particle.glow": particles,
-          **{p: deferred for p in ("ewa.filter", "ewa.screen_radius", "ewa.sigma_k", "surfel_depth.epsilon", "surfel_setup.min_px", "surfel_setup.bounds", "deferred.shader", "surfels.radius", "surfels.sides",
+          **{p: deferred for p in ("ewa.filter", "ewa.screen_radius", "ewa.sigma_k", "surfel_depth.epsilon",
+                                   "surfel_setup.min_px", "surfel_setup.bounds", "deferred.shader", "surfels.radius",
+                                   "surfels.sides",
                                     "surfel_blend.accumulation")},
-          "ewa.sigma_h": [("surfels", "ewa")], "surfels.from_mesh": surfels, "eye.distance": deferred + [("reflections", "epr")],
+          "ewa.sigma_h": [("surfels", "ewa")], "surfels.from_mesh": surfels,
+          "eye.distance": deferred + [("reflections", "epr")],
           "points.conservative": views + [("reflections", "epr"), ("reflections", "vir")],
           "forward.viewer": [("reflections", "epr-forward")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("margin")]
             for m in table["methods"]}
 def takers_of(param):
-	"""Those above; else, of a family behind the first two, all methods that run one of its stages; else EPR's reflections."""
+	"""Those above; else, of a family behind the first two, all methods that run one of its stages;
+	else EPR's reflections."""
 	families = re.findall(r"^#include FAMILY\((\w+)\)", open("src/families.def").read(), re.M)[2:]
 	for folder in ("src/methods/" + family for family in families):
 		if param not in takers and f'"{param}"' in open(folder + "/params.def").read():
@@ -66,16 +75,20 @@ elif what == "folders":
 	missing = sorted(names ^ cases.keys())
 elif what == "choices":
 	for p in table["params"]:
-		if p["name"] in ("truth.rays", "truth.area_samples", "truth.bounce_rays", "truth.grid_rays", "scene.ground", "surfels.neighbours"): # of truths and of files
+		if p["name"] in ("truth.rays", "truth.area_samples", "truth.bounce_rays", "truth.grid_rays", "scene.ground",
+		                 "surfels.neighbours"): # of truths and of files
 			continue
 		taken = {case[p["name"]] for case in of(*takers_of(p["name"])) if p["name"] in case}
 		missing += [f"{p['name']}={c}" for c in p["range"].split("|") if "|" in p["range"] and c not in taken]
 		missing += [p["name"]] if len(taken) < 2 else []
-	missing += [f"lookup.bounces={n}" for n in "123" if n not in {case["lookup.bounces"] for case in of(("reflections", "epr"))}]
-	missing += [f"reflectors.count=0 by {m}" for e, m in methods if "0" not in {case["reflectors.count"] for case in of((e, m))}]
+	missing += [f"lookup.bounces={n}" for n in "123"
+	            if n not in {case["lookup.bounces"] for case in of(("reflections", "epr"))}]
+	missing += [f"reflectors.count=0 by {m}" for e, m in methods
+	            if "0" not in {case["reflectors.count"] for case in of((e, m))}]
 elif what == "stages":
 	several = {"image.sample_radiance"}  # of several samples a pixel alone
-	writes = {s["name"]: [b for b in re.findall(r"[a-z0-9_.]+", s["writes"]) if b not in several] for s in table["stages"]}
+	writes = {s["name"]: [b for b in re.findall(r"[a-z0-9_.]+", s["writes"]) if b not in several]
+	          for s in table["stages"]}
 	for m in methods:
 		steps, made = steps_of[m], set().union(*(case["files"] for case in of(m)))
 		missing += [] if len(steps) > 5 else [m]

@@ -10,9 +10,10 @@ cd "$scratch" || exit
 mkdir -p own/goldens own/assets
 cp "$scenes/room.gltf" own/assets
 cp "$scenes/splats.ply" own/goldens
-cat > own/goldens/cases.txt <<'CASES'
+lamp='--lamp 0,2,0.5 --set lamp.views=6 --set depth_map.px=32'
+cat > own/goldens/cases.txt <<CASES
 eye-mirror: epr ../assets/room.gltf --size 32x18 --mirror 0,1,0,0.5 --set cube.max_px=16 --eye 1,1,2 --fov 70 --small
-eye-lamp: soft-shadows/mvr ../assets/room.gltf --size 32x18 --camera circle --lamp 0,2,0.5 --set lamp.views=6 --set depth_map.px=32
+eye-lamp: soft-shadows/mvr ../assets/room.gltf --size 32x18 --camera circle $lamp
 points: surfels/deferred ../assets/room.gltf --from-mesh 2000 --camera door --size 32x18
 ply: surfels/deferred splats.ply --size 32x18
 inside: mvr atrium:triangles=10000:texels=32 --size 32x18 --mirror 0,1,0,0.5 --set cube.max_px=16
@@ -34,17 +35,20 @@ verdict $? 'bless takes several names, and is quiet by -q'
 golden check
 [ "$status" -eq 0 ] && tail -n 1 stdout | grep -qx '5 passed, 0 failed, 0 skipped'
 verdict $? 'and are the same'
-(cd own && "$touchstone" golden check --goldens goldens ply > ../stdout) && (cd own/goldens && "$touchstone" golden check --goldens . ply > ../../stdout)
+(cd own && "$touchstone" golden check --goldens goldens ply > ../stdout) &&
+	(cd own/goldens && "$touchstone" golden check --goldens . ply > ../../stdout)
 verdict $? 'from any folder'
 golden check ply '*-lamp' eye-lamp
 [ "$(tail -n 1 stdout)" = '2 passed, 0 failed, 0 skipped' ] && head -n 1 stdout | grep -q eye-lamp
 verdict $? 'each case that is named is judged once, in the order of the table'
 refuses 'no case "x\*"' golden check ply 'x*' --goldens own/goldens
-grep -qx 'scene=../assets/room.gltf' own/goldens/eye-mirror/params.txt && grep -qx 'mirror=0,1,0,0.5' own/goldens/eye-mirror/params.txt
+grep -qx 'scene=../assets/room.gltf' own/goldens/eye-mirror/params.txt &&
+	grep -qx 'mirror=0,1,0,0.5' own/goldens/eye-mirror/params.txt
 verdict $? 'params.txt says the scene and its places'
 
 # The same picture as by render, with the same options.
-run render reflections own/assets/room.gltf --method epr --size 32x18 --mirror 0,1,0,0.5 --set cube.max_px=16 --eye 1,1,2 --fov 70 -o out
+run render reflections own/assets/room.gltf --method epr --size 32x18 --mirror 0,1,0,0.5 --set cube.max_px=16 \
+	--eye 1,1,2 --fov 70 -o out
 run compare out/epr.png own/goldens/eye-mirror/preview.png
 [ "$status" -eq 0 ]
 verdict $? 'a golden has the picture that render makes'
@@ -62,7 +66,8 @@ moved() {
 moved '--eye 1,1,2' '--eye 1,1,3' 1 'params.txt: of the scene.s options "eye=1,1,2", but cases.txt makes it "eye=1,1,3"'
 moved '--lamp 0,2,0.5' '' 1 'options "lamp=0,2,0.5", but cases.txt makes it ""'
 moved '--camera circle --lamp 0,2,0.5' '--lamp 0,2,0.5 --camera circle' 0 '^3 passed'
-moved '--mirror 0,1,0,0.5 --set' '--mirror 0,1,0,0.5 --mirror 1,1,1,0.5 --set' 1 'but cases.txt makes it "mirror=1,1,1,0.5"'
+moved '--mirror 0,1,0,0.5 --set' '--mirror 0,1,0,0.5 --mirror 1,1,1,0.5 --set' 1 \
+	'but cases.txt makes it "mirror=1,1,1,0.5"'
 
 # The file matters: another position is a difference of the scene's arrays.
 cp own/assets/room.gltf kept.gltf
@@ -79,26 +84,32 @@ verdict $? 'a scene that was changed is found, by its first array'
 # A golden's folder is a trace of digests, of its small buffers and of its picture.
 golden new 'eye-*'
 run compare own/goldens/eye-lamp own/goldens/eye-lamp.new
-[ "$status" -eq 1 ] && grep -q '^stage 00 scene, buffer scene.vertex, SHA-256 ref .*, as each side leaves its file out; of the scene, which no stage makes' stdout &&
+[ "$status" -eq 1 ] &&
+	grep -q \
+	'^stage 00 scene, buffer scene.vertex, SHA-256 ref .*, as each side leaves its file out; of the scene, which no stage makes' \
+	stdout &&
 	grep -Eq '^image.shadow +image.srgb +1,728 +[1-9][0-9]* .* different$' stdout
 verdict $? 'compare tells the stage that moved, and the pixels'
 run compare own/goldens/eye-mirror own/goldens/eye-mirror.new
 [ "$status" -eq 1 ] && grep -q 'buffer scene.vertex, .* field position.*: ref .* ulp' stdout
 verdict $? 'and the element of a small buffer'
 run report own/goldens/eye-lamp own/goldens/eye-lamp.new -o page.html
-[ "$status" -eq 0 ] && [ "$(grep -c '"picture":' page.html)" -ge 1 ] && grep -q 'stage 00 scene, buffer scene.vertex' page.html
+[ "$status" -eq 0 ] && [ "$(grep -c '"picture":' page.html)" -ge 1 ] &&
+	grep -q 'stage 00 scene, buffer scene.vertex' page.html
 verdict $? 'a page has the old beside the new'
-run render soft-shadows own/assets/room.gltf --method mvr --size 32x18 --camera circle --lamp 0,2,0.5 --set lamp.views=6 --set depth_map.px=32 \
-	--trace --no-images -o traced
+run render soft-shadows own/assets/room.gltf --method mvr --size 32x18 --camera circle --lamp 0,2,0.5 \
+	--set lamp.views=6 --set depth_map.px=32 --trace --no-images -o traced
 run compare own/goldens/eye-lamp.new traced/trace-mvr
 [ "$status" -eq 0 ] && grep -q ' 0 different, 0 missing' stdout
 verdict $? 'a port is compared with a golden'
 cp own/goldens/ply/preview.png own/goldens/eye-lamp.new/preview.png
-refuses 'eye-lamp.new/preview.png: not the picture whose digest SHA256SUMS says' compare own/goldens/eye-lamp own/goldens/eye-lamp.new
+refuses 'eye-lamp.new/preview.png: not the picture whose digest SHA256SUMS says' compare own/goldens/eye-lamp \
+	own/goldens/eye-lamp.new
 rm -r own/goldens/*.new
 rm own/assets/room.gltf
 golden check
-[ "$status" -eq 2 ] && tail -n 1 stdout | grep -qx '2 passed, 3 failed, 0 skipped' && grep -q 'unusable .*room.gltf: No such file' stdout
+[ "$status" -eq 2 ] && tail -n 1 stdout | grep -qx '2 passed, 3 failed, 0 skipped' &&
+	grep -q 'unusable .*room.gltf: No such file' stdout
 verdict $? 'a scene that is gone spoils its own cases alone'
 mv kept.gltf own/assets/room.gltf
 

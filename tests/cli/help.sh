@@ -1,6 +1,6 @@
 #!/bin/bash
-# A screen of help is a set of tables that fit 80 columns: every option stands in one group, no text is a paragraph, and what
-# the examples type is accepted.
+# A screen of help is a set of tables that fit 80 columns: every option stands in one group, no text is a paragraph, and
+# what the examples type is accepted.
 . "$(dirname "$0")/tap.bash"
 
 prints '^  render ' help
@@ -22,7 +22,9 @@ head, *parts = text.rstrip("\n").split("\n\n")
 assert re.fullmatch(rf"touchstone {command} .*\[OPTION\]\.\.\.\n  \S.*", head), head
 assert all(len(line) <= 80 and line == line.rstrip() for line in text.splitlines()), "80 columns, no blanks at an end"
 titles = [part.split(":")[0] for part in parts]
-assert titles[0] == "Arguments" and [title for title in titles if title != "Environment"][-2:] == ["Exit codes", "Examples"] and titles.count("Options") == 1, titles
+assert titles[0] == "Arguments", titles
+assert [title for title in titles if title != "Environment"][-2:] == ["Exit codes", "Examples"], titles
+assert titles.count("Options") == 1, titles
 
 def check(cell, row):
 	assert 0 < len(cell) <= 3, f"{len(cell)} lines: {row}"

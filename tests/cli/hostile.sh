@@ -65,7 +65,8 @@ verdict $? "one in $every of $n files"
 # octree.levels=11, and the most views, are right, and take longer.
 wrong=0 words=
 while read -r expected effect setting; do
-	behaves "$expected" render "$effect" atrium:triangles=10000:texels=32 "${views[@]}" --method megaviews --set "$setting" -o out ||
+	behaves "$expected" render "$effect" atrium:triangles=10000:texels=32 "${views[@]}" --method megaviews \
+		--set "$setting" -o out ||
 		complain "$effect $setting"
 	rm -rf out out.partial
 done <<'END'

@@ -12,7 +12,8 @@ rows = b"".join(b"\0" + bytes(sum(pixels[y * width:(y + 1) * width], [])) for y 
 def chunk(kind, data):
 	return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 head = struct.pack(">IIBBBBB", width, height, 8, {1: 0, 3: 2, 4: 6}[len(pixels[0])], 0, 0, 0)
-open(sys.argv[1], "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+open(sys.argv[1], "wb").write(b"\x89PNG\r\n\x1a\n"
+                              + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 PY
 }
 # writes_exr NAME CHANNELS: black, 10 x 4, as OpenEXR's file layout has it: header, offsets of rows, rows, not compressed.

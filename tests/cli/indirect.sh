@@ -4,16 +4,17 @@
 small=(atrium:triangles=10000:texels=32 --size 96x54 --set rsm.px=4 --set depth_grid.px=64)
 cd "$scratch" || exit 2
 
-refuses 'octree.levels, vpl_gather.level, view_map.px or vpl.paths$' render indirect "${small[@]}" --method hulls,megaviews --set view_map.px=256 \
-	--set vpl.paths=16777216 --set vpl.bounces=4
-refuses 'octree.levels, vpl_gather.level, view_map.px or particle.count$' render particles "${small[@]}" --set view_map.px=256 \
-	--set particle.count=16777216
+refuses 'octree.levels, vpl_gather.level, view_map.px or vpl.paths$' render indirect "${small[@]}" \
+	--method hulls,megaviews --set view_map.px=256 --set vpl.paths=16777216 --set vpl.bounces=4
+refuses 'octree.levels, vpl_gather.level, view_map.px or particle.count$' render particles "${small[@]}" \
+	--set view_map.px=256 --set particle.count=16777216
 
-refuses 'parameter view_map.px: 48 is not a power of two; 32 or 64 would be right$' render indirect "${small[@]}" --set view_map.px=48
+refuses 'parameter view_map.px: 48 is not a power of two; 32 or 64 would be right$' render indirect "${small[@]}" \
+	--set view_map.px=48
 refuses 'parameter view_map.px: 255 is not a power of two; 128 or 256 would be right$' digest --set view_map.px=255
 if awk '/^MemTotal/ { exit $2 > 85e6 }' /proc/meminfo; then # kB: three quarters of that hold no 64 GiB
-	refuses 'about 68.* GB .* choose a smaller image, traverse.queue_mb$' render indirect "${small[@]}" --method megaviews \
-		--set traverse.queue_mb=65536 --set vpl.paths=20
+	refuses 'about 68.* GB .* choose a smaller image, traverse.queue_mb$' render indirect "${small[@]}" \
+		--method megaviews --set traverse.queue_mb=65536 --set vpl.paths=20
 fi
 
 cat > read.py <<'PY'
@@ -50,15 +51,16 @@ def buffer(trace, name, layout):
 PY
 
 # Lights at random are those of the truth, too: with all of them, unfiltered, only maps err.
-run render indirect "${small[@]}" --method megaviews --set octree.levels=6 --set vpl.paths=300 --set vpl.place=random --set vpl_gather.lights=0 \
-	--set bilateral.px=0 --truth=vpls --no-images --json
+run render indirect "${small[@]}" --method megaviews --set octree.levels=6 --set vpl.paths=300 --set vpl.place=random \
+	--set vpl_gather.lights=0 --set bilateral.px=0 --truth=vpls --no-images --json
 python3 -c 'import json, sys
 metrics = [m for m in json.load(open(sys.argv[1]))["metrics"] if m["reference"] == "truth-vpls"]
 assert [m["psnr"] > 20 for m in metrics] == [True], metrics' "$scratch/stdout"
 verdict $? 'truth vpls gathers from lights at random'
 
 run render indirect "${small[@]}" --method hulls,direct --truth=lights --trace -o light
-[ "$status" -eq 0 ] && ! grep -qi 'mirror\|reflective\|refl\.\|cube' stdout && [ "$(awk 'length > 120' stdout | wc -l)" -eq 0 ]
+[ "$status" -eq 0 ] && ! grep -qi 'mirror\|reflective\|refl\.\|cube' stdout &&
+	[ "$(awk 'length > 120' stdout | wc -l)" -eq 0 ]
 verdict $? 'tables of indirect light say nothing of mirrors'
 
 missing=0
@@ -78,7 +80,8 @@ PY
 verdict $? 'a difference is four times as bright'
 
 # Light of lamps: what pixels gather is the closed form, hulls are near it, and shadows only take away.
-run render area-light "${small[@]}" --set lamp.radius=0.3 --set truth.area_samples=64 --method hulls,direct --truth --trace -o lamps
+run render area-light "${small[@]}" --set lamp.radius=0.3 --set truth.area_samples=64 --method hulls,direct --truth \
+	--trace -o lamps
 [ "$status" -eq 0 ] && ! grep -qi 'reflective\|near a triangle' stdout && python3 - <<'PY'
 import json, math
 from read import buffer
@@ -87,7 +90,8 @@ assert rows["direct", "truth-exact"]["relative_rmse"] < 1e-4 and rows["hulls", "
 assert rows["direct", "truth-shadowed"]["relative_rmse"] > 0.1
 # In doubles, by solid angles of small parts: of every 97th pixel.
 triangles = [(p[:3], p[3:6], p[6:9], p[12:15]) for p in buffer("lamps/trace-direct", "polygon.patch", "<15f4x")]
-pixels, light = buffer("lamps/trace-direct", "gbuffer.pixel", "<3ff3f20x"), buffer("lamps/trace-direct", "indirect.irradiance", "<3f")
+pixels = buffer("lamps/trace-direct", "gbuffer.pixel", "<3ff3f20x")
+light = buffer("lamps/trace-direct", "indirect.irradiance", "<3f")
 dot = lambda a, b: sum(x * y for x, y in zip(a, b))
 n, tried = 24, 0
 for pixel, found in list(zip(pixels, light))[::97]:
@@ -102,7 +106,8 @@ for pixel, found in list(zip(pixels, light))[::97]:
 				s, t = (i + third) / n, (j // 2 + third) / n
 				way = [x + s * y + t * z - w for x, y, z, w in zip(a, u, v, p)]
 				square = dot(way, way)
-				total += exitance[0] * max(0, dot(normal, way)) * max(0, -dot(turned, way)) / (2 * n * n * math.pi * square * square)
+				cosines = max(0, dot(normal, way)) * max(0, -dot(turned, way))
+				total += exitance[0] * cosines / (2 * n * n * math.pi * square * square)
 	tried += total > 0
 	assert abs(found[0] - total) < 0.01 * total + 2e-3, (found, total)
 assert tried > 20
@@ -179,8 +184,8 @@ for x, y in ((place(x0), place(y0)), (place(x1) + 31, place(y1) + 31)):
 PY
 verdict $? 'segments have a colour each, and boxes theirs'
 
-# 8 pixels a pixel. The disc within the top left corner of the last large box, of 36 pixels' radius: its middle shows what
-# comes from the viewer.
+# 8 pixels a pixel. The disc within the top left corner of the last large box, of 36 pixels' radius: its middle shows
+# what comes from the viewer.
 python3 - <<'PY'
 import math
 from read import buffer, png

@@ -34,8 +34,9 @@ run compare b.png $'<&>"\e\xe9.png' --junit j.xml
 verdict $? 'a case with such a name'
 suits 1 1 0 0 'suits the schema too'
 if ${CC:-gcc} -shared -fPIC -o end.so "$ending" -ldl 2> stderr; then
-	{ ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0:handle_segv=0" TSAN_OPTIONS="${TSAN_OPTIONS:-}:handle_segv=0" \
-		TOUCHSTONE_END='signal 11' TOUCHSTONE_END_AT=now LD_PRELOAD=$scratch/end.so "$touchstone" compare a.png a.png -o end --junit j.xml; } 2> stderr
+	{ ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0:handle_segv=0" \
+		TSAN_OPTIONS="${TSAN_OPTIONS:-}:handle_segv=0" TOUCHSTONE_END='signal 11' TOUCHSTONE_END_AT=now \
+		LD_PRELOAD=$scratch/end.so "$touchstone" compare a.png a.png -o end --junit j.xml; } 2> stderr
 	[ $? -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q '<error message="the run ended by signal 11' j.xml
 	verdict $? 'an error in JUnit: a run that a signal ended'
 	suits 1 0 1 0 'which suits the schema'
@@ -53,10 +54,13 @@ verdict $? 'an error in JUnit: golden check of a case that is none'
 suits 1 0 1 0 'which suits the schema'
 
 # And of what was skipped: each case, in every form; shards without a device are merged with the others.
-without_device() { OCL_ICD_VENDORS=/nonexistent run golden check 'small-e*' small-mvr --goldens "$goldens" --backend opencl "$@"; }
+without_device() { OCL_ICD_VENDORS=/nonexistent run golden check 'small-e*' small-mvr --goldens "$goldens" \
+	--backend opencl "$@"; }
 without_device --junit j.xml --tap
-[ "$status" -eq 77 ] && [ "$(grep -c '^ok .* - small-.* # SKIP skipped: .*no OpenCL device' stdout)" -eq 2 ] && tail -n 1 stdout | grep -qx '1..2' &&
-	[ "$(grep -c '<skipped message=".*no OpenCL device' j.xml)" -eq 2 ] && grep -qx 'touchstone: backend opencl: no OpenCL device; .*' stderr
+[ "$status" -eq 77 ] && [ "$(grep -c '^ok .* - small-.* # SKIP skipped: .*no OpenCL device' stdout)" -eq 2 ] &&
+	tail -n 1 stdout | grep -qx '1..2' &&
+	[ "$(grep -c '<skipped message=".*no OpenCL device' j.xml)" -eq 2 ] &&
+	grep -qx 'touchstone: backend opencl: no OpenCL device; .*' stderr
 verdict $? 'JUnit and TAP of a device that is not there'
 suits 2 0 0 2 'which suits the schema'
 without_device --json
@@ -73,7 +77,8 @@ if [ "$status" -eq 77 ]; then
 	echo "ok $((tests += 1)) - it is merged with the others # SKIP no OpenCL device here"
 else
 	run merge skipped-2 skipped-1 --junit j.xml
-	[ "$status" -eq 77 ] && grep -qx 'touchstone: merge: shard 1 in skipped-1 had no device' stderr && grep -q '^1 passed, 0 failed, 1 skipped$\|^same' stdout
+	[ "$status" -eq 77 ] && grep -qx 'touchstone: merge: shard 1 in skipped-1 had no device' stderr &&
+		grep -q '^1 passed, 0 failed, 1 skipped$\|^same' stdout
 	verdict $? 'it is merged with the others'
 	suits 2 0 0 1 'which suits the schema'
 fi

@@ -1,7 +1,7 @@
 #!/bin/bash
-# SIGKILL at the calls that change the disk, and by the clock: what was there, or what was to come, is whole, and the next
-# run works without a hand. Of a render, of --force where the file system exchanges folders and where not, of golden new
-# and bless; of the one process, and of the worker, whose parent clears up.
+# SIGKILL at the calls that change the disk, and by the clock: what was there, or what was to come, is whole, and the
+# next run works without a hand. Of a render, of --force where the file system exchanges folders and where not, of
+# golden new and bless; of the one process, and of the worker, whose parent clears up.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/stamp.bash"
@@ -32,8 +32,9 @@ sum() {
 	(cd "$1" && find . -type f ! -name times.json -exec sha256sum {} + | sort -k 2 | sha256sum)
 }
 
-# kills NAME STEP BEFORE FOLDER ARGUMENT...: where every STEP-th call kills, and each of the last twelve, FOLDER, which the
-# commands BEFORE set up, holds what it held, or what it would; the next run makes it so, and leaves nothing beside it.
+# kills NAME STEP BEFORE FOLDER ARGUMENT...: where every STEP-th call kills, and each of the last twelve, FOLDER, which
+# the commands BEFORE set up, holds what it held, or what it would; the next run makes it so, and leaves nothing beside
+# it.
 kills() {
 	local name=$1 step=$2 before=$3 folder=$4 old new at calls bad=0 kept=0 tried=0
 	shift 4
@@ -81,7 +82,8 @@ kills 'golden bless' 20 'rm -rf reference/few*; cp -r proposed reference/few.new
 mv reference/few blessed
 mv blessed/CHANGES changes
 { echo earlier; cat changes; } > blessed/CHANGES
-kills 'golden bless of another' 12 'rm -rf reference/few*; cp -r blessed reference/few; cp -r proposed reference/few.new' \
+kills 'golden bless of another' 12 \
+	'rm -rf reference/few*; cp -r blessed reference/few; cp -r proposed reference/few.new' \
 	reference/few golden bless few --reason second --no-worker --goldens reference
 
 # The worker is killed: its parent clears up and says so.
@@ -92,7 +94,8 @@ bad=0
 for ((at = 1; at <= calls; at += 8)); do
 	rm -rf new
 	{ killed_run $at "${tiny[@]}" -o new; } 2> /dev/null
-	[ "$status" -eq 2 ] && [ "$(cat stderr)" = 'touchstone: the run was killed, as systems do where memory ends; no result' ] &&
+	[ "$status" -eq 2 ] &&
+		[ "$(cat stderr)" = 'touchstone: the run was killed, as systems do where memory ends; no result' ] &&
 		[ "$(find . -name 'new*' | wc -l)" -le 1 ] && continue
 	[ "$status" -eq 2 ] && [ -e new/report.json ] && [ ! -e new.partial ] && [ ! -e new.lock ] && continue
 	bad=$((bad + 1))

@@ -1,5 +1,6 @@
 #!/bin/bash
-# The memory that render estimates is near what it takes, in small frames too, where most is the process's own and the scene's.
+# The memory that render estimates is near what it takes, in small frames too,
+# where most is the process's own and the scene's.
 . "$(dirname "$0")/tap.bash"
 
 case ${BUILD:-} in
@@ -11,6 +12,7 @@ verdict $? "ten methods, estimates within 1.5 of the peak"
 verdict $? "a line for each"
 printf '%s\n' '#!/bin/sh' 'echo "{\"estimated_bytes\": 1000000}"' > "$scratch/liar"
 chmod +x "$scratch/liar"
-! TOUCHSTONE=$scratch/liar scripts/memory --small atrium:triangles=10000:texels=128 > "$scratch/table" && grep -q 'not within' "$scratch/table"
+! TOUCHSTONE=$scratch/liar scripts/memory --small atrium:triangles=10000:texels=128 > "$scratch/table" &&
+	grep -q 'not within' "$scratch/table"
 verdict $? "the script sees an estimate that is too small"
 finish

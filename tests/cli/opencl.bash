@@ -1,5 +1,5 @@
-# What the scripts on OpenCL share. Sourced after tap.bash, from the root of the repository. Built kernels are kept from run
-# to run: those of a frame take PoCL 10 s.
+# What the scripts on OpenCL share. Sourced after tap.bash, from the root of the repository. Built kernels are kept from
+# run to run: those of a frame take PoCL 10 s.
 export POCL_CACHE_DIR=${touchstone%/*}/pocl
 export ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0"
 altering=$(realpath tests/cli/preload/opencl.c)

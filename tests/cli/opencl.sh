@@ -1,5 +1,6 @@
 #!/bin/bash
-# The OpenCL backend from the command line: the same bits as C's, what it refuses, and how it ends where there is no device.
+# The OpenCL backend from the command line: the same bits as C's, what it refuses,
+# and how it ends where there is no device.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/opencl.bash"
@@ -29,8 +30,10 @@ digests epr,mvr
 digests epr,mvr --reflectors 0
 digests epr,mvr --set lookup.bounces=3 --set lookup.samples=adaptive --set mvr.faces=adaptive
 digests epr,mvr --set splat.plane_depth=on --set splat.clip=off --set mvr.filter=supersample --set cube.px=24
-digests epr --set visibility.test=vertex --set density.path=paper --set splat.size=paper --set points.cull_unit=raster --set points.conservative=exact
-digests epr --set density.scale=2 --set density.per_area=on --set density.off_axis=on --set points.split=off --set density.cap=off --set points.cull=off
+digests epr --set visibility.test=vertex --set density.path=paper --set splat.size=paper --set points.cull_unit=raster \
+	--set points.conservative=exact
+digests epr --set density.scale=2 --set density.per_area=on --set density.off_axis=on --set points.split=off \
+	--set density.cap=off --set points.cull=off
 for case in small-bounces small-adaptive; do
 	prints '1 passed, 0 failed' golden check $case "${on[@]}"
 done
@@ -53,7 +56,8 @@ same "$scratch/mvr-c/trace-mvr" "$scratch/mvr/trace-mvr" 'the trace of C: mvr'
 
 
 /usr/bin/python3 tests/cli/animated.py write "$scratch/animated.gltf"
-moving=(render reflections "$scratch/animated.gltf" --method epr --size 96x54 --reflectors 2 --set cube.hysteresis=8 --frame 17 --trace)
+moving=(render reflections "$scratch/animated.gltf" --method epr --size 96x54 --reflectors 2 --set cube.hysteresis=8
+	--frame 17 --trace)
 run "${moving[@]}" -o "$scratch/still"
 run "${moving[@]}" "${on[@]}" -o "$scratch/moving"
 same "$scratch/still/trace-epr" "$scratch/moving/trace-epr" 'a file whose nodes move: the bits of C'

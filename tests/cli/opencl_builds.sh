@@ -8,7 +8,8 @@ cl=(--backend opencl)
 need_device opencl
 render() { run "${frame[@]}" --method "$1" --trace -o "$scratch/$2" "${@:3}"; }
 
-# Kernels are built anew for each device; without mirrors there are few. Work groups: tests/backends/opencl.c, make matrix.
+# Kernels are built anew for each device; without mirrors there are few.
+# Work groups: tests/backends/opencl.c, make matrix.
 export POCL_DEVICES='basic pthread'
 run list backends
 if [ "$(grep -c '^opencl ' "$scratch/stdout")" -eq 2 ]; then
@@ -54,7 +55,8 @@ assert a["contraction"] is True and a["selftest"] > 0 and a["rounding"] == "near
 assert "-DTS_CANARY_CONTRACTS" in trace["producer"]["flags"]
 PY
 verdict $? 'and its trace says what is wrong with the arithmetic'
-run digest dining:triangles=10000:texels=32 "${small[@]}" --reflectors 0 --method mvr "${cl[@]}" --build -DTS_CANARY_CONTRACTS --inexact
+run digest dining:triangles=10000:texels=32 "${small[@]}" --reflectors 0 --method mvr "${cl[@]}" --build \
+	-DTS_CANARY_CONTRACTS --inexact
 [ "$status" -eq 0 ] && grep -q image.srgb "$scratch/stdout"
 verdict $? 'digests too'
 

@@ -1,14 +1,14 @@
 #!/bin/bash
-# Each kind of OpenCL call fails, first, last and in between, with memory of either kind: the command says so in one line and
-# leaves no folder. Calls that only describe or release may fail unnoticed if nothing is otherwise for it, and so may the
-# last ones that let go of memory.
+# Each kind of OpenCL call fails, first, last and in between, with memory of either kind: the command says so in one
+# line and leaves no folder. Calls that only describe or release may fail unnoticed if nothing is otherwise for it, and
+# so may the last ones that let go of memory.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/opencl.bash"
 need_device opencl
 need_altering
-render=(render reflections scenes/triangle.gltf --camera camera --reflectors 0 --size 64x64 --set cube.px=16 --method epr,mvr
-	--trace --truth=A --backend opencl)
+render=(render reflections scenes/triangle.gltf --camera camera --reflectors 0 --size 64x64 --set cube.px=16
+	--method epr,mvr --trace --truth=A --backend opencl)
 errors=(-5 -4 -2)
 
 # failed_run HOW N: fails from call N on as HOW says, and says what that came to: told, or "same" if nothing shows.
@@ -18,7 +18,8 @@ failed_run() {
 	if [ "$status" -eq 0 ] && [ ! -s "$scratch/stderr" ]; then
 		diff -rq -x '*.json' -x '*.exr' "$scratch/whole" "$scratch/new" > /dev/null && outcome=same
 	elif [ "$status" -eq 2 ] || [ "$status" -eq 77 ]; then
-		[ "$(wc -l < "$scratch/stderr")" -eq 1 ] && [ ! -e "$scratch/new" ] && [ ! -e "$scratch/new.partial" ] && outcome=told
+		[ "$(wc -l < "$scratch/stderr")" -eq 1 ] && [ ! -e "$scratch/new" ] && [ ! -e "$scratch/new.partial" ] &&
+			outcome=told
 		[ "$status" -eq 77 ] && ! grep -q 'no OpenCL device' "$scratch/stderr" && outcome='exit code 77'
 	fi
 	rm -rf "$scratch/new" "$scratch/new.partial"

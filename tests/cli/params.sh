@@ -3,21 +3,25 @@
 . "$(dirname "$0")/tap.bash"
 
 # names ARGUMENT...: the parameters that are listed, a line each.
-names() { "$touchstone" list params --json "$@" | python3 -c 'import json, sys; [print(p["name"]) for p in json.load(sys.stdin)["params"]]'; }
+names() { "$touchstone" list params --json "$@" |
+	python3 -c 'import json, sys; [print(p["name"]) for p in json.load(sys.stdin)["params"]]'; }
 
 all=$(names)
 epr=$(names --effect reflections --method epr)
-grep -qx density.scale <<< "$epr" && grep -qx width <<< "$epr" && ! grep -qx 'pcss.near\|mvr.filter\|shadow_splat.rate' <<< "$epr"
+grep -qx density.scale <<< "$epr" && grep -qx width <<< "$epr" &&
+	! grep -qx 'pcss.near\|mvr.filter\|shadow_splat.rate' <<< "$epr"
 verdict $? "EPR's parameters in reflections"
 names --method epr | grep -x shadow_splat.rate > /dev/null
 verdict $? "EPR's parameters in all effects"
 ! names --effect particles | grep -x view_map.field > /dev/null
 verdict $? "what a method sets itself is not read"
 [ -z "$(comm -13 <(sort <<< "$all") <(for effect in $("$touchstone" list methods --json |
-	python3 -c 'import json, sys; print(*{m["effect"] for m in json.load(sys.stdin)["methods"]})'); do names --effect "$effect"; done | sort -u))" ]
+	python3 -c 'import json, sys; print(*{m["effect"] for m in json.load(sys.stdin)["methods"]})'); do names \
+	--effect "$effect"; done | sort -u))" ]
 verdict $? "what is read is a parameter"
 refuses 'no method "nix"' list params --method nix
-refuses 'more than 16 methods; say --effect' list params --method epr,mvr,ivir,vir,pcss,hulls,direct,megaviews,manylods,bruteforce,deferred
+refuses 'more than 16 methods; say --effect' list params \
+	--method epr,mvr,ivir,vir,pcss,hulls,direct,megaviews,manylods,bruteforce,deferred
 refuses 'the nearest is epr' list params --effect reflections --method erp
 refuses 'takes no --method' list stages --method epr
 
@@ -27,7 +31,8 @@ says() {
 	local wanted=$1
 	shift
 	run render reflections gallery:triangles=10000:texels=32 --set cube.max_px=16 "${tiny[@]}" "$@"
-	[ "$status" -eq 0 ] && [ "$(grep -c 'reads it$' "$scratch/stderr")" -eq "$wanted" ] && [ "$(wc -l < "$scratch/stderr")" -eq "$wanted" ]
+	[ "$status" -eq 0 ] && [ "$(grep -c 'reads it$' "$scratch/stderr")" -eq "$wanted" ] &&
+		[ "$(wc -l < "$scratch/stderr")" -eq "$wanted" ]
 	verdict $? "$wanted unread: $*"
 }
 says 0 --method mvr
@@ -43,13 +48,15 @@ says 1 --method mvr --set splat.clip=on,off
 says 1 --method mvr --set truth.area_samples=4
 # gloss COUNT SETTING: as says, of a parameter that only stages of gloss.lobe=on read.
 gloss() {
-	run render indirect gallery:triangles=10000:texels=32 "${tiny[@]}" --method direct --set rsm.px=4 --set hull.sharpness=vmf --set "$2"
+	run render indirect gallery:triangles=10000:texels=32 "${tiny[@]}" --method direct --set rsm.px=4 \
+		--set hull.sharpness=vmf --set "$2"
 	[ "$status" -eq 0 ] && [ "$(grep -c -- '--set hull.sharpness: .* reads it$' "$scratch/stderr")" -eq "$1" ]
 	verdict $? "$1 unread: stages that run with $2"
 }
 gloss 1 gloss.lobe=off
 gloss 0 gloss.lobe=on,off
-run render soft-shadows gallery:triangles=10000:texels=32 "${tiny[@]}" --method pcss --set depth_map.px=32 --set truth.area_samples=4 --set density.rate=exact --truth=area
+run render soft-shadows gallery:triangles=10000:texels=32 "${tiny[@]}" --method pcss --set depth_map.px=32 \
+	--set truth.area_samples=4 --set density.rate=exact --truth=area
 [ "$status" -eq 0 ] && [ ! -s "$scratch/stderr" ]
 verdict $? "a truth reads what its methods do not"
 finish

@@ -32,7 +32,8 @@ verdict $? 'a trace has the path; the eye moves'
 
 # The same pictures by an eye that stands at a keyframe.
 run render reflections "$scene" --method mvr --size 96x54 --reflectors 0 --frame 6 --path eye.txt --trace -o key
-run render reflections "$scene" --method mvr --size 96x54 --reflectors 0 --frame 6 --eye=-2,1.5,2 --target 0,1,0 --trace -o still
+run render reflections "$scene" --method mvr --size 96x54 --reflectors 0 --frame 6 --eye=-2,1.5,2 --target 0,1,0 \
+	--trace -o still
 cmp -s key/trace-mvr/01-eye.view.npy still/trace-mvr/01-eye.view.npy &&
 	"$touchstone" compare key/mvr.png still/mvr.png > stdout
 verdict $? 'at a keyframe the eye is where --eye puts it'

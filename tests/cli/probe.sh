@@ -2,7 +2,8 @@
 # `probe`: text and JSON, what is not there, buffers that are missing, and traces that lie.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
-"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflectors.px=24 --set cube.max_px=16 \
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflectors.px=24 \
+	--set cube.max_px=16 \
 	--set lookup.bounces=2 --no-images --self-contained -o out > /dev/null || { echo "Bail out! no trace"; exit 1; }
 epr=out/trace-epr mvr=out/trace-mvr
 
@@ -81,8 +82,10 @@ prints 'lost_at' probe $mvr --triangle 4
 says 'splat_length' probe $epr --point 0
 
 # Four samples a pixel: each is explained, and their mean.
-"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x24 --method epr,mvr --reflectors 2 --set reflectors.px=12 \
-	--set cube.max_px=16 --set eye.samples=4 --no-images --trace -o four > /dev/null || { echo "Bail out! no trace"; exit 1; }
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x24 --method epr,mvr --reflectors 2 \
+	--set reflectors.px=12 \
+	--set cube.max_px=16 --set eye.samples=4 --no-images --trace -o four > /dev/null ||
+	{ echo "Bail out! no trace"; exit 1; }
 seen=$(($(u32 four/trace-epr/05-mirror_pixel.record.npy 3) % (32 * 24)))
 for trace in four/trace-epr four/trace-mvr; do
 	says 'bits agree with image.sample_radiance' probe $trace --pixel $((seen % 32)),$((seen / 32))
@@ -109,15 +112,18 @@ refuses 'neither an index nor a key' probe $epr --point 1,2
 refuses 'no point of key' probe $epr --point 0,32000,0
 refuses 'no points of reflections by mvr, only .*triangles' probe $mvr --point 0
 refuses 'trace.json' probe /nonexistent --pixel 0,0
-"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x32 --reflectors 2 --set cube.max_px=16 --set octree.levels=5 \
-	--set cube_view.px=16 --method ivir,megaviews --no-images --trace -o cubes > /dev/null
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x32 --reflectors 2 --set cube.max_px=16 \
+	--set octree.levels=5 --set cube_view.px=16 --method ivir,megaviews --no-images --trace -o cubes > /dev/null
 for method in ivir megaviews; do says 'bits agree with shade.radiance' probe cubes/trace-$method --pixel 16,16; done
-for view in 0.front 1.back node0.front; do says 'bits agree with view_map.depth_node' probe cubes/trace-megaviews --pixel 8,9 --view $view; done
+for view in 0.front 1.back node0.front; do
+	says 'bits agree with view_map.depth_node' probe cubes/trace-megaviews --pixel 8,9 --view $view
+done
 prints 'omni-shadows by ivir, vir, epr, mvr$' help probe
 prints 'VIEW REFLECTOR.FACE, for instance 3.+X or 3.0: the triangles that' help probe
 
 # Shadows: each sample's question, and what adds up to the picture.
-shadows=(atrium:triangles=10000:texels=32 --size 64x64 --set lamp.views=4 --set lamp.cubes=2 --set depth_map.px=64 --no-images --trace)
+shadows=(atrium:triangles=10000:texels=32 --size 64x64 --set lamp.views=4 --set lamp.cubes=2 --set depth_map.px=64
+	--no-images --trace)
 for words in 'soft-shadows mvr' 'soft-shadows pcss' 'omni-shadows epr'; do
 	read -r effect method <<< "$words"
 	"$touchstone" render "$effect" "${shadows[@]}" --method "$method" -o "$effect-$method" > /dev/null
@@ -129,13 +135,14 @@ prints 'answer: reaches' probe $soft --pixel 33,60
 prints 'blocker_depth\|search_radius' probe soft-shadows-pcss/trace-pcss --pixel 33,60
 refuses 'no triangles of soft-shadows by mvr, only the eye' probe $soft --triangle 4
 refuses 'no view 0.+X of omni-shadows by epr, only the eye' probe omni-shadows-epr/trace-epr --pixel 3,3 --view 0.+X
-run render soft-shadows "${shadows[@]}" --method ivir --trace-only scene,eye,eye.view,pose,lamp,lamp.view,shadow_test -o lacks
+run render soft-shadows "${shadows[@]}" --method ivir --trace-only scene,eye,eye.view,pose,lamp,lamp.view,shadow_test \
+	-o lacks
 refuses 'this needs depth_map.depth' probe lacks/trace-ivir --pixel 33,60
 
 # Indirect light: why this box, what its corners gathered, and the lobes; or the triangles of light.
 for method in hulls direct; do
-	"$touchstone" render indirect atrium:triangles=10000:texels=32 --size 64x64 --set depth_grid.px=64 --set rsm.px=4 --no-images --trace \
-		--method $method -o indirect-$method > /dev/null
+	"$touchstone" render indirect atrium:triangles=10000:texels=32 --size 64x64 --set depth_grid.px=64 --set rsm.px=4 \
+		--no-images --trace --method $method -o indirect-$method > /dev/null
 	says 'bits agree with indirect.irradiance' probe indirect-$method/trace-$method --pixel 20,40
 	says 'bits agree with image.radiance' probe indirect-$method/trace-$method --pixel 33,60
 	refuses "no triangles of indirect by $method, only the eye" probe indirect-$method/trace-$method --triangle 4
@@ -146,36 +153,45 @@ prints 'fit: holds the pixel; thickness: ' probe $hulls --pixel 20,40
 prints 'form_factor: ' probe $direct --pixel 20,40
 run render indirect atrium:triangles=10000:texels=32 --size 64x64 --set depth_grid.px=64 --set rsm.px=4 --method hulls \
 	--trace-only scene,eye,eye.view,pose,lamp,rsm.view,rsm.patch -o lacks-hulls
-refuses 'this needs segment.box_offset, segment.box, corner.moment, corner.lobes' probe lacks-hulls/trace-hulls --pixel 33,60
+refuses 'this needs segment.box_offset, segment.box, corner.moment, corner.lobes' probe lacks-hulls/trace-hulls \
+	--pixel 33,60
 
 # Many views: what culling leaves, the lights that are drawn, what their maps show, and the filter.
-views=(atrium:triangles=10000:texels=32 --size 64x64 --set octree.levels=5 --set rsm.px=4 --set particle.count=64 --no-images)
+views=(atrium:triangles=10000:texels=32 --size 64x64 --set octree.levels=5 --set rsm.px=4 --set particle.count=64
+	--no-images)
 for words in 'indirect megaviews' 'indirect manylods' 'particles megaviews' 'particles manylods'; do
 	read -r effect method <<< "$words"
-	"$touchstone" render "$effect" "${views[@]}" --set vpl.bounces=2 --trace --method "$method" -o "$effect-$method" > /dev/null
+	"$touchstone" render "$effect" "${views[@]}" --set vpl.bounces=2 --trace --method "$method" -o "$effect-$method" \
+		> /dev/null
 	says 'bits agree with vpl_gather.irradiance' probe "$effect-$method/trace-$method" --pixel 20,40
 	says 'bits agree with indirect.irradiance' probe "$effect-$method/trace-$method" --pixel 33,60
 	prints 'terms add up to the bits of the total' probe "$effect-$method/trace-$method" --pixel 33,60
 	refuses "no triangles of $effect by $method, only the eye" probe "$effect-$method/trace-$method" --triangle 4
 done
 mega=indirect-megaviews/trace-megaviews glow=particles-megaviews/trace-megaviews
-for pattern in 'bits agree with vpl_gather.pair_node' 'bounce: 2; triangle: ' 'answer: in shadow' 'why: both are leaves' \
-	'bits agree with view_map.depth_node' 'bits agree with bilateral.filtered_rows'; do
+for pattern in 'bits agree with vpl_gather.pair_node' 'bounce: 2; triangle: ' 'answer: in shadow' \
+	'why: both are leaves' 'bits agree with view_map.depth_node' 'bits agree with bilateral.filtered_rows'; do
 	prints "$pattern" probe $mega --pixel 30,50
 done
-"$touchstone" render indirect "${views[@]}" --set vpl.place=random --trace --method megaviews -o indirect-random > /dev/null
+"$touchstone" render indirect "${views[@]}" --set vpl.place=random --trace --method megaviews -o indirect-random \
+	> /dev/null
 run probe indirect-random/trace-megaviews --pixel 30,50
-grep -A1 'begins_at:' "$scratch/stdout" | grep -q 'triangle: ' && grep -q 'bits agree with vpl.light' "$scratch/stdout" &&
+grep -A1 'begins_at:' "$scratch/stdout" | grep -q 'triangle: ' &&
+	grep -q 'bits agree with vpl.light' "$scratch/stdout" &&
 	! grep -q differ "$scratch/stdout"
 verdict $? 'a light at random begins on a triangle'
-"$touchstone" render indirect "${views[@]}" --set vpl_gather.query=descend --trace --method megaviews -o indirect-descend > /dev/null
+"$touchstone" render indirect "${views[@]}" --set vpl_gather.query=descend --trace --method megaviews \
+	-o indirect-descend > /dev/null
 for pattern in 'bits agree with vpl_gather.irradiance' 'answer: in shadow' 'bits agree with view_map.depth_node'; do
 	prints "$pattern" probe indirect-descend/trace-megaviews --pixel 30,50
 done
-"$touchstone" render indirect "${views[@]}" --set octree.levels=4 --set traverse.hierarchies=views --trace --method megaviews -o indirect-leaves > /dev/null
+"$touchstone" render indirect "${views[@]}" --set octree.levels=4 --set traverse.hierarchies=views --trace \
+	--method megaviews -o indirect-leaves > /dev/null
 says 'bits agree with view_map.depth_node' probe indirect-leaves/trace-megaviews --pixel 8,9 --view 0.front
-refuses 'stage view_map.fuse is not run with the parameters of this trace' replay indirect-descend/trace-megaviews --stage view_map.fuse
-refuses 'this needs view_map.fused_depth, view_map.fused_node' probe indirect-descend/trace-megaviews --pixel 8,9 --view 0.front
+refuses 'stage view_map.fuse is not run with the parameters of this trace' replay indirect-descend/trace-megaviews \
+	--stage view_map.fuse
+refuses 'this needs view_map.fused_depth, view_map.fused_node' probe indirect-descend/trace-megaviews --pixel 8,9 \
+	--view 0.front
 "$touchstone" render indirect "${views[@]}" --trace --method bruteforce -o indirect-bruteforce > /dev/null
 for method in megaviews manylods bruteforce; do
 	says 'bits agree with view_map.fused_depth' probe "indirect-$method/trace-$method" --pixel 8,9 --view 0.front
@@ -190,9 +206,11 @@ refuses 'no view 4 of .*LIGHT.front' probe $mega --pixel 0,0 --view 4
 refuses 'no view 0.+X of indirect by megaviews, only the eye' probe $mega --pixel 0,0 --view 0.+X
 refuses 'no view 0.front of reflections by epr, only the eye' probe $epr --pixel 0,0 --view 0.front
 refuses 'no view 0.front of soft-shadows by mvr, only the eye' probe $soft --pixel 0,0 --view 0.front
-run render indirect "${views[@]}" --method megaviews --trace-only scene,eye,eye.view,pose,lamp,rsm.view,rsm.patch -o lacks-views
+run render indirect "${views[@]}" --method megaviews --trace-only scene,eye,eye.view,pose,lamp,rsm.view,rsm.patch \
+	-o lacks-views
 refuses 'no file of gbuffer.pixel, .*vpl_gather.pair_views' probe lacks-views/trace-megaviews --pixel 33,60
-refuses 'this needs view_map.depth_node, view_map.fused_depth, view_map.fused_node, view_octree.leaf' probe lacks-views/trace-megaviews --pixel 3,6 --view 0.front
+refuses 'this needs view_map.depth_node, view_map.fused_depth, view_map.fused_node, view_octree.leaf' probe \
+	lacks-views/trace-megaviews --pixel 3,6 --view 0.front
 run render particles "${views[@]}" --method megaviews --trace-only scene,eye,eye.view,pose -o lacks-glow
 refuses 'this needs vpl.light' probe lacks-glow/trace-megaviews --pixel 33,60
 
@@ -200,7 +218,8 @@ refuses 'this needs vpl.light' probe lacks-glow/trace-megaviews --pixel 33,60
 splats=(atrium:triangles=10000:texels=32 --size 64x64 --set surfels.from_mesh=4000 --set depth_map.px=64 --no-images)
 for words in 'deferred phong_shadow' 'ewa npr'; do
 	read -r method shader <<< "$words"
-	"$touchstone" render surfels "${splats[@]}" --set deferred.shader="$shader" --trace --method "$method" -o "surfels-$method" > /dev/null
+	"$touchstone" render surfels "${splats[@]}" --set deferred.shader="$shader" --trace --method "$method" \
+		-o "surfels-$method" > /dev/null
 	for pattern in surfel_depth.surfel surfel_blend.sum surfel_blend.heaviest gbuffer.pixel image.radiance; do
 		says "bits agree with $pattern" probe "surfels-$method/trace-$method" --pixel 20,40
 	done
@@ -211,20 +230,26 @@ done
 deferred=surfels-deferred/trace-deferred ewa=surfels-ewa/trace-ewa
 prints 'bits agree with shadow_test.lit' probe $deferred --pixel 33,60
 prints 'by_neighbour' probe $ewa --pixel 33,60
-"$touchstone" render surfels "$OLDPWD/scenes/room.gltf" "${splats[@]:1}" --camera circle --set deferred.shader=phong_shadow --trace --method deferred -o bulb > /dev/null
+"$touchstone" render surfels "$OLDPWD/scenes/room.gltf" "${splats[@]:1}" --camera circle \
+	--set deferred.shader=phong_shadow --trace --method deferred -o bulb > /dev/null
 for words in '33,60 -Y' '32,2 -X'; do
 	read -r pixel face <<< "$words"
 	prints "view: 0.$face; " probe bulb/trace-deferred --pixel "$pixel"
 	prints 'bits agree with shadow_test.lit' probe bulb/trace-deferred --pixel "$pixel"
 done
-run render surfels "${splats[@]}" --method deferred --trace-only scene,eye.view,lamp,surfel_setup,surfel_depth -o lacks-surfels
+run render surfels "${splats[@]}" --method deferred --trace-only scene,eye.view,lamp,surfel_setup,surfel_depth \
+	-o lacks-surfels
 refuses 'no file of gbuffer.pixel, .*surfel_blend.sum' probe lacks-surfels/trace-deferred --pixel 33,60
 
 # A trace without some stages names all that it lacks.
-"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflectors.px=24 --set cube.max_px=16 \
-	--method epr --no-images --trace-only scene,eye,mirror_pixel,eye.view,pose,cube_size,image -o part > /dev/null 2>&1 ||
-	"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflectors.px=24 \
-		--set cube.max_px=16 --method epr --no-images --trace --trace-only scene,eye,mirror_pixel,eye.view,pose,cube_size,image -o part > /dev/null
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflectors.px=24 \
+	--set cube.max_px=16 \
+	--method epr --no-images --trace-only scene,eye,mirror_pixel,eye.view,pose,cube_size,image -o part \
+	> /dev/null 2>&1 ||
+	"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 \
+	--set reflectors.px=24 \
+		--set cube.max_px=16 --method epr --no-images --trace \
+		--trace-only scene,eye,mirror_pixel,eye.view,pose,cube_size,image -o part > /dev/null
 prints 'bits agree with image.radiance' probe part/trace-epr --pixel 3,60
 refuses 'needs lookup.point, points.record' probe part/trace-epr --pixel "$mirror"
 refuses 'needs visibility.bits, split.triangle_density' probe part/trace-epr --triangle 4

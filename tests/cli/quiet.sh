@@ -1,5 +1,6 @@
 #!/bin/bash
-# With -q what passes prints nothing, and of what fails only that is told; JSON, TAP, files and exit codes stay as they are.
+# With -q what passes prints nothing, and of what fails only that is told;
+# JSON, TAP, files and exit codes stay as they are.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 cd "$scratch" || exit 2
@@ -8,7 +9,8 @@ export OMP_WAIT_POLICY=passive
 # silent ARGUMENT...: exit code 0, and nothing is printed, though without -q there is.
 silent() {
 	run "$@"
-	[ "$status" -eq 0 ] && [ -s stdout ] && run "$@" -q ${again:-} && [ "$status" -eq 0 ] && [ ! -s stdout ] && [ ! -s stderr ]
+	[ "$status" -eq 0 ] && [ -s stdout ] && run "$@" -q ${again:-} && [ "$status" -eq 0 ] && [ ! -s stdout ] &&
+		[ ! -s stderr ]
 	verdict $? "silent: $*"
 }
 # tells N PATTERN ARGUMENT...: exit code 1 and N lines, of which one matches.
@@ -53,7 +55,9 @@ for i in 1 2; do run compare r/trace-epr c --shard $i/2 -o s-$i -q; done
 tells 3 '^different  image' merge s-1 s-2
 
 mkdir goldens
-for i in 1 2; do echo "case-$i: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --set seed=$i --small"; done > goldens/cases.txt
+for i in 1 2; do
+	echo "case-$i: mvr dining:triangles=10000:texels=32 --size 24x16 --reflectors 0 --set seed=$i --small"
+done > goldens/cases.txt
 run golden new --goldens goldens
 accepts goldens case-{1,2}
 golden=(golden check --goldens goldens)

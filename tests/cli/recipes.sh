@@ -1,6 +1,6 @@
 #!/bin/bash
-# The recipes of reference/CI.md, as they stand there, on three goldens of which one differs: the merged JUnit XML is that of one
-# run. Slurm is a real one, of one node, where it is installed; a stand-in for its array runs everywhere.
+# The recipes of reference/CI.md, as they stand there, on three goldens of which one differs: the merged JUnit XML is
+# that of one run. Slurm is a real one, of one node, where it is installed; a stand-in for its array runs everywhere.
 . "$(dirname "$0")/tap.bash"
 root=$PWD page=$PWD/reference/CI.md
 export OMP_WAIT_POLICY=passive
@@ -117,14 +117,17 @@ matrix = shard["strategy"]["matrix"]["shard"]
 run = {step["name"]: step["run"] for job in jobs.values() for step in job["steps"] if "name" in step}
 assert shard["needs"] == "build" and merge["needs"] == "shard", "the order of jobs"
 assert all("uses" in step or "run" in step for job in jobs.values() for step in job["steps"]), "steps"
-open("built", "w").write("\n".join(line for line in (run["build"] + run["unpack"]).splitlines() if line.startswith("make ")))
+open("built", "w").write("\n".join(line for line in (run["build"] + run["unpack"]).splitlines()
+                                   if line.startswith("make ")))
 assert f"/{len(matrix)} " in run["check"] and matrix == list(range(1, len(matrix) + 1)), "the matrix is all shards"
 for i in matrix:
 	print(run["check"].replace("${{ matrix.shard }}", str(i)), "|| :")
 print(run["merge"])
 PY
 	verdict $? 'a matrix of GitHub Actions is YAML'
-	grep -q 'make deps-build' built && (cd "$root" && env -u MAKEFLAGS TS_INSTALL=0 bash -e <(sed 's/\bmake\b/make -n/g; s/&& tar .*//' "$scratch/built")) > made 2>&1
+	grep -q 'make deps-build' built &&
+		(cd "$root" &&
+		env -u MAKEFLAGS TS_INSTALL=0 bash -e <(sed 's/\bmake\b/make -n/g; s/&& tar .*//' "$scratch/built")) > made 2>&1
 	verdict $? 'what it makes can be made'
 	mkdir shards
 	bash commands > merged 2> said
@@ -135,7 +138,8 @@ import yaml
 flow = yaml.safe_load(open("gitlab.yml"))
 check, merge = flow["check"], flow["merge"]
 assert [flow[job]["stage"] for job in ("build", "check", "merge")] == flow["stages"], "stages"
-assert set(flow["build"]["script"]) <= set(open("workflow.yml").read().replace("          ", "").splitlines()), "built as there"
+there = open("workflow.yml").read().replace("          ", "").splitlines()
+assert set(flow["build"]["script"]) <= set(there), "built as there"
 for i in range(1, check["parallel"] + 1):
 	print(f"CI_NODE_INDEX={i} CI_NODE_TOTAL={check['parallel']};", check["script"][1], "|| :")
 print(merge["script"][1])

@@ -1,7 +1,8 @@
 #!/bin/bash
 # What a render writes and prints, and that nothing half-written stays behind.
 . "$(dirname "$0")/tap.bash"
-small=(render reflections atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflectors.px=30 --set cube.max_px=64)
+small=(render reflections atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflectors.px=30
+	--set cube.max_px=64)
 cd "$scratch" || exit 2
 mkdir work
 
@@ -47,12 +48,14 @@ done
 
 mkdir work/photos && echo mine > work/photos/mine.png && echo '{}' > work/photos/report.json
 run "${small[@]}" --method epr -o work/photos --force
-[ "$status" -eq 2 ] && grep -q 'remove the folder' stderr && [ -s work/photos/mine.png ] && [ -s work/photos/report.json ]
+[ "$status" -eq 2 ] && grep -q 'remove the folder' stderr && [ -s work/photos/mine.png ] &&
+	[ -s work/photos/report.json ]
 verdict $? '--force keeps a folder whose report.json is not of a render'
 
 echo '{"program": "touchstone"}' > work/photos/report.json
 run "${small[@]}" --method epr -o work/photos --force
-[ "$status" -eq 2 ] && grep -q 'remove the folder' stderr && [ "$(wc -l < stderr)" -eq 1 ] && [ -s work/photos/mine.png ]
+[ "$status" -eq 2 ] && grep -q 'remove the folder' stderr && [ "$(wc -l < stderr)" -eq 1 ] &&
+	[ -s work/photos/mine.png ]
 verdict $? 'and one whose report.json lists no files, as earlier versions wrote'
 
 run "${small[@]}" --json --no-images --truth=A --backend c
@@ -101,15 +104,19 @@ import base64, json, os, struct, sys
 points = struct.pack("<9f", -1, 0, -3, 1, 0, -3, 0, 2, -3)
 json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "name": "Pot"}],
 	"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-	"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, 0, -3], "max": [1, 2, -3]}],
+	"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, 0, -3],
+	               "max": [1, 2, -3]}],
 	"bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36,
-	"uri": "data:application/octet-stream;base64," + base64.b64encode(points).decode()}]}, open(os.fsencode(sys.argv[1]), "w"))
+	"uri": "data:application/octet-stream;base64," + base64.b64encode(points).decode()}]},
+          open(os.fsencode(sys.argv[1]), "w"))
 PY
 run render reflections "$name" "${small[@]:3}" --method epr -o work/odd
-[ "$status" -eq 0 ] && ! grep -q $'\e' stdout && python3 -c 'import json; assert "\\xe9" in json.load(open("work/odd/report.json"))["scene"]'
+[ "$status" -eq 0 ] && ! grep -q $'\e' stdout &&
+	python3 -c 'import json; assert "\\xe9" in json.load(open("work/odd/report.json"))["scene"]'
 verdict $? 'a name of any bytes is reported'
 run info "$name"
-[ "$status" -eq 0 ] && [ "$(sed -n 's/^  node .*triangles: //p' stdout)" = Pot ] && run info "$name" --reflectors 0 --reflector Pot &&
+[ "$status" -eq 0 ] && [ "$(sed -n 's/^  node .*triangles: //p' stdout)" = Pot ] &&
+	run info "$name" --reflectors 0 --reflector Pot &&
 	grep -q '^  reflectors  *1$' stdout
 verdict $? 'info lists the nodes that --reflector takes'
 
@@ -127,34 +134,38 @@ run "${small[@]}" -o work/held
 verdict $? 'the partial folder of another run is left alone'
 
 # A signal in the middle of the work.
-timeout --foreground -s INT 1 "$touchstone" render reflections atrium --size 1920x1080 --truth -o work/deep/er/interrupted \
-	> stdout 2> stderr
+timeout --foreground -s INT 1 "$touchstone" render reflections atrium --size 1920x1080 --truth \
+	-o work/deep/er/interrupted > stdout 2> stderr
 [ $? -ne 0 ] && [ ! -e work/deep ]
 verdict $? 'an interrupted render leaves nothing behind'
 
-refuses 'memory.* or no truth C' render reflections atrium:triangles=10000:texels=32 --size 16384x16384 --truth=C -o work/huge
+refuses 'memory.* or no truth C' render reflections atrium:triangles=10000:texels=32 --size 16384x16384 --truth=C \
+	-o work/huge
 [ ! -e work/huge ] && [ ! -e work/huge.partial ]
 verdict $? 'nor does one that needs too much memory'
 
-run render particles dining:triangles=10000:texels=32 --size 64x36 --set octree.levels=5 --set particle.count=50 --truth --json -o work/particles
+run render particles dining:triangles=10000:texels=32 --size 64x36 --set octree.levels=5 --set particle.count=50 \
+	--truth --json -o work/particles
 [ "$status" -eq 0 ] && [ -s work/particles/megaviews.png ] && [ -s work/particles/manylods.png ] &&
 	[ -s work/particles/truth-glow.png ] && grep -q 'truth-glow' stdout
 verdict $? 'particles by both methods, and their truth'
 refuses 'there is glow, or none' render particles --truth=vpls
-run render surfels checkerboard:surfels=10000 --size 64x36 --set truth.grid_rays=2 --method deferred --truth --json -o work/surfels
+run render surfels checkerboard:surfels=10000 --size 64x36 --set truth.grid_rays=2 --method deferred --truth --json \
+	-o work/surfels
 python3 - stdout <<'PY' && [ "$status" -eq 0 ] && [ -s work/surfels/difference-deferred-truth-discs.png ]
 import json, sys
 rows = {(r["image"], r["reference"]): r for r in json.load(open(sys.argv[1]))["metrics"]}
-assert rows["deferred", "truth-discs"]["share"] == "method" and rows["truth-discs", "truth-surface"]["share"] == "sampling"
+assert rows["deferred", "truth-discs"]["share"] == "method"
+assert rows["truth-discs", "truth-surface"]["share"] == "sampling"
 assert 0 < rows["deferred", "truth-discs"]["rmse"] < rows["deferred", "truth-surface"]["rmse"]
 PY
 verdict $? 'surfels and their truths'
-# Of 10000 surfels in few pixels: 96 bytes each and 192 in the tree; a pixel has 48 in the G-buffer, 12 twice, 3, and 4 for
-# the light that throws shadows.
+# Of 10000 surfels in few pixels: 96 bytes each and 192 in the tree; a pixel has 48 in the G-buffer, 12 twice, 3, and 4
+# for the light that throws shadows.
 for truth in none surface discs; do
 	for shader in phong phong_shadow; do
-		run render surfels checkerboard:surfels=10000 --size 16x16 --method deferred --truth=$truth --set truth.grid_rays=1 \
-			--set deferred.shader=$shader --set depth_map.px=32 --json --no-images
+		run render surfels checkerboard:surfels=10000 --size 16x16 --method deferred --truth=$truth \
+			--set truth.grid_rays=1 --set deferred.shader=$shader --set depth_map.px=32 --json --no-images
 		cp stdout "$truth-$shader.json"
 	done
 done
@@ -169,8 +180,10 @@ verdict $? 'memory of the tree of surfels is counted'
 printf 'ply\nformat ascii 1.0\nelement vertex 1\n%sproperty float radius\nend_header\n0 0 0 0 0 1 1\n' \
 	"$(printf 'property float %s\n' x y z nx ny nz)
 " > one.ply
-run render surfels one.ply --size 64x36 --set eye.distance=outside --truth --set deferred.shader=phong_shadow --set depth_map.px=32 -o work/one
-[ "$status" -eq 0 ] && grep -q '^truth surface: none' stdout && grep -q 'truth-discs' stdout && ! grep -q 'truth-surface' stdout
+run render surfels one.ply --size 64x36 --set eye.distance=outside --truth --set deferred.shader=phong_shadow \
+	--set depth_map.px=32 -o work/one
+[ "$status" -eq 0 ] && grep -q '^truth surface: none' stdout && grep -q 'truth-discs' stdout &&
+	! grep -q 'truth-surface' stdout
 verdict $? 'surfels that are samples of nothing known'
 python3 - > carpet.ply << 'PY'
 rows = [(x / 50, y, z / 50, 0, 1, 0, 0.03) for y in (0, 0.005) for x in range(-40, 40) for z in range(-40, 40)]
@@ -179,12 +192,15 @@ print("\n".join("property float " + name for name in ("x", "y", "z", "nx", "ny",
 print("\n".join(" ".join(map(str, row)) for row in rows))
 PY
 for epsilon in 0.02 0.004; do
-	run render surfels carpet.ply --size 64x36 --set eye.distance=outside --set surfel_depth.epsilon=$epsilon --no-images
+	run render surfels carpet.ply --size 64x36 --set eye.distance=outside --set surfel_depth.epsilon=$epsilon \
+		--no-images
 	cp stderr carpet-$epsilon.txt
 done
-[ "$(grep -c '^touchstone: \(deferred\|ewa\): at .* layers are blended that lie 0.005 apart' carpet-0.02.txt)" -eq 2 ] && [ ! -s carpet-0.004.txt ]
+[ "$(grep -c '^touchstone: \(deferred\|ewa\): at .* layers are blended that lie 0.005 apart' carpet-0.02.txt)" -eq 2 ] \
+	&& [ ! -s carpet-0.004.txt ]
 verdict $? 'layers that epsilon blends are a line for each method'
 refuses 'there are discs and surface, or none' render surfels --truth=glow
-refuses 'view_map.px or particle.count' render particles dining:triangles=10000:texels=32 --set octree.levels=11 --set particle.count=16000000 --set view_map.px=256
+refuses 'view_map.px or particle.count' render particles dining:triangles=10000:texels=32 --set octree.levels=11 \
+	--set particle.count=16000000 --set view_map.px=256
 
 finish

@@ -1,4 +1,5 @@
-"""What tests/cli/report.sh asks of a page. Usage: report.py CHECK ARGUMENT...; each check ends with 0 where it holds."""
+"""What tests/cli/report.sh asks of a page. Usage: report.py CHECK ARGUMENT...;
+each check ends with 0 where it holds."""
 import base64
 import json
 import os
@@ -21,7 +22,8 @@ def data_of(path):
 	data, = re.findall(r'<script type="application/json" id="data">(.*?)</script>', text, re.S)
 	assert "<" not in data, "markup in the data"
 	rest = text.replace(data, "")
-	assert len(re.findall(r"<script", rest)) == 2 and "http:" not in rest and "https:" not in rest, "more scripts, or links"
+	assert len(re.findall(r"<script", rest)) == 2 and "http:" not in rest, "more scripts, or links"
+	assert "https:" not in rest, "more scripts, or links"
 	return json.loads(data)
 
 
@@ -92,7 +94,8 @@ def folder(path, where):
 			assert 0 < pair["flip"] < 1
 	assert len(data["pairs"]) == 2
 	shown = data["folders"][0]
-	assert shown["report"]["counters"] == report["counters"] and shown["times"] == json.loads(read(where + "/times.json"))
+	assert shown["report"]["counters"] == report["counters"]
+	assert shown["times"] == json.loads(read(where + "/times.json"))
 	assert [p["trace"] for p in data["pictures"] if "trace" in p] == [f"{where}/trace-epr", f"{where}/trace-mvr"]
 
 
@@ -108,7 +111,8 @@ def series(path, where, name):
 		with open(f"{where}/{each['name']}", "rb") as file:
 			assert base64.b64decode(each["content"]) == file.read() and each["shows"]
 	values = [row["values"] for row in data["folders"][0]["times"]["renders"]]
-	assert values == ([{"density.scale": "0.25"}, {"density.scale": "0.5"}] if name.startswith("rmse") else [{}, {}]), values
+	assert values == ([{"density.scale": "0.25"}, {"density.scale": "0.5"}]
+	                  if name.startswith("rmse") else [{}, {}]), values
 	assert all(p["shows"] for p in data["pictures"]) and len(data["pictures"]) > 4
 
 
@@ -198,4 +202,5 @@ def noise(path, side):
 
 
 if __name__ == "__main__":
-	{f.__name__: f for f in (folder, ramp, codes, flip, spoil, comparison, names, noise, series)}[sys.argv[1]](*sys.argv[2:])
+	{f.__name__: f for f in (folder, ramp, codes, flip, spoil, comparison, names, noise,
+	                         series)}[sys.argv[1]](*sys.argv[2:])

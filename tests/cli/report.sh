@@ -1,6 +1,7 @@
 #!/bin/bash
-# `report`: a page of a rendered folder and of two traces says what they hold; FLIP is numpy's; text of files stays text; bad
-# input is refused; and, where Chromium is installed, the page works in it, by mouse and by keyboard, wide and small.
+# `report`: a page of a rendered folder and of two traces says what they hold; FLIP is numpy's; text of files stays
+# text; bad input is refused; and, where Chromium is installed, the page works in it, by mouse and by keyboard, wide and
+# small.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 judge=(/usr/bin/python3 "$(realpath tests/cli/report.py)")
@@ -86,8 +87,9 @@ holds 'also of folders' names hostile.html 'evil<b>'
 # Files of other types than expected.
 mkdir odd
 cp r/epr.png odd/
-for odd in '{"program": "touchstone", "files": ["epr.png"], "methods": ["epr"], "notes": 5, "verdict": {"a": []}, "stages": 7, "differences": [3],
-	"buffers": "x", "effect": [1], "scene": {}, "counters": [{"a": {"b": []}}, {"c": null}], "milliseconds": [{"stage": null, "x": "y", "z": 1}], "params": 9}'; do
+for odd in '{"program": "touchstone", "files": ["epr.png"], "methods": ["epr"], "notes": 5, "verdict": {"a": []},
+	"stages": 7, "differences": [3], "buffers": "x", "effect": [1], "scene": {},
+	"counters": [{"a": {"b": []}}, {"c": null}], "milliseconds": [{"stage": null, "x": "y", "z": 1}], "params": 9}'; do
 	echo "$odd" | tee odd/report.json > odd/times.json
 done
 run report odd -o odd.html
@@ -112,7 +114,8 @@ refuses '--probes' report r -o x.html --probes 10001
 refuses 'cannot be written' report r -o nowhere/x.html
 refuses 'lies in q, which a later render replaces' "${frame[@]:0:${#frame[@]}-1}" -o q --report q/x.html
 refuses '--no-images writes no pictures' "${frame[@]}" -o q --trace --report x.html
-refuses '--report: means something for traces and images only' compare r/trace-epr/*-eye.view.npy r/trace-epr/*-eye.view.npy --report x.html
+refuses '--report: means something for traces and images only' compare r/trace-epr/*-eye.view.npy \
+	r/trace-epr/*-eye.view.npy --report x.html
 echo kept > kept.html
 mkdir bad
 for what in '{"program": "other"}' '[]' '{' '{"program": "touchstone", "files": ["absent.png"]}'; do
@@ -124,14 +127,16 @@ head -c 500 r/epr.png > bad/cut.png
 refuses 'bad/cut.png: damaged' report bad -o kept.html
 [ "$(cat kept.html)" = kept ]
 verdict $? 'a page that could not be written leaves the old one'
-echo '{"program": "touchstone", "files": ["../r/epr.png", "/etc/passwd", ".hidden.png", "a/b/c.png", 3]}' > bad/report.json
+echo '{"program": "touchstone", "files": ["../r/epr.png", "/etc/passwd", ".hidden.png", "a/b/c.png", 3]}' \
+	> bad/report.json
 run report bad -o names.html
 [ "$status" -eq 0 ] && grep -q '"pictures":\[\]' names.html
 verdict $? 'no name leads out of the folder'
 "${judge[@]}" noise bad/noise.png 4300
 echo '{"program": "touchstone", "files": ["noise.png"]}' > bad/report.json
 run report bad -o large.html
-[ "$status" -eq 0 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q 'large.html: 70 MB; browsers take long above 64 MB' stderr
+[ "$status" -eq 0 ] && [ "$(wc -l < stderr)" -eq 1 ] &&
+	grep -q 'large.html: 70 MB; browsers take long above 64 MB' stderr
 verdict $? 'a large page is said to be'
 rm -f large.html bad/noise.png
 

@@ -1,5 +1,5 @@
-"""A page in a browser (browser.py). Usage: report_page.py COMPARED RENDERED HOSTILE ODD SWEEP SEQUENCE, pages that tests/cli/report.sh made.
-Prints a line a check, "ok NAME" or "not ok NAME: WHY"."""
+"""A page in a browser (browser.py). Usage: report_page.py COMPARED RENDERED HOSTILE ODD SWEEP SEQUENCE, pages that
+tests/cli/report.sh made. Prints a line a check, "ok NAME" or "not ok NAME: WHY"."""
 import json
 import os
 import sys
@@ -7,9 +7,10 @@ import sys
 from browser import Browser
 
 READY = "document.querySelectorAll('.sheet canvas').length > 0 && parts.readout.textContent !== ''"
-FOCUSABLE = "[...document.querySelectorAll('a[href], button, select, input, summary, [tabindex=\"0\"]')].filter((e) => " \
-	"e.checkVisibility() && !(e.type === 'radio' && !e.checked))"
-NAMED = {"button", "combobox", "slider", "radio", "checkbox", "application", "region", "link", "navigation", "status", "image"}
+FOCUSABLE = ("[...document.querySelectorAll('a[href], button, select, input, summary, [tabindex=\"0\"]')]"
+             ".filter((e) => e.checkVisibility() && !(e.type === 'radio' && !e.checked))")
+NAMED = {"button", "combobox", "slider", "radio", "checkbox", "application", "region", "link", "navigation", "status",
+         "image"}
 
 
 def opened(page, path):
@@ -22,7 +23,8 @@ def clicked(page, x, y):
 	"""Clicks the pixel in the first picture."""
 	page.run("document.getElementById('pictures').scrollIntoView(), 0")
 	left, top = page.run(f"""(() => {{ const box = document.querySelector('.sheet').getBoundingClientRect();
-		return [box.left + box.width * ({x} + 0.5) / view.a.width, box.top + box.height * ({y} + 0.5) / view.a.height]; }})()""")
+		return [box.left + box.width * ({x} + 0.5) / view.a.width,
+			box.top + box.height * ({y} + 0.5) / view.a.height]; }})()""")
 	page.click(left, top)
 	page.wait(f"parts.pixel.textContent.includes('Pixel ({x}, {y})')")
 	return page.run("parts.pixel.textContent")
@@ -30,8 +32,9 @@ def clicked(page, x, y):
 
 def mode(page, name):
 	page.run(f"document.querySelector('input[value={name}]').click(), 0")
-	page.wait(f"view.mode === '{name}' && parts.mapField.hidden === {json.dumps(name != 'heat')} && parts.range.parentElement.hidden === "
-	          f"{json.dumps(name != 'slider')} && parts.flicker.hidden === {json.dumps(name != 'flicker')}")
+	page.wait(f"view.mode === '{name}' && parts.mapField.hidden === {json.dumps(name != 'heat')} && "
+	          f"parts.range.parentElement.hidden === {json.dumps(name != 'slider')} && "
+	          f"parts.flicker.hidden === {json.dumps(name != 'flicker')}")
 
 
 def quiet(page, path):
@@ -58,7 +61,8 @@ def names_and_roles(pages):
 			mode(page, name)
 			nodes = page.call("Accessibility.getFullAXTree")["nodes"]
 			shown = [n for n in nodes if not n.get("ignored") and n["role"]["value"] in NAMED]
-			unnamed = [n["role"]["value"] for n in shown if not n.get("name", {}).get("value") and n["role"]["value"] != "status"]
+			unnamed = [n["role"]["value"] for n in shown if not n.get("name", {}).get("value")
+			           and n["role"]["value"] != "status"]
 			assert not unnamed, unnamed
 			roles = {n["role"]["value"] for n in shown}
 			assert {"application", "radio", "combobox", "navigation"} <= roles, roles
@@ -78,7 +82,8 @@ def keyboard_reaches_all(pages):
 			page.run("seen.add(document.activeElement), 0")
 			if page.run("[...all].every((e) => seen.has(e))"):
 				return
-		raise AssertionError(page.run("[...all].filter((e) => !seen.has(e)).map((e) => e.outerHTML.slice(0, 100)).join(' ')"))
+		raise AssertionError(page.run("[...all].filter((e) => !seen.has(e)).map((e) => e.outerHTML.slice(0, 100))"
+		                              ".join(' ')"))
 
 
 def arrows_move_the_divider(pages):
@@ -102,7 +107,8 @@ def space_flickers(pages):
 		seen = []
 		for second in (True, False, True):
 			page.press("Space")
-			page.wait(f"view.mode === 'flicker' && view.second === {json.dumps(second)} && parts.panes.querySelectorAll('canvas')[1]?.hidden === {json.dumps(not second)}")
+			page.wait(f"view.mode === 'flicker' && view.second === {json.dumps(second)} && "
+			          f"parts.panes.querySelectorAll('canvas')[1]?.hidden === {json.dumps(not second)}")
 			seen.append(page.run("parts.panes.querySelector('figcaption').textContent"))
 		assert seen[0] == seen[2] != seen[1], seen
 		page.run("parts.play.click(), 0")
@@ -117,18 +123,21 @@ def arrows_move_the_pixel(pages):
 		opened(page, pages[1])
 		clicked(page, 20, 10)
 		page.run("parts.panes.focus(), 0")
-		for key, shift, at in (("ArrowRight", False, (21, 10)), ("ArrowDown", True, (21, 20)), ("ArrowUp", False, (21, 19)), ("ArrowLeft", True, (11, 19))):
+		for key, shift, at in (("ArrowRight", False, (21, 10)), ("ArrowDown", True, (21, 20)),
+		                       ("ArrowUp", False, (21, 19)), ("ArrowLeft", True, (11, 19))):
 			page.press(key, shift)
 			page.wait(f"parts.pixel.textContent.includes('Pixel ({at[0]}, {at[1]})')")
 
 
 def heat_maps(pages):
-	colour = "(([r, g, b]) => [r, g, b])(document.querySelector('.sheet canvas').getContext('2d').getImageData({}, {}, 1, 1).data)"
+	colour = ("(([r, g, b]) => [r, g, b])(document.querySelector('.sheet canvas').getContext('2d')"
+	          ".getImageData({}, {}, 1, 1).data)")
 	with Browser(1200, 800) as page:
 		opened(page, pages[0])
 		mode(page, "heat")
 		page.wait("parts.legend.textContent.includes('FLIP error, at 67 pixels per degree')")
-		assert page.run("[...parts.legend.querySelectorAll('.ticks span')].map((e) => e.textContent)") == ["0", "0.25", "0.5", "0.75", "1"]
+		ticks = page.run("[...parts.legend.querySelectorAll('.ticks span')].map((e) => e.textContent)")
+		assert ticks == ["0", "0.25", "0.5", "0.75", "1"]
 		assert page.run(colour.format(90, 50)) == page.run("data.ramp[0]")
 		assert page.run(colour.format(33, 20)) != page.run("data.ramp[0]")
 		page.run("parts.map.value = 'difference', parts.map.dispatchEvent(new Event('change')), 0")
@@ -144,7 +153,8 @@ def differing_pixel_shows_probe(pages):
 	with Browser(1200, 800) as page:
 		opened(page, pages[0])
 		text = clicked(page, 10, 5)
-		assert "coverage" in text and "bits agree with eye.depth_triangle" in text and "bits differ from eye.depth_triangle" in text, text
+		assert "coverage" in text and "bits agree with eye.depth_triangle" in text, text
+		assert "bits differ from eye.depth_triangle" in text, text
 		assert page.run("parts.pixel.querySelectorAll('.leaf.changed').length") > 0
 		assert page.run("parts.pixel.querySelectorAll('.crop canvas').length") == 2
 		text = clicked(page, 33, 20)
@@ -165,15 +175,18 @@ def first_differences_told(pages):
 		opened(page, pages[0])
 		page.wait("document.querySelectorAll('#differences .crop canvas').length >= 4")
 		text = page.run("document.getElementById('differences').textContent")
-		assert "stage 04 eye, buffer eye.depth_triangle, pixel (10, 5)" in text and "inputs identical" in text and ("+1" in text or "-1" in text), text
+		assert "stage 04 eye, buffer eye.depth_triangle, pixel (10, 5)" in text and "inputs identical" in text, text
+		assert ("+1" in text or "-1" in text), text
 		head = page.run("document.querySelector('header').textContent")
 		assert "different 3 of " in head and " buffers judged differ First divergence" in head, head
 		counted = page.run("verdict({said: {differences: [1], judged: 2}}).textContent")
 		assert "1 of 2 buffers judged differ" in counted, counted
 		page.run("[...document.querySelectorAll('#differences td button')].pop().click(), 0")
 		page.wait("parts.pixel.textContent.includes('Pixel (')")
-		smooth = page.run("(() => { const c = document.querySelector('#differences .crop canvas'); const d = c.getContext('2d').getImageData(0, 0, c.width, CELL).data;"
-			" for (let x = 0; x < c.width; x++) for (let k = 0; k < 3; k++) if (d[4 * x + k] !== d[4 * (x - x % CELL) + k]) return true; return false; })()")
+		smooth = page.run("(() => { const c = document.querySelector('#differences .crop canvas');"
+		                  " const d = c.getContext('2d').getImageData(0, 0, c.width, CELL).data;"
+		                  " for (let x = 0; x < c.width; x++) for (let k = 0; k < 3; k++)"
+		                  " if (d[4 * x + k] !== d[4 * (x - x % CELL) + k]) return true; return false; })()")
 		assert smooth is False, "a crop is smoothed"
 
 
@@ -187,20 +200,24 @@ def small_screen(pages):
 				for name in ("side", "slider", "flicker", "heat"):
 					mode(page, name)
 					assert page.run("document.documentElement.scrollWidth") == 360, (path, name)
-				small = page.run("[...document.querySelectorAll('main button, main select')].filter((e) => e.checkVisibility() && e.getBoundingClientRect().height < 24).length")
+				small = page.run("[...document.querySelectorAll('main button, main select')]"
+				                 ".filter((e) => e.checkVisibility() && e.getBoundingClientRect().height < 24).length")
 				assert small == 0, "a control is lower than 24 pixels"
 
 
 def dark_and_light(pages):
-	luminance = "((rgb) => rgb.map((v) => (v /= 255) <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4).reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0))"
+	luminance = ("((rgb) => rgb.map((v) => (v /= 255) <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)"
+	             ".reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0))")
 	grounds = []
 	for dark in (False, True):
 		with Browser(1200, 800, dark=dark) as page:
 			opened(page, pages[0])
-			colour = lambda element, key: page.run(f"{luminance}(getComputedStyle(document.querySelector('{element}')).{key}.match(/\\d+/g).slice(0, 3).map(Number))")
+			colour = lambda element, key: page.run(f"{luminance}(getComputedStyle(document.querySelector('{element}'))"
+			                                       f".{key}.match(/\\d+/g).slice(0, 3).map(Number))")
 			ground = colour("section", "backgroundColor")
 			grounds.append(ground)
-			for element, least in (("body", 7), (".dim", 4.5), (".a-side", 4.5), (".b-side", 4.5), ("#differences a, header a", 4.5), (".chip.different", 4.5)):
+			for element, least in (("body", 7), (".dim", 4.5), (".a-side", 4.5), (".b-side", 4.5),
+			                       ("#differences a, header a", 4.5), (".chip.different", 4.5)):
 				behind = colour(element, "backgroundColor") if "chip" in element else ground
 				high, low = sorted((colour(element, "color"), behind), reverse=True)
 				assert (high + 0.05) / (low + 0.05) >= least, (dark, element, (high + 0.05) / (low + 0.05))
@@ -212,8 +229,10 @@ def hostile_text_is_text(pages):
 		opened(page, pages[2])
 		assert page.run("document.querySelectorAll('script').length") == 2
 		assert page.run("window.hacked") is None and page.run("document.querySelector('b.hacked')") is None
-		assert page.run("document.body.textContent.includes('</script><script>window.hacked=1</script><b class=hacked>')")
-		page.run("(() => { const s = document.createElement('script'); s.textContent = 'window.hacked = 2'; document.body.append(s); })(), 0")
+		assert page.run("document.body.textContent"
+		                ".includes('</script><script>window.hacked=1</script><b class=hacked>')")
+		page.run("(() => { const s = document.createElement('script'); s.textContent = 'window.hacked = 2'; "
+		         "document.body.append(s); })(), 0")
 		assert page.run("window.hacked") is None, "the policy lets other scripts run"
 
 
@@ -221,7 +240,8 @@ def odd_figures_do_no_harm(pages):
 	with Browser(1200, 800) as page:
 		opened(page, pages[3])
 		quiet(page, pages[3])
-		assert page.run("[...document.querySelectorAll('section')].map((e) => e.id)") == ["pictures", "differences", "figures"]
+		sections = page.run("[...document.querySelectorAll('section')].map((e) => e.id)")
+		assert sections == ["pictures", "differences", "figures"]
 		assert page.run("document.getElementById('figures').textContent").count("cannot be shown") == 1
 
 
@@ -233,17 +253,20 @@ def series_are_told(pages):
 		heads = page.run("[...document.querySelectorAll('#figures th')].map((e) => e.textContent)")
 		assert "density.scale" in heads and "epr, ms" in heads and "combination" not in heads, heads
 		assert "{" not in page.run("document.getElementById('figures').textContent")
-		assert page.run("[...document.querySelectorAll('#stage-pictures figcaption')].every((e) => e.querySelector('.dim'))")
-		assert page.run("[...document.querySelectorAll('.pane figcaption b')].every((e) => e.getClientRects().length === 1)")
+		assert page.run("[...document.querySelectorAll('#stage-pictures figcaption')]"
+		                ".every((e) => e.querySelector('.dim'))")
+		assert page.run("[...document.querySelectorAll('.pane figcaption b')]"
+		                ".every((e) => e.getClientRects().length === 1)")
 	with Browser(1200, 800) as page:
 		opened(page, pages[5])
 		assert page.run("document.querySelector('#plots video').src").startswith("data:video/mp4;base64,")
 		assert page.run("[label(view.a), label(view.b)]") == ["epr (frame-000000)", "epr (frame-000001)"]
 
 
-CHECKS = [no_faults, names_and_roles, keyboard_reaches_all, arrows_move_the_divider, space_flickers, arrows_move_the_pixel, heat_maps,
-          differing_pixel_shows_probe, other_pixel_shows_command, first_differences_told, small_screen, dark_and_light, hostile_text_is_text,
-          odd_figures_do_no_harm, series_are_told]
+CHECKS = [no_faults, names_and_roles, keyboard_reaches_all, arrows_move_the_divider, space_flickers,
+          arrows_move_the_pixel, heat_maps,
+          differing_pixel_shows_probe, other_pixel_shows_command, first_differences_told, small_screen, dark_and_light,
+          hostile_text_is_text, odd_figures_do_no_harm, series_are_told]
 
 
 def main():

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Whether reports are as their schemas say, and whether these schemas can refuse: a report is invalid in which a
-member is missing, has another type, or is beside what the schema has. Prints a line for each fault; exit 1 if there is any.
+member is missing, has another type, or is beside what the schema has. Prints a line for each fault;
+exit 1 if there is any.
 
 	schemas.py SCHEMA REPORT...     the last REPORT is also changed, with one item of each shape in its lists"""
 import json

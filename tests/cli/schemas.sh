@@ -1,6 +1,6 @@
 #!/bin/bash
-# The JSON reports of compare, golden check, merge and vectors --check are as their schemas say, and the first divergence has
-# the fields that its line tells.
+# The JSON reports of compare, golden check, merge and vectors --check are as their schemas say, and the first
+# divergence has the fields that its line tells.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 here=$PWD/tests/cli
@@ -64,12 +64,15 @@ suits compare 'and what differs' shard.json different.json
 import json, struct
 report = json.load(open("different.json"))
 first, line = report["divergence"], report["first_divergence"]
-assert line.startswith(f"stage {first['number']:02} {first['stage']}, buffer {first['buffer']}, {first['where']}, field {first['field']}: ")
+assert line.startswith(f"stage {first['number']:02} {first['stage']}, buffer {first['buffer']}, {first['where']}, "
+                       f"field {first['field']}: ")
 assert f"ref {first['reference']} candidate {first['candidate']}" in line and line.endswith("; " + first["inputs"])
 assert first["inputs"] == "inputs identical" and f"{first['ulps']:+} ulp" in line
 bits = [int(first[side + "_bits"], 16) for side in ("reference", "candidate")]
-assert all(f"({first[side + '_bits']})" in first[side] for side in ("reference", "candidate")) and bits[0] ^ bits[1] in (1, 1 << 8, 1 << 16, 1 << 24)
-assert struct.unpack(">f", bytes.fromhex(first["candidate_bits"]))[0] == float.fromhex(first["candidate"].split(" = ")[1].split(" ")[0])
+assert all(f"({first[side + '_bits']})" in first[side] for side in ("reference", "candidate"))
+assert bits[0] ^ bits[1] in (1, 1 << 8, 1 << 16, 1 << 24)
+found = float.fromhex(first["candidate"].split(" = ")[1].split(" ")[0])
+assert struct.unpack(">f", bytes.fromhex(first["candidate_bits"]))[0] == found
 PY
 verdict $? 'the first divergence as fields'
 keep images compare r/epr.png r/epr.png -o same

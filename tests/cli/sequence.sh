@@ -1,10 +1,10 @@
 #!/bin/bash
-# Frames one after the other: each has the bits that it has alone, figures are those of its pictures, and videos are made by
-# whatever is called ffmpeg, or not at all.
+# Frames one after the other: each has the bits that it has alone, figures are those of its pictures, and videos are
+# made by whatever is called ffmpeg, or not at all.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
-small=(render reflections atrium:triangles=10000:texels=32 --size 65x35 --reflectors 3 --set reflectors.px=20 --set cube.max_px=32
-	--set cube.hysteresis=4)
+small=(render reflections atrium:triangles=10000:texels=32 --size 65x35 --reflectors 3 --set reflectors.px=20
+	--set cube.max_px=32 --set cube.hysteresis=4)
 mkdir bin none
 
 # An encoder that knows no dates: says what it saw, and gives the pictures back.
@@ -82,11 +82,13 @@ times = json.load(open("whole/times.json"))["renders"]
 assert [(t["combination"], t["frame"]) for t in times] == [(0, 3), (0, 6), (0, 9)]
 assert all(t["milliseconds"]["epr"] > 0 and t["resident_bytes"] > 1e6 for t in times)
 for name in report["files"]: open("whole/" + name, "rb").close()
-assert {"contact-sheet.png", "rmse-frame.svg", "flicker-frame.svg", "epr.mp4", "mvr.mp4", "truth-b.mp4"} < set(report["files"])
+assert {"contact-sheet.png", "rmse-frame.svg", "flicker-frame.svg", "epr.mp4", "mvr.mp4",
+        "truth-b.mp4"} < set(report["files"])
 PY
 verdict $? 'figures of the frames are those of their pictures'
 
-cat whole/frame-*/epr.png | cmp - whole/epr.mp4 && [ "$(wc -l < ffmpeg.log)" -eq 3 ] && grep -q -- '-i frame-\*/epr.png' ffmpeg.log
+cat whole/frame-*/epr.png | cmp - whole/epr.mp4 && [ "$(wc -l < ffmpeg.log)" -eq 3 ] &&
+	grep -q -- '-i frame-\*/epr.png' ffmpeg.log
 verdict $? 'ffmpeg sees the frames in their order'
 
 PATH=$scratch/bin:$PATH run "${small[@]}" --method epr,mvr --truth=B --frames 3..9:3 -o again --threads 1
@@ -149,15 +151,19 @@ verdict $? 'the exposure of a sequence is that of frame 0, wherever the sequence
 python3 - <<'PY'
 import base64, json, struct
 position = struct.pack("<9f", -90, -90, 0, 90, -90, 0, 0, 180, 0)
-json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}], "extensionsUsed": ["KHR_lights_punctual"],
+json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+           "extensionsUsed": ["KHR_lights_punctual"],
 	"extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 0.25}]}},
-	"nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0, 5]}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+	"nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0, 5]},
+	          {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
 	"cameras": [{"name": "c", "type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}],
 	"materials": [{"pbrMetallicRoughness": {"metallicFactor": 0}}],
 	"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
-	"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-90, -90, 0], "max": [90, 180, 0]}],
+	"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-90, -90, 0],
+	               "max": [90, 180, 0]}],
 	"bufferViews": [{"buffer": 0, "byteLength": 36}],
-	"buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + base64.b64encode(position).decode()}]},
+	"buffers": [{"byteLength": 36,
+	             "uri": "data:application/octet-stream;base64," + base64.b64encode(position).decode()}]},
 	open("wall.gltf", "w"))
 PY
 run render reflections wall.gltf --camera c --reflectors 0 --method mvr --size 64x64 --exposure auto -o wall

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Shards: each case is in exactly one, and what `merge` writes of all of them is to the byte what the command writes without
-# shards, but for times; shards that are missing, there twice, of other runs or damaged are refused by one line.
+# Shards: each case is in exactly one, and what `merge` writes of all of them is to the byte what the command writes
+# without shards, but for times; shards that are missing, there twice, of other runs or damaged are refused by one line.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/stamp.bash"
@@ -21,8 +21,8 @@ refuses_merge() {
 	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && [ ! -s stdout ] && grep -q -- "$pattern" stderr
 	verdict $? "$name"
 }
-# whole_and_shards STATUS N NAME ARGUMENT...: one run, and N shards of it, merged: files, JUnit, JSON and TAP are the same. What
-# the last call ran whole, with the same end, is there already.
+# whole_and_shards STATUS N NAME ARGUMENT...: one run, and N shards of it, merged: files, JUnit, JSON and TAP are the
+# same. What the last call ran whole, with the same end, is there already.
 ran=
 whole_and_shards() {
 	local expected=$1 n=$2 name=$3 i worst=0 same=0
@@ -40,7 +40,8 @@ whole_and_shards() {
 		xmllint --noout --schema "$schema" "s-$i.xml" 2> lint || same=1
 	done
 	[ "$worst" -eq "$expected" ] || same=1
-	run merge $(ls -d s-* | grep -v xml | shuf --random-source=<(yes)) -o all --junit all.xml --json && mv stdout all.json
+	run merge $(ls -d s-* | grep -v xml | shuf --random-source=<(yes)) -o all --junit all.xml --json &&
+		mv stdout all.json
 	[ "$status" -eq "$expected" ] && alike whole all && cmp whole.json all.json || same=1
 	diff <(timeless whole.xml) <(timeless all.xml) >> differs || same=1
 	xmllint --noout --schema "$schema" all.xml 2> lint || same=1
@@ -50,7 +51,8 @@ whole_and_shards() {
 }
 
 for text in 0/3 4/3 1/0 1 /3 1/ 1/3/5 -1/3 1/1001 a/b '' ' 1/2' 1.5/2 01x/2; do
-	refuses '^touchstone: --shard .*: not I/N, with I from 1 to N and N at most 1000; for instance 1/4$' golden check --shard "$text"
+	refuses '^touchstone: --shard .*: not I/N, with I from 1 to N and N at most 1000; for instance 1/4$' golden check \
+		--shard "$text"
 done
 
 # Goldens, one of which differs.
@@ -77,7 +79,8 @@ done
 [ "$(sort counted | xargs)" = 'case-1 case-2 case-3 case-4 case-5' ]
 verdict $? 'each case is in exactly one'
 run "${golden[@]}" --shard 7/9
-[ "$status" -eq 0 ] && grep -q '^0 passed, 0 failed, 0 skipped$' stdout && grep -q 'shard 7/9: none of the 5 cases is in it; it passes' stderr
+[ "$status" -eq 0 ] && grep -q '^0 passed, 0 failed, 0 skipped$' stdout &&
+	grep -q 'shard 7/9: none of the 5 cases is in it; it passes' stderr
 verdict $? 'a shard without a case passes, and says so'
 whole_and_shards 1 7 'more shards than cases' "${golden[@]}"
 rm -r goldens/case-4/small
@@ -135,8 +138,10 @@ data[len(data) // 2] ^= 1
 open(sys.argv[1], "wb").write(data)
 PY
 	run merge s-1 hurt s-3
-	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q '^touchstone: hurt: damaged: .*; run that shard again$' stderr || bad=1
-	[ "${file#s-2/}" = SHA256SUMS ] || { rm "hurt/${file#s-2/}" && run merge s-1 hurt s-3; [ "$status" -eq 2 ] || bad=1; }
+	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] &&
+		grep -q '^touchstone: hurt: damaged: .*; run that shard again$' stderr || bad=1
+	[ "${file#s-2/}" = SHA256SUMS ] ||
+		{ rm "hurt/${file#s-2/}" && run merge s-1 hurt s-3; [ "$status" -eq 2 ] || bad=1; }
 done
 verdict "$bad" 'a file that is damaged, or missing'
 rm -rf hurt && cp -r s-2 hurt && echo '{}' > hurt/times.json

@@ -1,6 +1,7 @@
 # A build that knows a commit, for what asks whether it does. Sourced.
 
-# stamp COMMIT FOLDER: makes FOLDER/touchstone, the command as if it was built from that commit. The text is as long as it was.
+# stamp COMMIT FOLDER: makes FOLDER/touchstone, the command as if it was built from that commit.
+# The text is as long as it was.
 stamp() {
 	python3 - "$1" "$(realpath "${BUILD:-build/release}/touchstone")" "$2/touchstone" <<'PY'
 import subprocess, sys

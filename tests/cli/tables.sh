@@ -58,7 +58,8 @@ else
 fi
 run list params 'mvr.*' --json
 python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))["params"]
-assert {r["name"] for r in rows} > {"mvr.filter"} and all(r["name"].startswith("mvr.") and "mvr" in r["methods"].split() for r in rows)' \
+assert {r["name"] for r in rows} > {"mvr.filter"}
+assert all(r["name"].startswith("mvr.") and "mvr" in r["methods"].split() for r in rows)' \
 	"$scratch/stdout"
 verdict $? 'in JSON, who reads it'
 
@@ -66,7 +67,8 @@ run list ''
 lists=$(sed 's/.*there are //; s/,//g; s/ and / /' "$scratch/stderr")
 for what in $lists; do
 	run list $what --json
-	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; assert all(r["name"] for r in rows) and rows
+	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]
+assert all(r["name"] for r in rows) and rows
 for key in rows[0]: assert len({type(r[key]) for r in rows} - {type(None)}) == 1, key' "$scratch/stdout" $what
 	verdict $? "list $what --json is an object with rows, and a column of a kind"
 done
@@ -87,7 +89,8 @@ import json, subprocess, sys
 rows = json.load(open(sys.argv[2]))["params"]
 arguments = [a for r in rows for a in ("--set", f'{r["name"]}={r["default"]}')]
 choices = [a for r in rows if "|" in r["range"] for c in r["range"].split("|") for a in ("--set", f'{r["name"]}={c}')]
-subprocess.run([sys.argv[1], "info", "atrium:triangles=10000", *arguments, *choices], check=True, stdout=subprocess.DEVNULL)
+subprocess.run([sys.argv[1], "info", "atrium:triangles=10000", *arguments, *choices], check=True,
+               stdout=subprocess.DEVNULL)
 PY
 verdict $? 'every parameter takes its default and every choice'
 

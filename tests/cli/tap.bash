@@ -16,8 +16,8 @@ verdict() {
 	fi
 }
 
-# limits_files: whether the size of files can be limited: any program of ThreadSanitizer and libomp ends with a bus error
-# before main then.
+# limits_files: whether the size of files can be limited: any program of ThreadSanitizer and libomp ends with a bus
+# error before main then.
 limits_files() {
 	[[ ${BUILD:-} != *tsan ]] && return
 	echo "ok $((tests += 1)) - a disk that fills # SKIP ThreadSanitizer and libomp map files"
@@ -40,8 +40,9 @@ refuses() {
 	verdict $? "refused: $*"
 }
 
-# without_images, with_images: $touchstone is from here on a copy that finds no module of images, which takes five times as
-# long to load as a small frame takes; of a golden's preview it says that it was not compared. And the other way round.
+# without_images, with_images: $touchstone is from here on a copy that finds no module of images, which takes five times
+# as long to load as a small frame takes; of a golden's preview it says that it was not compared. And the other way
+# round.
 without_images() {
 	mkdir -p "$scratch/without-images"
 	[ -e "$scratch/without-images/touchstone" ] || cp "$touchstone" "$scratch/without-images/"

@@ -1,7 +1,8 @@
 # What the scripts about traces share. Sourced after tap.bash.
 
 # A frame of every kind of buffer, in a second.
-frame=(render reflections "$(realpath scenes/room.gltf)" --size 96x54 --reflectors 3 --set reflectors.px=30 --set cube.max_px=64
+frame=(render reflections "$(realpath scenes/room.gltf)" --size 96x54 --reflectors 3 --set reflectors.px=30
+	--set cube.max_px=64
 	--set lookup.bounces=3 --no-images)
 
 # digests_hold FOLDER: every file that its trace.json names has the digest it says, and there is no other in the folder.

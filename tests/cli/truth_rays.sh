@@ -12,7 +12,8 @@ judge() {
 	for seed in 0 1 2 3; do
 		run render "$effect" "$scene" --method "$method" --truth=all "$@" --set seed=$seed --no-images --json
 		mv stdout "whole-$seed.json"
-		run render "$effect" "$scene" --method "$method" --truth=all "$@" --set truth.rays=$rays --set seed=$seed --no-images --json
+		run render "$effect" "$scene" --method "$method" --truth=all "$@" --set truth.rays=$rays --set seed=$seed \
+			--no-images --json
 		mv stdout "part-$seed.json"
 	done
 	python3 - <<'PY'
@@ -38,7 +39,8 @@ judge 120000 soft-shadows gallery:triangles=10000:texels=32 mvr "${shadows[@]}"
 judge 120000 soft-shadows dining:triangles=10000:texels=32 mvr "${shadows[@]}"
 judge 120000 omni-shadows atrium:triangles=10000:texels=32 mvr "${shadows[@]}"
 judge 120000 indirect dining:triangles=10000:texels=32 direct "${light[@]}"
-judge 120000 area-light gallery:triangles=10000:texels=32 direct --size 64x36 --set truth.area_samples=256 --set lamp.radius=0.3
+judge 120000 area-light gallery:triangles=10000:texels=32 direct --size 64x36 --set truth.area_samples=256 \
+	--set lamp.radius=0.3
 judge 60000 surfels gallery:triangles=10000:texels=32 deferred --from-mesh 20000 --size 96x54
 
 part=(soft-shadows gallery:triangles=10000:texels=32 --method mvr "${shadows[@]}" --truth --set truth.rays=60000)
@@ -51,7 +53,8 @@ verdict $? 'two runs by whatever threads write the same'
 grep -q 'Truths in part' stdout && grep -q 'texels a ray' stdout
 verdict $? 'the table says what was asked'
 
-run render reflections dining:triangles=10000:texels=32 --size 96x54 --method epr --truth --set truth.rays=60000 --no-images
+run render reflections dining:triangles=10000:texels=32 --size 96x54 --method epr --truth --set truth.rays=60000 \
+	--no-images
 [ "$status" -eq 0 ] && grep -q '^truth C: left out' stdout && grep -q 'truth-b' stdout && ! grep -q 'truth-c' stdout
 verdict $? 'what cannot be made in part is left out, with a line'
 refuses 'bench ivir-3: truth.rays=60: tables judge by whole truths; leave it out' bench ivir-3 --set truth.rays=60

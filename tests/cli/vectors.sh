@@ -16,7 +16,8 @@ END
 
 run vectors -o v
 n=$(python3 -c 'import json; print(len(json.load(open("v/vectors.json"))["primitives"]))')
-[ "$status" -eq 0 ] && [ "$n" -ge 50 ] && [ "$(ls v | wc -l)" -eq $((2 * n + 1)) ] && grep -q "^$n primitives of 4096" stdout
+[ "$status" -eq 0 ] && [ "$n" -ge 50 ] && [ "$(ls v | wc -l)" -eq $((2 * n + 1)) ] &&
+	grep -q "^$n primitives of 4096" stdout
 verdict $? "-o writes $n primitives and their description"
 [ ! -e v.partial ]
 verdict $? 'and nothing else'
@@ -100,7 +101,8 @@ verdict $? 'and in JSON'
 # Of a record the column is named.
 mkdir record && cp v/light.out.npy record && poke record/light.out.npy 4 1
 run vectors --check record
-[ "$status" -eq 1 ] && grep -q '^light, item 4095, the first of 1 wrong' stdout && grep -q 'apart .* ulp in arrives$' stdout &&
+[ "$status" -eq 1 ] && grep -q '^light, item 4095, the first of 1 wrong' stdout &&
+	grep -q 'apart .* ulp in arrives$' stdout &&
 	grep -q '^  expected l  *[-0-9]' stdout && grep -q '^  found arrives  *[-0-9]' stdout
 verdict $? 'a wrong column of a record is named'
 
@@ -132,7 +134,8 @@ flush = lambda x: x if abs(x) >= tiny else x * 0.0
 save("add.out.npy", head, [flush(f32(Fraction(flush(a)) + Fraction(flush(b)))) if max(abs(a), abs(b)) < 1 and flush(a) +
     flush(b) != 0 else r for (a, b), (r,) in zip(load("add.in.npy", "<ff")[1], out)])
 head, out = load("div.out.npy", "<f")
-save("div.out.npy", head, [f32(Fraction(a) * Fraction(f32(1 / Fraction(b)))) if a != 0 and 2.0 ** -60 < abs(a) < 2.0 ** 60
+save("div.out.npy",
+     head, [f32(Fraction(a) * Fraction(f32(1 / Fraction(b)))) if a != 0 and 2.0 ** -60 < abs(a) < 2.0 ** 60
     and 2.0 ** -60 < abs(b) < 2.0 ** 60 else r for (a, b), (r,) in zip(load("div.in.npy", "<ff")[1], out)])
 END
 verdict $? 'three faults are planted'
@@ -141,7 +144,10 @@ for fault in 'muladd .*fused multiply-add' 'add .*flush to zero' 'div .*reciproc
 	[ "$status" -eq 1 ] && grep -q "^$fault" stdout
 	verdict $? "named: $fault"
 done
-awk '/fused multiply-add|flush to zero|reciprocal division/ && NF >= 6 && $1 ~ /^(muladd|add|div)$/ { if ($3 != $NF) bad = 1; n++ }
+awk '/fused multiply-add|flush to zero|reciprocal division/ && NF >= 6 && $1 ~ /^(muladd|add|div)$/ {
+		if ($3 != $NF) bad = 1
+		n++
+	}
 	END { exit bad || n != 3 }' stdout
 verdict $? 'and each explains every wrong item'
 
@@ -183,7 +189,8 @@ refuses 'write them with -o DIR' vectors add
 verdict $? 'a full standard output is an error'
 
 run vectors mul add -o "$scratch/two"
-[ "$status" -eq 0 ] && [ "$(cd "$scratch/two" && echo *)" = 'add.in.npy add.out.npy mul.in.npy mul.out.npy vectors.json' ] &&
+[ "$status" -eq 0 ] &&
+	[ "$(cd "$scratch/two" && echo *)" = 'add.in.npy add.out.npy mul.in.npy mul.out.npy vectors.json' ] &&
 	[ "$(grep -c '"rule"' "$scratch/two/vectors.json")" -eq 2 ]
 verdict $? 'the primitives that are named'
 refuses 'no primitive "ad"; the nearest is add' vectors ad -o "$scratch/none"

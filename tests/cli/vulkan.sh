@@ -1,12 +1,13 @@
 #!/bin/bash
-# The Vulkan backend from the command line: the same bits as C's, what it refuses, how it ends where there is no device, and what
-# becomes of kernels that were not made exact.
+# The Vulkan backend from the command line: the same bits as C's, what it refuses, how it ends where there is no device,
+# and what becomes of kernels that were not made exact.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/vulkan.bash"
 # As small as may be: llvmpipe takes some hundred times what C takes.
 small=(dining:triangles=10000:texels=32 --size 48x32 --reflectors 1 --set reflectors.px=16 --set cube.max_px=16)
-frame=(render reflections "$(realpath scenes/room.gltf)" --size 48x27 --reflectors 1 --set reflectors.px=16 --set cube.max_px=32
+frame=(render reflections "$(realpath scenes/room.gltf)" --size 48x27 --reflectors 1 --set reflectors.px=16
+	--set cube.max_px=32
 	--no-images)
 on=(--backend vulkan)
 
@@ -26,10 +27,11 @@ same_traces compiling
 grep -q '"flags": "group=64"' "$scratch/canonical/trace-epr/trace.json"
 verdict $? 'and how it is run'
 
-# llvmpipe's limit, which newer versions may not have: triangles of the whole screen are drawn in bands, and a loop that the
-# driver ends all the same is an error.
+# llvmpipe's limit, which newer versions may not have: triangles of the whole screen are drawn in bands, and a loop that
+# the driver ends all the same is an error.
 if grep -q llvmpipe "$scratch/backends"; then
-	same_digests 'more pixels than llvmpipe has turns, and no reflectors' compiling atrium --size 480x270 --method mvr --reflectors 0
+	same_digests 'more pixels than llvmpipe has turns, and no reflectors' compiling atrium --size 480x270 --method mvr \
+		--reflectors 0
 	run digest atrium --size 3840x2160 --method mvr --reflectors 0 "${on[@]}"
 	if [ "$status" -eq 0 ]; then
 		cp "$scratch/stdout" "$scratch/expected"
@@ -37,7 +39,8 @@ if grep -q llvmpipe "$scratch/backends"; then
 		cmp -s "$scratch/stdout" "$scratch/expected"
 		verdict $? 'the digests of C, as the driver ends no loop'
 	else
-		ends 2 'stage eye: backend vulkan: .* ended a loop of eye early; llvmpipe' 'a loop that the driver ends is an error'
+		ends 2 'stage eye: backend vulkan: .* ended a loop of eye early; llvmpipe' \
+			'a loop that the driver ends is an error'
 	fi
 fi
 
@@ -62,7 +65,8 @@ refuses 'vectors.spv: not a SPIR-V module' digest "${on[@]}" --build "$scratch/s
 
 # A device whose quotients and roots are some ulp off, as Vulkan lets them be: they are made of integers.
 cp -r "$caches/gen/glsl" "$scratch/ulps"
-sed -i 's|return a / b;|return a * (1.0 / b);|; s|return sqrt(x);|return 1.0 / inversesqrt(x);|' "$scratch/ulps/base/compat.glsl"
+sed -i 's|return a / b;|return a * (1.0 / b);|; s|return sqrt(x);|return 1.0 / inversesqrt(x);|' \
+	"$scratch/ulps/base/compat.glsl"
 grep -q inversesqrt "$scratch/ulps/base/compat.glsl"
 verdict $? 'quotients and roots with errors are planted'
 compiled "$scratch/ulps" "$scratch/off" vectors points_vectors hulls_vectors

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Every golden case on Vulkan: the digests of C; where llvmpipe's limit of loops ends one, with one line, and without the limit.
-# Minutes, most of which compile kernels.
+# Every golden case on Vulkan: the digests of C; where llvmpipe's limit of loops ends one, with one line, and without
+# the limit. Minutes, most of which compile kernels.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/vulkan.bash"
 need_device vulkan

@@ -1,6 +1,6 @@
 #!/bin/bash
-# How a command ends: by its own exit code, by the signal that was sent, or, whatever else ends it, with 2, one line of ours
-# and nothing half-written. What appears at DIR while it runs stays.
+# How a command ends: by its own exit code, by the signal that was sent, or, whatever else ends it, with 2, one line of
+# ours and nothing half-written. What appears at DIR while it runs stays.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 source=$(realpath "$(dirname "$0")/preload/end.c")
@@ -26,7 +26,8 @@ leaves() { [ "$(ls -A -I 'end.so' -I stdout -I stderr | tr '\n' ' ')" = "$1" ]; 
 
 { ending exit "${tiny[@]}" -o a/b; } 2> /dev/null
 [ "$status" -eq 2 ] && leaves '' &&
-	[ "$(cat stderr)" = 'touchstone: a library ended the run with exit code 1, for want of memory or threads; no result' ]
+	[ \
+	"$(cat stderr)" = 'touchstone: a library ended the run with exit code 1, for want of memory or threads; no result' ]
 verdict $? 'a library that ends the process does not say "different"'
 for signal in 6 11 9 8 24; do
 	{ ending "signal $signal" "${tiny[@]}" -o a/b; } 2> /dev/null
@@ -60,13 +61,15 @@ for ((i = 0; i < 100; i++)); do pgrep -f "^$touchstone .*-o $scratch/a/b" > /dev
 [ "$status" -eq 137 ] && ! pgrep -f "^$touchstone .*-o $scratch/a/b" > /dev/null && [ -e a/b.partial ]
 verdict $? 'a worker does not outlive its parent'
 run "${tiny[@]}" -o a/b
-[ "$status" -eq 0 ] && [ "$(cat stderr)" = 'touchstone: a/b: removed what a run that was killed had left there' ] && [ "$(ls -A a)" = b ]
+[ "$status" -eq 0 ] && [ "$(cat stderr)" = 'touchstone: a/b: removed what a run that was killed had left there' ] &&
+	[ "$(ls -A a)" = b ]
 verdict $? 'the next run removes what was left, and says so'
 rm -rf a
 
 # Limits.
 ending wait "${tiny[@]}" -o a/b --timeout 1
-[ "$status" -eq 2 ] && [ "$(cat stderr)" = 'touchstone: stopped after 1 s, as --timeout asks; no result' ] && rm -r now && leaves ''
+[ "$status" -eq 2 ] && [ "$(cat stderr)" = 'touchstone: stopped after 1 s, as --timeout asks; no result' ] &&
+	rm -r now && leaves ''
 verdict $? '--timeout'
 run "${tiny[@]}" -o a/b --timeout 100
 [ "$status" -eq 0 ] && [ -s a/b/mvr.png ]
@@ -90,7 +93,8 @@ refuses 'not a whole number' "${tiny[@]}" --timeout 0
 
 # What appears.
 ending 'fill out/mine' "${tiny[@]}" -o out
-[ "$status" -eq 2 ] && [ "$(cat stderr)" = 'touchstone: out: not empty; name another folder with -o, or replace it with --force' ] &&
+[ "$status" -eq 2 ] &&
+	[ "$(cat stderr)" = 'touchstone: out: not empty; name another folder with -o, or replace it with --force' ] &&
 	leaves 'out ' && [ "$(ls -A out)" = mine ]
 verdict $? 'a folder that appeared stays'
 rm -r out
@@ -113,11 +117,12 @@ run golden new --goldens three
 accepts three case-{1,2,3}
 # loses HOW TEXT OPTION...: the verdict of case-2, with that text, and no other.
 loses() {
-	{ TOUCHSTONE_END=$1 TOUCHSTONE_END_AT=$scratch/now/here TOUCHSTONE_END_OPEN=case-2 LD_PRELOAD=$scratch/end.so timeout 100 \
-		"$touchstone" golden check --goldens three --junit j.xml "${@:3}" > stdout 2> stderr; } 2> said
+	{ TOUCHSTONE_END=$1 TOUCHSTONE_END_AT=$scratch/now/here TOUCHSTONE_END_OPEN=case-2 LD_PRELOAD=$scratch/end.so \
+		timeout 100 "$touchstone" golden check --goldens three --junit j.xml "${@:3}" > stdout 2> stderr; } 2> said
 	[ $? -eq 2 ] && [ "$(sed 's/ .*//' stdout | xargs)" = 'same lost same 2' ] && [ "$(wc -l < stderr)" -eq 1 ] &&
 		grep -q "^lost  *case-2  case-2: $2" stdout && grep -q "^touchstone: golden: case-2: $2" stderr &&
-		grep -q 'tests="3" failures="0" errors="1"' j.xml && grep -A1 'name="case-2"' j.xml | grep -q "<error message=\"case-2: $2"
+		grep -q 'tests="3" failures="0" errors="1"' j.xml && grep -A1 'name="case-2"' j.xml |
+		grep -q "<error message=\"case-2: $2"
 	verdict $? "a case that ends by $1 loses its own verdict"
 }
 loses 'signal 11' 'the run ended by signal 11'
@@ -125,7 +130,8 @@ loses 'signal 9' 'the run was killed'
 loses exit 'a library ended the run with exit code 1'
 loses wait 'stopped after 2 s, as --timeout asks' --timeout 2
 [[ ${BUILD:-} == *san ]] || loses 'signal 11' 'the run ended by signal 11' --memory 4000
-{ TOUCHSTONE_END='signal 15' TOUCHSTONE_END_OPEN=case-2 LD_PRELOAD=$scratch/end.so "$touchstone" golden check --goldens three > stdout 2> stderr; } 2> said
+{ TOUCHSTONE_END='signal 15' TOUCHSTONE_END_OPEN=case-2 LD_PRELOAD=$scratch/end.so "$touchstone" golden check \
+	--goldens three > stdout 2> stderr; } 2> said
 [ $? -eq 143 ] && [ "$(sed 's/ .*//' stdout)" = same ] && [ ! -s stderr ]
 verdict $? 'a signal that was sent ends all cases'
 rm -r three j.xml said now

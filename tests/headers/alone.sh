@@ -1,6 +1,6 @@
 #!/bin/bash
-# Every public header compiles alone, as C11 and as C++17, and twice in one file; and after macros of a program, which keep
-# their values. Prints TAP.
+# Every public header compiles alone, as C11 and as C++17, and twice in one file; and after macros of a program, which
+# keep their values. Prints TAP.
 set -u
 n=0
 
@@ -23,7 +23,8 @@ for path in include/touchstone/*.h; do
 done
 n=$((n + 1))
 own="BUFFER RECORD FIELD RECORD_END SUM INDEX DIM"
-if { printf '#define %s 7\n' $own; echo '#include <touchstone/touchstone.h>'; printf '_Static_assert(%s == 7, "%s");\n' $(printf '%s\n' $own | sed 's/.*/\0 \0/'); } |
+if { printf '#define %s 7\n' $own; echo '#include <touchstone/touchstone.h>'; printf \
+	'_Static_assert(%s == 7, "%s");\n' $(printf '%s\n' $own | sed 's/.*/\0 \0/'); } |
 	gcc -std=c11 -x c -Wall -Wextra -Wpedantic -Werror -fsyntax-only -Iinclude -; then
 	echo "ok $n - macros of the program"
 else

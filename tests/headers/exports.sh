@@ -6,7 +6,8 @@ trap 'rm -rf "$folder"' EXIT
 
 echo '#include <touchstone/touchstone.h>' > "$folder/all.c"
 gcc -std=c11 -Iinclude -fsyntax-only -aux-info "$folder/prototypes" "$folder/all.c" &&
-	sed -nE 's|^/\* include/touchstone/.* \**(ts_[a-z0-9_]+) \(.*|\1|p' "$folder/prototypes" | sort -u > "$folder/declared"
+	sed -nE 's|^/\* include/touchstone/.* \**(ts_[a-z0-9_]+) \(.*|\1|p' "$folder/prototypes" |
+	sort -u > "$folder/declared"
 nm -D --defined-only "${BUILD:-build/release}/libtouchstone.so" | awk '{print $NF}' | sort -u > "$folder/exported"
 
 if [ -s "$folder/declared" ] && diff "$folder/declared" "$folder/exported" > "$folder/difference"; then

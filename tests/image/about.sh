@@ -2,7 +2,8 @@
 # A picture's file says what the picture shows, and nothing of when or how it was made.
 . "$(dirname "$0")/../cli/tap.bash"
 small=(reflections dining:triangles=10000:texels=32 --size 64x36 --reflectors 2 --frame 3 --truth=a --method epr)
-says() { /usr/bin/python3 tests/image/about.py "$1" | sed "s,^[^ ]* ,," | grep -E '^(Software|touchstone:|capDate|tIME)' | sort; }
+says() { /usr/bin/python3 tests/image/about.py "$1" | sed "s,^[^ ]* ,," |
+	grep -E '^(Software|touchstone:|capDate|tIME)' | sort; }
 
 # expected SHOWS [LINE]: what a picture of that render says; LINE is said beside it.
 expected() {

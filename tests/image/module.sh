@@ -17,12 +17,14 @@ run render "${small[@]}" -o "$scratch/image"
 verdict $? 'no image without the module'
 
 run golden check small-epr
-[ "$status" -eq 0 ] && grep -q '^same  *small-epr  not compared: .*/preview.png: images need a module ' "$scratch/stdout"
+[ "$status" -eq 0 ] &&
+	grep -q '^same  *small-epr  not compared: .*/preview.png: images need a module ' "$scratch/stdout"
 verdict $? 'a golden without the module, but for its preview'
 
 case ${BUILD:-} in
 *asan | *tsan)
-	echo "ok $((tests += 1)) - a program of the shared library # SKIP it would have to begin with the sanitizer's library"
+	echo \
+		"ok $((tests += 1)) - a program of the shared library # SKIP it would have to begin with the sanitizer's library"
 	finish ;;
 esac
 
@@ -44,7 +46,8 @@ soname=$(readelf -d "$library/libtouchstone.so" | sed -n 's/.*SONAME.*\[\(.*\)\]
 ln -s "$library/libtouchstone.so" "$scratch/$soname"
 ln -s "$library/libtouchstone-image.so" "$scratch/libtouchstone-image.so"
 gcc -Iinclude "$scratch/program.c" "$library/libtouchstone.so" -Wl,-rpath,"$scratch" -o "$scratch/program" &&
-	printf '\166\057\061\001' > "$scratch/cut.exr" && "$scratch/program" "$scratch/cut.exr" > "$scratch/stdout" 2> "$scratch/stderr"
+	printf '\166\057\061\001' > "$scratch/cut.exr" &&
+	"$scratch/program" "$scratch/cut.exr" > "$scratch/stdout" 2> "$scratch/stderr"
 [ $? -eq 2 ] && grep -q '/cut.exr: ' "$scratch/stdout"
 verdict $? 'a program of the shared library reads what the module says'
 

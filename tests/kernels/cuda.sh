@@ -1,7 +1,7 @@
 #!/bin/bash
-# The kernels as PTX, in one file as porters get them and as the modules of the backend: every one is there, calls nothing from
-# outside, and computes floats by the instructions of tests/kernels/ptx.txt alone, which round to nearest and which no driver may
-# fuse; and what is built again after an edit. Prints TAP.
+# The kernels as PTX, in one file as porters get them and as the modules of the backend: every one is there, calls
+# nothing from outside, and computes floats by the instructions of tests/kernels/ptx.txt alone, which round to nearest
+# and which no driver may fuse; and what is built again after an edit. Prints TAP.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -67,7 +67,8 @@ differ() { # the modules that are others than before
 [ -z "$(again)" ] && cmp -s "$tree/$build/gen/ptx.inc" "$build/gen/ptx.inc"
 result $? 'nothing is made again without an edit'
 echo '/* edited */' >> "$tree/src/kernels/base/vec.h"
-[ "$(again -n)" = "$(printf '%s\n' "$build"/gen/kernels.*.ptx | sed -E 's/.*kernels\.(.*)\.ptx/\1/' | sort | paste -sd' ')" ]
+[ "$(again -n)" = "$(printf '%s\n' "$build"/gen/kernels.*.ptx | sed -E 's/.*kernels\.(.*)\.ptx/\1/' | sort |
+	paste -sd' ')" ]
 result $? 'an edited header of base is read by all folders'
 cp -p src/kernels/base/vec.h "$tree/src/kernels/base"
 sed -i 's/ts_k_cover_of(view, &t, 129)/ts_k_cover_of(view, \&t, 130)/' "$tree/src/kernels/points/splat_box.h"
@@ -81,7 +82,8 @@ result $? 'and what was edited back'
 mkdir "$folder/bin"
 ln -s /usr/bin/* "$folder/bin"
 rm -f "$folder"/bin/clang*
-[ -z "$(PATH=$folder/bin again)" ] && [ "$(grep -c '^cuda-program: this build has no kernels for CUDA: ' "$folder/log")" -eq 1 ] &&
+[ -z "$(PATH=$folder/bin again)" ] &&
+	[ "$(grep -c '^cuda-program: this build has no kernels for CUDA: ' "$folder/log")" -eq 1 ] &&
 	grep -q '^static const u32 first_byte.* = {0\(, 0\)*};$' "$tree/$build/gen/ptx.inc"
 result $? 'without clang there are no kernels, and one line says so'
 echo "1..$n"

@@ -19,7 +19,8 @@ reasons=() texts=()
 sees() {
 	local base=compat
 	[[ ${2//ts_bad/} != *ts_* ]] || base=vec
-	printf '%s\n' "#include \"$PWD/src/kernels/base/$base.h\" /* 0.1 and fma() may stand in a comment */" "$2" > "$folder/${#texts[@]}.h"
+	printf '%s\n' "#include \"$PWD/src/kernels/base/$base.h\" /* 0.1 and fma() may stand in a comment */" "$2" \
+		> "$folder/${#texts[@]}.h"
 	reasons+=("$1") texts+=("$2")
 }
 
@@ -145,7 +146,8 @@ sees_stored "has not passed ts_put" "f32 b = ts_put(a); b = b * a; *out = b;"
 sees_stored "has not passed ts_put" "f32 b = a > 0.0f ? ts_put(a) : a; *out = b;"
 sees_stored "has not passed ts_put" "*out = ts_length(ts_v3_make(a, a, a));"
 sees_stored "has not passed ts_put" "*out = -0.0f;"
-sees_stored "has not passed ts_put" "*out = 0.00000000000000000000000000000039443045261050590270586428264139311483660321755451150238513946533203125f;"
+sees_stored "has not passed ts_put" \
+	"*out = 0.00000000000000000000000000000039443045261050590270586428264139311483660321755451150238513946533203125f;"
 sees_stored "has not passed ts_put" "*out = ts_flush(a);"
 sees_stored "bits of a float" "*n = (i32)ts_f2u(a * a);"
 sees_stored "bits of a float" "u32 b = ts_f2u(a); *n = (i32)(b | 1u);"
@@ -155,7 +157,8 @@ sees "two effects" "TS_FN i64 ts_bad_next(TS_GLOBAL i64 *n) { return ts_next_i64
 TS_FN void ts_bad(TS_GLOBAL i64 *n, TS_GLOBAL i32 *out) { out[ts_bad_next(n)] = (i32)ts_bad_next(n); }"
 sees "order of arrival: say above" "/* Appends. */
 TS_FN void ts_bad(TS_GLOBAL i64 *n, TS_GLOBAL i32 *out) { out[ts_next_i64(n)] = 7; }"
-sees "order of arrival: say above" "TS_FN void ts_bad(TS_GLOBAL u32 *n, TS_GLOBAL i32 *out) { (void)ts_next_u32(n); u32 k = ts_next_u32(n + 1); out[k] = 7; }"
+sees "order of arrival: say above" \
+	"TS_FN void ts_bad(TS_GLOBAL u32 *n, TS_GLOBAL i32 *out) { (void)ts_next_u32(n); u32 k = ts_next_u32(n + 1); out[k] = 7; }"
 sees "pad of ts_r is not set" "typedef struct { f32 x[3]; u32 k, pad; } ts_r;
 TS_FN void ts_bad(TS_GLOBAL ts_r *out, ts_v3 a) { ts_store3(out->x, a); out->k = 7u; }"
 sees "pad1 of ts_r is not set" "typedef struct { u32 k, pad0, pad1; } ts_r;
@@ -163,7 +166,8 @@ TS_FN void ts_bad(TS_GLOBAL ts_r *out) { out[3].k = 7u; out[3].pad0 = 0u; }"
 sees_in "u64 becomes f32" "u64 n = 1UL; return (f32)n;"
 sees_stored "cut towards 0" "*n = *n / 2;"
 sees_stored "cut towards 0" "i64 b = 3; *n = (i32)(b / 2);"
-sees "a product of 32 bits is an index" "TS_FN f32 ts_bad(TS_GLOBAL const f32 *in, u32 w, u32 y) { return in[(u64)(w * y)]; }"
+sees "a product of 32 bits is an index" \
+	"TS_FN f32 ts_bad(TS_GLOBAL const f32 *in, u32 w, u32 y) { return in[(u64)(w * y)]; }"
 sees_stored "f32 becomes i32" "*n = a;"
 sees_in "d may be read before it is set" "f32 d; if (a > b) d = c; return d;"
 sees_in "d may be read before it is set" "f32 d; if (a > b) d = c; else if (b > c) d = a; return d;"
@@ -171,7 +175,8 @@ sees_in "d may be read before it is set" "f32 d; d = d + a; return d;"
 sees_in "d may be read before it is set" "f32 d; bool e = a > b && (d = c) > 0.0f; return e ? a : d;"
 sees_in "d may be read before it is set" "f32 d; for (u32 i = 0u; i < ts_f2u(a); i++) d = b; return d;"
 sees_in "d may be read before it is set" "f32 d; while (a > b) { if (b > c) break; d = a; a = a - b; } return d;"
-sees_in "d may be read before it is set" "f32 d; switch (ts_f2u(a)) { case 0u: d = a; break; case 1u: d = b; break; } return d;"
+sees_in "d may be read before it is set" \
+	"f32 d; switch (ts_f2u(a)) { case 0u: d = a; break; case 1u: d = b; break; } return d;"
 sees_in "d may be read before it is set" "f32 d; switch (ts_f2u(a)) { case 0u: d = a; default: break; } return d;"
 sees_in "d may be read before it is set" "f32 d; f32 *e = a > b ? &c : &a; return ts_max(*e, d);"
 sees_in "d may be read before it is set" "f32 d[2]; return d[ts_f2u(a)];"
@@ -180,9 +185,12 @@ sees_in "d.y may be read before it is set" "ts_v3 d; d.x = a; if (a > b) d = ts_
 sees_stored "out is computed from itself" "*out = ts_put(*out + a);"
 sees_stored "out is computed from itself" "f32 b = out[3]; b = b * a; out[3] = ts_put(b);"
 sees_stored "out is computed from itself" "ts_store3(out, ts_add(ts_load3(out), ts_v3_make(a, a, a)));"
-sees_stored "out is computed from itself" "TS_GLOBAL f32 *b = out + 2; *b = a > 0.0f ? ts_put(ts_max(a, out[2] - a)) : 0.0f;"
+sees_stored "out is computed from itself" \
+	"TS_GLOBAL f32 *b = out + 2; *b = a > 0.0f ? ts_put(ts_max(a, out[2] - a)) : 0.0f;"
 sees "a->sum is computed from itself" "typedef struct { TS_GLOBAL f32 *sum; } ts_bad_args;
-TS_FN void ts_bad(const ts_bad_args *a, u32 i, f32 b) { TS_GLOBAL f32 *c = &a->sum[i]; a->sum[i] = ts_put(ts_mad(ts_v3_make(*c, b, b), ts_v3_make(b, b, b), b).x); }"
+TS_FN void ts_bad(const ts_bad_args *a, u32 i, f32 b) {
+	TS_GLOBAL f32 *c = &a->sum[i];
+	a->sum[i] = ts_put(ts_mad(ts_v3_make(*c, b, b), ts_v3_make(b, b, b), b).x); }"
 
 cat > "$folder/good.h" << END
 #include "$PWD/src/kernels/base/vec.h"

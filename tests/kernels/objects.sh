@@ -1,6 +1,6 @@
 #!/bin/bash
-# The machine code of this build has no instruction on floats and no import but those of tests/kernels/objects, and what breaks
-# the numeric contract is seen there. `make matrix` asks it of every build. Prints TAP.
+# The machine code of this build has no instruction on floats and no import but those of tests/kernels/objects, and what
+# breaks the numeric contract is seen there. `make matrix` asks it of every build. Prints TAP.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -32,7 +32,8 @@ sees() {
 	}
 	mkdir -p "$folder/obj/src/backends/c"
 	printf '%s\n' "${before-}" 'float planted(float a, float b, float c)' "{ $body }" > "$folder/planted.c"
-	"$@" -c "$folder/planted.c" -o "$folder/obj/src/backends/c/planted.c.o" 2> "$folder/log" || sed 's/^/# /' "$folder/log"
+	"$@" -c "$folder/planted.c" -o "$folder/obj/src/backends/c/planted.c.o" 2> "$folder/log" ||
+		sed 's/^/# /' "$folder/log"
 	scripts/disassembled "$folder" > "$folder/out"
 	[ $? -eq 1 ] && grep -qE "^src/backends/c/planted\.c: (planted: )?$what" "$folder/out"
 	result $? "$* shows as $what: ${before-}${before:+ }$body"
@@ -51,12 +52,15 @@ for compiler in gcc clang; do
 	sees rcpss '__asm__("rcpss %0, %0" : "+x"(a)); return a + b + c;' $compiler -O2
 	sees cvtss2si "return (float)__builtin_lrintf(a) + b + c;" $compiler -O2 -fno-math-errno
 	sees 'roundss \$0x4' "return __builtin_rintf(a) + b + c;" $compiler -O2 -msse4.1
-	sees vcvtps2ph "return (float)__builtin_ia32_vcvtps2ph((float __attribute__((vector_size(16)))){a, b, c, a}, 0)[0];" $compiler -O2 -mf16c
+	sees vcvtps2ph \
+		"return (float)__builtin_ia32_vcvtps2ph((float __attribute__((vector_size(16)))){a, b, c, a}, 0)[0];" \
+		$compiler -O2 -mf16c
 done
 before='#pragma STDC FP_CONTRACT ON'
 sees vfmadd "$product" clang -O2 -mfma -ffp-contract=off
 before='__attribute__((optimize("fast-math")))'
-sees rcpps "float __attribute__((vector_size(16))) v = {a, b, c, a}, w = {b, c, a, b}; v /= w; return v[0];" gcc -O2 -ffp-contract=off
+sees rcpps "float __attribute__((vector_size(16))) v = {a, b, c, a}, w = {b, c, a, b}; v /= w; return v[0];" gcc -O2 \
+	-ffp-contract=off
 before='__attribute__((target("fma"), optimize("fp-contract=fast")))'
 sees vfmadd "$product" gcc -O2 -ffp-contract=off
 before=

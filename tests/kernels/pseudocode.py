@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Runs the printed pseudo-code of the kernels on what `touchstone explain --json` says that items were given, and compares
-every function's result and every store.
+"""Runs the printed pseudo-code of the kernels on what `touchstone explain --json` says that items were given, and
+compares every function's result and every store.
 
 pseudocode.py FOLDER PAIRS     FOLDER: what scripts/pseudocode wrote; PAIRS: lines of a trace and an explanation of it
 
@@ -161,7 +161,8 @@ class ArrayType:
 		if self.n is None:
 			return x
 		items = x if isinstance(x, list) else [x[i] for i in range(self.n)]
-		return Array([self.of.given(each) for each in items] + [self.of.new() for _ in range(self.n - len(items))], self.of)
+		return Array([self.of.given(each) for each in items] + [self.of.new() for _ in range(self.n - len(items))],
+		             self.of)
 
 
 class BufferType:
@@ -193,7 +194,9 @@ class StructType:
 	def size(self): return -(-self.end // self.align()) * self.align()
 	def new(self): return Struct(self, {member: of.new() for member, of in self.members.items()})
 	def read(self, memory, at): return View(self, memory, at)
-	def __call__(self, *values): return Struct(self, dict(zip(self.members, [of.given(v) for of, v in zip(self.members.values(), values)])))
+	def __call__(self, *values):
+		given = [of.given(v) for of, v in zip(self.members.values(), values)]
+		return Struct(self, dict(zip(self.members, given)))
 	def given(self, x): return x
 
 
@@ -216,7 +219,9 @@ class Array:
 	def __init__(self, items, of, first=0): self.items, self.of, self.first = items, of, first
 
 	def __getitem__(self, i):
-		return Array(self.items, self.of, self.first + int(i.start)) if isinstance(i, slice) else self.items[self.first + int(i)]
+		if isinstance(i, slice):
+			return Array(self.items, self.of, self.first + int(i.start))
+		return self.items[self.first + int(i)]
 
 	def __setitem__(self, i, x): self.items[self.first + int(i)] = self.of.given(x)
 
@@ -308,7 +313,8 @@ def assign(to, x):
 def member(holder, name):
 	of = holder._of.members[name]
 	if isinstance(holder, View):
-		return Buffer(holder._memory, holder._at + holder._of.offsets[name], of.of if isinstance(of, ArrayType) else of, None)
+		return Buffer(holder._memory, holder._at + holder._of.offsets[name], of.of if isinstance(of, ArrayType) else of,
+		              None)
 	return Member(holder, name)
 
 
@@ -343,8 +349,8 @@ def least(old, x): return x if x < old else old
 
 def primitives():
 	return {
-		"f32": Scalar("f32"), "bool": Scalar("bool"), **{name: Scalar(name) for name in BITS}, "array": ArrayType, "buffer": BufferType,
-		"ref": RefType, "copy": copy, "assign": assign, "member": member, "element": Element,
+		"f32": Scalar("f32"), "bool": Scalar("bool"), **{name: Scalar(name) for name in BITS}, "array": ArrayType,
+		"buffer": BufferType, "ref": RefType, "copy": copy, "assign": assign, "member": member, "element": Element,
 		"ts_f2u": lambda x: Int(x.bits(), "u32"),
 		"ts_u2f": lambda x: F32(np.uint32(int(x)).view(np.float32)),
 		"ts_sqrt": lambda x: F32(np.sqrt(F32(x).v)), "ts_floor": lambda x: F32(np.floor(F32(x).v)),
@@ -362,7 +368,8 @@ class Typed(ast.NodeTransformer):
 		self.types.update({each.arg: each.annotation for each in node.args.args})
 		self.result = node.returns
 		self.generic_visit(node)
-		given = [ast.Assign([ast.Name(a.arg, ast.Store())], self.given(a.annotation, ast.Name(a.arg, ast.Load()))) for a in node.args.args]
+		given = [ast.Assign([ast.Name(a.arg, ast.Store())], self.given(a.annotation, ast.Name(a.arg, ast.Load())))
+		         for a in node.args.args]
 		node.body = given + node.body
 		for each in node.args.args:
 			each.annotation = None
@@ -393,7 +400,8 @@ class Typed(ast.NodeTransformer):
 def world_of(folder):
 	"""Types, constants and functions of all files, and functions' parameters as types."""
 	world, functions = primitives(), []
-	trees = [ast.parse(open(path, encoding="utf-8").read(), path) for path in glob.glob(f"{folder}/**/*.py", recursive=True)]
+	trees = [ast.parse(open(path, encoding="utf-8").read(), path)
+	         for path in glob.glob(f"{folder}/**/*.py", recursive=True)]
 	nodes = [node for tree in trees for node in tree.body]
 	for node in nodes:
 		if isinstance(node, ast.Assign):
@@ -413,7 +421,8 @@ def world_of(folder):
 	for node in nodes:
 		if isinstance(node, ast.FunctionDef):
 			signatures[node.name] = ({each.arg: evaluated(each.annotation, world) for each in node.args.args},
-			                         evaluated(node.returns, world) if not isinstance(node.returns, ast.Constant) else None)
+			                         evaluated(node.returns, world)
+			                         if not isinstance(node.returns, ast.Constant) else None)
 			functions.append(Typed().visit(node))
 	exec(compile(ast.fix_missing_locations(ast.Module(functions, [])), folder, "exec"), world)
 	return world, signatures
@@ -434,7 +443,8 @@ def scalar_of(of, told):
 
 def value_of(of, told, path="", buffers=None):
 	if isinstance(of, StructType):
-		return Struct(of, {name: value_of(each, told, f"{path}.{name.rstrip('_') if name.endswith('_') else name}", buffers)
+		return Struct(of, {name: value_of(each, told, f"{path}.{name.rstrip('_') if name.endswith('_') else name}",
+		                                  buffers)
 		                   for name, each in of.members.items()})
 	if isinstance(of, ArrayType):
 		return Array([value_of(of.of, told, f"{path}[{i}]", buffers) for i in range(of.n)], of.of)
@@ -445,7 +455,8 @@ def value_of(of, told, path="", buffers=None):
 
 def same(of, x, told, path=""):
 	if isinstance(of, StructType):
-		return all(same(each, getattr(x, name), told, f"{path}.{name.rstrip('_')}") for name, each in of.members.items())
+		return all(same(each, getattr(x, name), told, f"{path}.{name.rstrip('_')}")
+		           for name, each in of.members.items())
 	if isinstance(of, ArrayType):
 		return all(same(of.of, x[i], told, f"{path}[{i}]") for i in range(of.n))
 	y = scalar_of(of, told[path])
@@ -489,14 +500,16 @@ def check_calls(world, signatures, lines, seen):
 		found = world[name](*given)
 		seen[name] = seen.get(name, 0) + 1
 		if not same(returns, found, result["value"]):
-			raise Wrong(f"{name}: {[told[each]['value'] for each in told]} gives {result['value']}, not {vars(found) if isinstance(found, (Struct, F32)) else found}")
+			found = vars(found) if isinstance(found, (Struct, F32)) else found
+			raise Wrong(f"{name}: {[told[each]['value'] for each in told]} gives {result['value']}, not {found}")
 
 
 class Buffers:
 	"""Those of a trace, by the names that explanations give to what pointers are to."""
 
 	def __init__(self, trace):
-		self.files = {path.split("/")[-1].split("-", 1)[1][: -len(".npy")]: path for path in glob.glob(f"{trace}/*.npy")}
+		self.files = {path.split("/")[-1].split("-", 1)[1][: -len(".npy")]: path
+		              for path in glob.glob(f"{trace}/*.npy")}
 		self.memory = {}
 
 	def __call__(self, of, text):
@@ -561,7 +574,8 @@ def check_item(world, signatures, launch, trace):
 		return False
 	if LOG != stores:
 		first = next(i for i in range(max(len(LOG), len(stores))) if LOG[i : i + 1] != stores[i : i + 1])
-		raise Wrong(f"{name}, item {launch['item']}: store {first}: {LOG[first : first + 1]}, not {stores[first : first + 1]}")
+		raise Wrong(f"{name}, item {launch['item']}: store {first}: {LOG[first : first + 1]}, "
+		            f"not {stores[first : first + 1]}")
 	return True
 
 
@@ -570,7 +584,8 @@ def callees(folder):
 	for path in glob.glob(f"{folder}/**/*.py", recursive=True):
 		for node in ast.parse(open(path, encoding="utf-8").read()).body:
 			if isinstance(node, ast.FunctionDef):
-				yield node.name, [n.func.id for n in ast.walk(node) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)]
+				yield node.name, [n.func.id for n in ast.walk(node)
+				                  if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)]
 
 
 def main(folder, pairs):

@@ -29,8 +29,10 @@ verdict $? 'traces of nine methods'
 for trace in */trace-*; do
 	for stage in $("$touchstone" replay "$trace" | sed 's/^stage [0-9]* \([^ :,]*\).*/\1/'); do
 		to=$trace/$stage.json
-		[[ $stage =~ ^(eye|eye.view|pose|cube_size|mirror_pixel)$ ]] && compgen -G "${trace%%/*}/*/$stage.json" > said && continue
-		"$touchstone" explain "$trace" --stage "$stage" --item 401 --primitives --json > "$to" 2> /dev/null && echo "$trace $to"
+		[[ $stage =~ ^(eye|eye.view|pose|cube_size|mirror_pixel)$ ]] &&
+			compgen -G "${trace%%/*}/*/$stage.json" > said && continue
+		"$touchstone" explain "$trace" --stage "$stage" --item 401 --primitives --json > "$to" 2> /dev/null &&
+			echo "$trace $to"
 	done
 done > pairs
 "$python" "$check" printed pairs > stdout
@@ -44,7 +46,8 @@ verdict $? 'most of the functions of numbers alone, and most kernels'
 plants() {
 	cp -r printed damaged
 	sed -i "/^def $1(/,/^\$/s/$3/$4/" "damaged/$2"
-	! cmp -s "printed/$2" "damaged/$2" && ! "$python" "$check" damaged pairs > /dev/null 2> stderr && grep -q "^$1" stderr
+	! cmp -s "printed/$2" "damaged/$2" && ! "$python" "$check" damaged pairs > /dev/null 2> stderr &&
+		grep -q "^$1" stderr
 	verdict $? "a planted fault is named: $1"
 	rm -r damaged
 }

@@ -1,6 +1,6 @@
 #!/bin/bash
-# What the kernels' text cannot show stops the build of `make matrix` that runs them with traps: overflow of signed integers,
-# shifts, divisors of 0, floats beyond integers, places beyond arrays. Prints TAP.
+# What the kernels' text cannot show stops the build of `make matrix` that runs them with traps: overflow of signed
+# integers, shifts, divisors of 0, floats beyond integers, places beyond arrays. Prints TAP.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -17,7 +17,8 @@ result() { # GOOD NAME
 	if [ "$1" -eq 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; fi
 }
 
-# ends HOW BODY: of a kernel function of f32 a, b, i32 k, i64 l and u32 n, which are 1, 0, the greatest, the greatest and 40.
+# ends HOW BODY: of a kernel function of f32 a, b, i32 k, i64 l and u32 n, which are 1, 0, the greatest,
+# the greatest and 40.
 ends() {
 	cat > "$folder/kernel.c" << END
 #include "$PWD/src/kernels/base/vec.h"
@@ -34,7 +35,8 @@ int main(void)
 }
 END
 	# shellcheck disable=SC2086
-	clang $traps -std=c11 -ffp-contract=off -Wno-everything "$folder/kernel.c" -o "$folder/kernel" -lm 2> "$folder/log" || sed 's/^/# /' "$folder/log"
+	clang $traps -std=c11 -ffp-contract=off -Wno-everything "$folder/kernel.c" -o "$folder/kernel" \
+		-lm 2> "$folder/log" || sed 's/^/# /' "$folder/log"
 	{ (ulimit -c 0; exec "$folder/kernel"); } 2> /dev/null
 	local status=$?
 	[ -x "$folder/kernel" ] && if [ "$1" = stops ]; then [ $status -gt 128 ]; else [ $status -eq 0 ]; fi

@@ -1,6 +1,6 @@
 #!/bin/bash
-# The kernels as GLSL, plain as porters get them, compile; the SPIR-V of the backend is valid, keeps the numeric contract, and has
-# no instruction but those of tests/kernels/spirv.txt. Prints TAP.
+# The kernels as GLSL, plain as porters get them, compile; the SPIR-V of the backend is valid, keeps the numeric
+# contract, and has no instruction but those of tests/kernels/spirv.txt. Prints TAP.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -21,13 +21,15 @@ scripts/glsl "$folder/glsl"
 result $? 'the kernels are written as GLSL'
 bad=0
 for shader in "$folder"/glsl/*.comp; do
-	glslangValidator -V --target-env vulkan1.2 -o "$folder/plain.spv" "$shader" > "$folder/log" || { bad=1; sed 's/^/# /' "$folder/log"; }
+	glslangValidator -V --target-env vulkan1.2 -o "$folder/plain.spv" "$shader" > "$folder/log" ||
+		{ bad=1; sed 's/^/# /' "$folder/log"; }
 done
 result $bad "$(find "$folder/glsl" -name '*.comp' | wc -l) kernels compile"
 
 bad=0
 for module in "$build"/gen/spirv/*.spv; do
-	spirv-val --target-env vulkan1.2 --scalar-block-layout "$module" > "$folder/log" 2>&1 || { bad=1; sed 's/^/# /' "$folder/log"; }
+	spirv-val --target-env vulkan1.2 --scalar-block-layout "$module" > "$folder/log" 2>&1 ||
+		{ bad=1; sed 's/^/# /' "$folder/log"; }
 done
 result $bad 'modules are valid'
 

@@ -26,7 +26,8 @@ result() { # GOOD NAME
 build() {
 	local compiler=$1
 	shift
-	"$compiler" $flags "$@" src/model/{selftest,error,text,threads,say}.c "$folder/main.c" -lm -o "$folder/canary" 2>"$folder/log"
+	"$compiler" $flags "$@" src/model/{selftest,error,text,threads,say}.c "$folder/main.c" -lm \
+		-o "$folder/canary" 2>"$folder/log"
 }
 
 # caught NAME PRIMITIVE COMPILER FLAG...: the self-test must name the primitive.

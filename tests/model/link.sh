@@ -1,6 +1,6 @@
 #!/bin/bash
-# What the core objects import: of libm nothing but sqrtf and floorf, which IEEE 754 defines exactly. Not of the arithmetic
-# vectors, whose rows have the faults of ports too. Prints TAP.
+# What the core objects import: of libm nothing but sqrtf and floorf, which IEEE 754 defines exactly. Not of the
+# arithmetic vectors, whose rows have the faults of ports too. Prints TAP.
 set -u
 objects=$BUILD/obj
 folder=$(mktemp -d)

@@ -192,8 +192,8 @@ def counts(sums):
 
 
 class Difference:
-	"""Where two buffers of the same order first differ, and in how many elements; of prefix sums, in how many counts; of pairs,
-	the first that is missing, and how many are."""
+	"""Where two buffers of the same order first differ, and in how many elements; of prefix sums, in how many counts;
+	of pairs, the first that is missing, and how many are."""
 
 	def __init__(self, reference, candidate, name):
 		ref, cand = reference[name], candidate[name]

@@ -21,7 +21,8 @@ copied() {
 
 trace whole atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflectors.px=30 --set cube.max_px=64
 copied 'reflections epr' "$scratch/whole/trace-epr" 30
-shadows=(atrium:triangles=10000:texels=32 --size 96x54 --reflectors 0 --set lamp.views=5 --set lamp.cubes=2 --set depth_map.px=24 --trace --no-images)
+shadows=(atrium:triangles=10000:texels=32 --size 96x54 --reflectors 0 --set lamp.views=5 --set lamp.cubes=2
+	--set depth_map.px=24 --trace --no-images)
 for words in 'soft-shadows ivir' 'omni-shadows epr'; do
 	read -r effect method <<< "$words"
 	run render "$effect" "${shadows[@]}" --method "$method" --set points.buffered=on -o "$scratch/$effect"

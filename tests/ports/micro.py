@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The values of reference/PORTING.md, sections 2 and 9 to 11, that can be worked out by hand, in traces of the triangles
-and surfels of scenes/. numpy is not needed. Prints TAP.
+"""The values of reference/PORTING.md, sections 2 and 9 to 11, that can be worked out by hand, in traces of the
+triangles and surfels of scenes/. numpy is not needed. Prints TAP.
 
 	micro.py ONE MIRROR TWICE EDGE SIDE BEHIND BOX SEEN SPLATS     folders of the nine traces"""
 import json

@@ -1,5 +1,6 @@
 #!/bin/bash
-# The port of three stages to numpy: equal bits on two scenes, the small ones and shadows, and each damaged line is found.
+# The port of three stages to numpy: equal bits on two scenes, the small ones and shadows,
+# and each damaged line is found.
 . "$(dirname "$0")/../cli/tap.bash"
 . "$(dirname "$0")/ports.bash"
 find_numpy || exit 0
@@ -42,7 +43,8 @@ done
 micro triangle_behind triangle_behind --set splat.clip=off
 agrees triangle_behind
 
-# arrives FOLDER TIED: points in the reverse order are found again; TIED texels (-: none) hold another of the tied points.
+# arrives FOLDER TIED: points in the reverse order are found again;
+# TIED texels (-: none) hold another of the tied points.
 arrives() {
 	compared "$1" --arrival && [ "$status" -eq 0 ] && grep -q '^4 buffers judged, 0 different' "$scratch/stdout" &&
 		[ "$(awk '$1 == "splat" {print $4, $5}' "$scratch/stdout")" = "0 $2" ]

@@ -35,7 +35,8 @@ finds() {
 }
 
 trace default scenes/triangle_mirror.gltf --camera camera --reflectors 0 --size 64x64
-trace paper scenes/triangle_mirror.gltf --camera camera --reflectors 0 --size 64x64 --set splat.clip=off --set visibility.test=vertex
+trace paper scenes/triangle_mirror.gltf --camera camera --reflectors 0 --size 64x64 --set splat.clip=off \
+	--set visibility.test=vertex
 for folder in default paper; do
 	agrees $folder splat
 	agrees $folder visibility

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The orders of stages in reference/PORTING.md: rows of tables whose heads are HEAD name stages, buffers that they read, and
-all buffers that they write. Prints TAP.
+"""The orders of stages in reference/PORTING.md: rows of tables whose heads are HEAD name stages, buffers that they
+read, and all buffers that they write. Prints TAP.
 
 	orders.py STAGES     what `list stages --json` prints"""
 import json

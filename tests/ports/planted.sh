@@ -7,12 +7,14 @@ trace room atrium:triangles=10000:texels=32 --size 96x54 --reflectors 3 --set cu
 verdict $? 'a trace of atrium'
 reference=$scratch/room/trace-epr port=$scratch/port
 
-# finds N FAULT: the port with that damage differs in one buffer, of splat, and the command that compare prints explains it.
+# finds N FAULT: the port with that damage differs in one buffer, of splat,
+# and the command that compare prints explains it.
 finds() {
 	rm -rf "$port"
 	"$python" tests/ports/numpy/port.py "$reference" "$port" --break "$1" && run compare "$reference" "$port"
 	[ "$status" -eq 1 ] && grep -q '^2 buffers judged, 1 different' "$scratch/stdout" &&
-		tail -n 1 "$scratch/stdout" | grep -q '^stage 12 splat, buffer splat.depth_index, .*inputs identical as far as given'
+		tail -n 1 "$scratch/stdout" |
+		grep -q '^stage 12 splat, buffer splat.depth_index, .*inputs identical as far as given'
 	verdict $? "compare names the stage: $2"
 	tail -n 1 "$scratch/stdout" > "$scratch/first"
 	local command
@@ -40,7 +42,9 @@ run vectors --check "$scratch/computed"
 verdict $? 'the other faults are in no primitive'
 
 finds 10 contraction
-read -r depth index other same <<< "$(sed -n 's/.*(\([0-9a-f]*\)_\([0-9a-f]*\)) candidate .*(\([0-9a-f]*\)_\([0-9a-f]*\)).*/\1 \2 \3 \4/p' "$scratch/first")"
+read -r depth index other same \
+	<<< "$(sed -n 's/.*(\([0-9a-f]*\)_\([0-9a-f]*\)) candidate .*(\([0-9a-f]*\)_\([0-9a-f]*\)).*/\1 \2 \3 \4/p' \
+	"$scratch/first")"
 [ "$index" = "$same" ] && [ $((0x$depth - 0x$other)) -ge -1 ] && [ $((0x$depth - 0x$other)) -le 1 ]
 verdict $? 'a unit in the last place'
 explained ' d = ' contraction

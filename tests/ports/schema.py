@@ -191,11 +191,15 @@ def main():
 	for name in ("bits.npy.zst", "../scene/00-scene.texel.npy"):
 		faults = schema.faults(damaged(names, ["buffers", 0, "file"], name))
 		tap.result(not faults, f"version 2 with a file {name}", faults)
-	for name in ("../scenes/a.npy", "../scene/.a.npy", "../scene/a/b.npy", "../../scene/a.npy", "../scene/", "/scene/a.npy"):
-		tap.result(schema.faults(damaged(names, ["buffers", 0, "file"], name)), f"refused: version 2 with a file {name}")
-	for path, new in ((["version"], 3), (["buffers", 0, "file"], "../scene/a.npy"), (["contract"], True), (["order"], "any"), (["pipeline"], "nil"),
-	                  (["buffers", 0, "file"], "../bits.npy"), (["buffers", 0, "file"], 7),
-	                  (["buffers", 0, "name"], "bits"), (["buffers", 0, "crop"], [0, 0, 8]), (["params"], {"width": 240})):
+	for name in ("../scenes/a.npy", "../scene/.a.npy", "../scene/a/b.npy", "../../scene/a.npy", "../scene/",
+	             "/scene/a.npy"):
+		tap.result(schema.faults(damaged(names, ["buffers", 0, "file"], name)),
+		           f"refused: version 2 with a file {name}")
+	for path, new in ((["version"], 3), (["buffers", 0, "file"], "../scene/a.npy"), (["contract"], True),
+	                  (["order"], "any"), (["pipeline"], "nil"), (["buffers", 0, "file"], "../bits.npy"),
+	                  (["buffers", 0, "file"], 7),
+	                  (["buffers", 0, "name"], "bits"), (["buffers", 0, "crop"], [0, 0, 8]),
+	                  (["params"], {"width": 240})):
 		tap.result(schema.faults(damaged(small, path, new)), f"refused: a candidate with {path[-1]} {new!r}")
 	print(f"1..{tap.n}")
 	return 1 if tap.failed else 0

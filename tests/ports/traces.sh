@@ -4,8 +4,8 @@
 . "$(dirname "$0")/ports.bash"
 small=(--size 96x54 --reflectors 2 --set reflectors.px=30 --set cube.max_px=64)
 
-run render reflections atrium:triangles=10000:texels=32 "${small[@]}" --set lookup.bounces=3 --method all --margins --no-images \
-	-o "$scratch/whole"
+run render reflections atrium:triangles=10000:texels=32 "${small[@]}" --set lookup.bounces=3 --method all --margins \
+	--no-images -o "$scratch/whole"
 verdict $status 'traces of both methods'
 run render reflections scenes/room.gltf "${small[@]}" --method mvr --trace --trace-only eye,image --crop 8,4,32,16 \
 	--no-images -o "$scratch/part"

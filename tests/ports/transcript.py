@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Runs the transcripts of a document: in blocks marked `console`, lines that begin with "$ " are commands, the others what
-they print. All run in the folder that this is started in, in order. Prints TAP.
+"""Runs the transcripts of a document: in blocks marked `console`, lines that begin with "$ " are commands, the others
+what they print. All run in the folder that this is started in, in order. Prints TAP.
 
 	transcript.py [--write] FILE     --write puts what was printed into the file"""
 import re

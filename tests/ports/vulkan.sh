@@ -1,5 +1,6 @@
 #!/bin/bash
-# The port of five stages to Vulkan: equal bits on four scenes, and what compare and explain say of faults that ports have had.
+# The port of five stages to Vulkan: equal bits on four scenes,
+# and what compare and explain say of faults that ports have had.
 . "$(dirname "$0")/../cli/tap.bash"
 . "$(dirname "$0")/ports.bash"
 . "$(dirname "$0")/vulkan.bash"
@@ -9,12 +10,13 @@ agrees() {
 	verdict $? "Vulkan has the same bits: $1"
 }
 
-# finds FAULT SCENE STAGE ALONE LINE: the faulty port differs first in that stage; of the commands that compare proposes, explain
-# prints the line; and given their own inputs the stages ALONE differ.
+# finds FAULT SCENE STAGE ALONE LINE: the faulty port differs first in that stage; of the commands that compare
+# proposes, explain prints the line; and given their own inputs the stages ALONE differ.
 finds() {
 	local command
 	compared faulty "$2"
-	[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" | grep -q "^stage .. $3, buffer .*inputs identical as far as given"
+	[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" |
+		grep -q "^stage .. $3, buffer .*inputs identical as far as given"
 	verdict $? "compare names stage $3: $1"
 	read -ra command <<< "$(sed -n 's/^how the reference computes it: touchstone //p' "$scratch/stdout")"
 	run "${command[@]}"
@@ -36,8 +38,8 @@ mkdir "$scratch/atrium/port"
 "$scratch/port" "$scratch/exact" "$scratch/atrium/trace-epr" "$scratch/atrium/port" 2> "$scratch/stderr"
 [ $? -eq 2 ] && grep -q 'material [0-9]* is masked' "$scratch/stderr"
 verdict $? 'what the port has not is refused: masked materials'
-VK_ICD_FILENAMES=/nonexistent VK_DRIVER_FILES=/nonexistent "$scratch/port" "$scratch/exact" "$scratch/gallery/trace-epr" \
-	"$scratch/gallery/port" 2> "$scratch/stderr"
+VK_ICD_FILENAMES=/nonexistent VK_DRIVER_FILES=/nonexistent "$scratch/port" "$scratch/exact" \
+	"$scratch/gallery/trace-epr" "$scratch/gallery/port" 2> "$scratch/stderr"
 [ $? -eq 77 ] && grep -q 'no Vulkan device' "$scratch/stderr"
 verdict $? 'no device'
 

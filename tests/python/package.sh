@@ -13,14 +13,18 @@ for module in cffi numpy pytest; do
 	$python -c "import $module" 2> "$scratch/stderr" || { echo "1..0 # SKIP no python3-$module" && exit; }
 done
 
-run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x36 --reflectors 2 --set cube.max_px=16 --trace -o "$scratch/out"
+run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x36 --reflectors 2 --set cube.max_px=16 \
+	--trace -o "$scratch/out"
 verdict "$status" 'a trace to read'
-run render reflections atrium:triangles=10000:texels=32 --method epr,mvr --size 64x36 --reflectors 2 --set cube.max_px=16 --compress --no-images -o "$scratch/packed"
+run render reflections atrium:triangles=10000:texels=32 --method epr,mvr --size 64x36 --reflectors 2 \
+	--set cube.max_px=16 --compress --no-images -o "$scratch/packed"
 verdict "$status" 'and one with shared and compressed files'
-run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x36 --reflectors 2 --set cube.max_px=16 --trace --crop 10,5,20,10 -o "$scratch/crop"
+run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x36 --reflectors 2 --set cube.max_px=16 \
+	--trace --crop 10,5,20,10 -o "$scratch/crop"
 verdict "$status" 'and one of a part of the picture'
 export CROPPED=$scratch/crop/trace-epr
-TRACED=$scratch/out/trace-epr PACKED=$scratch/packed/trace-epr $python -m pytest -q -p no:cacheprovider tests/python > "$scratch/tests" 2>&1
+TRACED=$scratch/out/trace-epr PACKED=$scratch/packed/trace-epr $python -m pytest -q -p no:cacheprovider tests/python \
+	> "$scratch/tests" 2>&1
 good=$?
 sed 's/^/# /' "$scratch/tests"
 verdict $good 'tests of the package'
@@ -31,7 +35,8 @@ for cell in json.load(open(sys.argv[1]))["cells"]:
 	if cell["cell_type"] == "code":
 		exec("".join(cell["source"]), globals())
 END
-$python "$scratch/notebook.py" tests/api/example/example.ipynb > "$scratch/notebook" && grep -q "given the candidate's inputs" "$scratch/notebook"
+$python "$scratch/notebook.py" tests/api/example/example.ipynb > "$scratch/notebook" &&
+	grep -q "given the candidate's inputs" "$scratch/notebook"
 verdict $? 'the notebook finds what it plants'
 TOUCHSTONE_LIBRARY=/nowhere.so $python -c 'import touchstone' 2>&1 | grep -q 'TOUCHSTONE_LIBRARY can name the library'
 verdict $? 'without the library one line says so'

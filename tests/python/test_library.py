@@ -8,7 +8,8 @@ import touchstone
 
 PACKAGE = pathlib.Path(touchstone.__file__).parent
 # What Python has of its own instead.
-INSTEAD = {"ts_params_copy": "dict"} | {f"ts_tree_{what}": "json" for what in ("at", "get", "integer", "kind_of", "n", "name", "real",
+INSTEAD = {"ts_params_copy": "dict"} | {f"ts_tree_{what}": "json"
+                                        for what in ("at", "get", "integer", "kind_of", "n", "name", "real",
                                                                                "text")}
 
 

@@ -40,9 +40,10 @@ def test_files_give_back_what_was_written(tmp_path, channels):
 def test_without_the_module_of_images_the_kind_is_library(tmp_path):
 	touchstone.write_png(tmp_path / "a.png", GREY)
 	alone = shutil.copy(os.environ["TOUCHSTONE_LIBRARY"], tmp_path)
-	read = "import sys, touchstone\ntry: touchstone.read_image(sys.argv[1])\nexcept touchstone.Error as error: print(error.kind)"
-	said = subprocess.run([sys.executable, "-c", read, tmp_path / "a.png"], env={**os.environ, "TOUCHSTONE_LIBRARY": alone},
-	                      capture_output=True, text=True, check=True)
+	read = ("import sys, touchstone\ntry: touchstone.read_image(sys.argv[1])\n"
+	        "except touchstone.Error as error: print(error.kind)")
+	said = subprocess.run([sys.executable, "-c", read, tmp_path / "a.png"],
+	                      env={**os.environ, "TOUCHSTONE_LIBRARY": alone}, capture_output=True, text=True, check=True)
 	assert said.stdout == "library\n"
 
 
@@ -57,7 +58,8 @@ def test_metrics_have_their_closed_forms():
 	assert apart.rmse == 3 and apart.psnr == pytest.approx(20 * math.log10(255 / 3))
 	mask = np.ones((12, 16), bool)
 	mask[3, 4] = False
-	assert touchstone.metrics(GREY, shifted(GREY, 9)).rmse > 0 and touchstone.metrics(GREY, shifted(GREY, 9), mask).rmse == 0
+	assert touchstone.metrics(GREY, shifted(GREY, 9)).rmse > 0
+	assert touchstone.metrics(GREY, shifted(GREY, 9), mask).rmse == 0
 	assert touchstone.flicker(GREY, GREY, GREY, GREY + np.uint8(2)) == 2
 	whole = touchstone.estimate_metrics(GREY, GREY, GREY, GREY + np.uint8(3), np.ones((12, 16)))
 	assert whole.rmse == 3 and math.isnan(whole.ssim)
@@ -67,8 +69,10 @@ def test_metrics_have_their_closed_forms():
 
 
 def test_pictures_that_do_not_fit_are_refused(tmp_path):
-	for call, line in ((lambda: touchstone.metrics(GREY, GREY[1:]), r"image: shape \(11, 16, 3\); \(12, 16, 3\) would be right"),
-	                   (lambda: touchstone.metrics(GREY, LIGHT), "image: 3 dimensions of float32; 3 of uint8 would be right"),
+	for call, line in ((lambda: touchstone.metrics(GREY, GREY[1:]),
+	                    r"image: shape \(11, 16, 3\); \(12, 16, 3\) would be right"),
+	                   (lambda: touchstone.metrics(GREY, LIGHT),
+	                    "image: 3 dimensions of float32; 3 of uint8 would be right"),
 	                   (lambda: touchstone.metrics(GREY, GREY, np.ones((2, 2))), r"mask: shape \(2, 2\)"),
 	                   (lambda: touchstone.write_png(tmp_path / "a.png", LIGHT), "of uint8 would be right"),
 	                   (lambda: touchstone.write_png(tmp_path / "a.png", GREY[..., :2]), "1, 3 or 4 channels"),

@@ -47,7 +47,8 @@ def test_candidate(context, reference, touchstone_judge):
 	with pytest.raises(pytest.fail.Exception, match="given the candidate's inputs"):
 		touchstone_judge("eye", reference, port)
 	right = context.replayed("eye", reference, port)
-	assert list(right) == ["eye.depth_triangle"] and np.array_equal(right["eye.depth_triangle"], reference["eye.depth_triangle"])
+	assert list(right) == ["eye.depth_triangle"]
+	assert np.array_equal(right["eye.depth_triangle"], reference["eye.depth_triangle"])
 	before = port["eye.depth_triangle"]
 	port["eye.depth_triangle"] = keys + np.uint64(0)
 	assert np.array_equal(before, keys)
@@ -73,8 +74,8 @@ def test_made_scene(context):
 	trace = context.run(made, "reflections", "mvr", SMALL, buffers=["image.srgb"])
 	assert list(trace) == ["image.srgb"] and len(np.unique(trace["image.srgb"].reshape(-1, 3), axis=0)) > 2
 	texture = np.full((2, 2, 4), 255, np.uint8)
-	context.make_scene(SMALL, images=[(texture, True)], options={"eye": (0, 1, 3), "target": (0, 0, 0)}, vertices=vertices,
-	                   triangles=triangles)
+	context.make_scene(SMALL, images=[(texture, True)], options={"eye": (0, 1, 3), "target": (0, 0, 0)},
+	                   vertices=vertices, triangles=triangles)
 	with pytest.raises(touchstone.Error, match="would be right"):
 		context.make_scene(SMALL, vertices=np.zeros((4, 3), np.float32), triangles=triangles)
 	with pytest.raises(TypeError, match="camra is no option"):
@@ -99,7 +100,8 @@ def test_answers_and_errors(context, scene, reference):
 def test_a_scene_of_bytes_is_that_of_its_file(context):
 	room = pathlib.Path("scenes/room.gltf")
 	same = context.open_scene_bytes(room.read_bytes(), SMALL, name="room", camera="circle")
-	traces = [context.run(scene, "reflections", "mvr", SMALL) for scene in (same, context.open_scene(room, SMALL, camera="circle"))]
+	traces = [context.run(scene, "reflections", "mvr", SMALL)
+	          for scene in (same, context.open_scene(room, SMALL, camera="circle"))]
 	assert traces[0].digest("image.srgb") == traces[1].digest("image.srgb")
 	with pytest.raises(touchstone.Error, match="mine: its first bytes"):
 		context.open_scene_bytes(b"no scene", name="mine")
@@ -217,7 +219,8 @@ def test_a_method_runs_on_from_ones_own_buffers(context, scene, reference):
 		for name, array in context.replayed(stage, reference, by_hand).items():
 			by_hand[name] = array
 	assert all(np.array_equal(trace[name], by_hand[name]) for name in by_hand)
-	still = context.continue_from(reference, {"points.record": mine, "splat.depth_index": reference["splat.depth_index"]})
+	still = context.continue_from(reference, {"points.record": mine,
+	                                          "splat.depth_index": reference["splat.depth_index"]})
 	assert np.array_equal(still["splat.depth_index"], reference["splat.depth_index"])
 
 
@@ -241,8 +244,10 @@ def test_what_the_documents_show(tmp_path, monkeypatch):
 	recipe = pathlib.Path("reference/RECIPES.md").read_text().split("## Try a stage in NumPy\n")[1].split("\n## ")[0]
 	monkeypatch.chdir(tmp_path)
 	for lines in (shown, ["import touchstone", *re.findall("^ {4}(.*)", recipe, re.M)]):
-		code = "\n".join(lines).replace('"atrium"', '"atrium:triangles=10000:texels=32"').replace('"epr")', f'"epr", {SMALL})')
-		code = re.sub('"width": 480, "height": 270', str(SMALL)[1:-1], code).replace("my_keys", 'reference["eye.depth_triangle"]')
+		code = "\n".join(lines).replace('"atrium"',
+		                                '"atrium:triangles=10000:texels=32"').replace('"epr")', f'"epr", {SMALL})')
+		code = re.sub('"width": 480, "height": 270', str(SMALL)[1:-1], code)
+		code = code.replace("my_keys", 'reference["eye.depth_triangle"]')
 		ran = {}
 		exec(code, ran)
 		assert not np.array_equal(ran["trace"]["image.srgb"], ran["reference"]["image.srgb"])

@@ -1,6 +1,6 @@
 #!/bin/bash
-# The wheel of `make wheel`: the same bytes each time, and in an environment of its own, without network, it renders and compares,
-# and names what is missing. Prints TAP.
+# The wheel of `make wheel`: the same bytes each time, and in an environment of its own, without network, it renders and
+# compares, and names what is missing. Prints TAP.
 . "$(dirname "$0")/../cli/tap.bash"
 case ${BUILD:-} in
 *asan | *ubsan | *tsan)
@@ -41,7 +41,8 @@ print(context.compare(reference, port, stages="image", ignore="image.radiance").
 touchstone.write_png("picture.png", port["image.srgb"])
 print(touchstone.read_image("picture.png").shape)
 END
-own/bin/python picture.py > printed && [ "$(wc -l < printed)" -eq 2 ] && grep -q 'buffer image.srgb, pixel (0, 0)' printed &&
+own/bin/python picture.py > printed && [ "$(wc -l < printed)" -eq 2 ] &&
+	grep -q 'buffer image.srgb, pixel (0, 0)' printed &&
 	grep -qFx '(36, 64, 3)' printed
 verdict $? 'a picture and a comparison'
 sed 's/^/# /' printed
@@ -51,8 +52,11 @@ mv "$inside/libtouchstone-image.so" images && own/bin/python picture.py > printe
 verdict $? 'without the module of images one line says so, and the rest works'
 mv images "$inside/libtouchstone-image.so"
 needed=$(sed -n 's/^Requires-External: \(.*jansson.*\)/\1/p' "$inside"-*/METADATA)
-sed -i "s/${needed//./\\.}/${needed/jansson/missing}/" "$inside"/libtouchstone.so.* && own/bin/python picture.py > printed 2> said
-[ $? -eq 1 ] && tail -n 1 said | grep -q "^ImportError: touchstone: .*${needed/jansson/missing}: cannot open .*TOUCHSTONE_LIBRARY can name the library$"
+sed -i "s/${needed//./\\.}/${needed/jansson/missing}/" "$inside"/libtouchstone.so.* &&
+	own/bin/python picture.py > printed 2> said
+[ $? -eq 1 ] && tail -n 1 said |
+	grep -q \
+	"^ImportError: touchstone: .*${needed/jansson/missing}: cannot open .*TOUCHSTONE_LIBRARY can name the library$"
 verdict $? 'without a library of the system one line names it'
 tail -n 1 said | sed 's/^/# /'
 finish

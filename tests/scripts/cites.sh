@@ -42,7 +42,9 @@ sees "MegaViews has no figure 18" "(MegaViews section 3.2, figures 4 and 18)"
 sees "NV40 has no section 5" "(NV40 5)"
 sees "NV40 has no slide" "(NV40: Immediate Shading; METHODS 16)"
 
-printf '/* METHODS 16, FIGURES 2 and 3, CONTRACT rules 4 to 6, EPR 3.2, eq. 1, SSAGH 4, eqs 15 to 18, MegaViews, figure 10,\n' > "$folder/a.c"
+printf \
+	'/* METHODS 16, FIGURES 2 and 3, CONTRACT rules 4 to 6, EPR 3.2, eq. 1, SSAGH 4, eqs 15 to 18, MegaViews, figure 10,\n' \
+	> "$folder/a.c"
 printf ' * NV40: Deferred Shading, EPR 4.1.1 to 4.1.4; iVIR table 1; IEEE 754; SSIM 0.84 */\n' >> "$folder/a.c"
 scripts/cite-check "$folder/a.c"
 result $? "what exists may be cited"

@@ -1,6 +1,7 @@
 #!/bin/bash
-# The packaging in debian/ says what the tree says: version, soname, what is needed to build; who gets which file install.sh
-# asks. Lintian reads the source package where it is installed; `make distros` builds and installs the packages.
+# The packaging in debian/ says what the tree says: version, soname, what is needed to build; who gets which file
+# install.sh asks. Lintian reads the source package where it is installed; `make distros` builds and installs the
+# packages.
 . "$(dirname "$0")/../cli/tap.bash"
 library=${BUILD:-build/release}/libtouchstone.so
 
@@ -12,7 +13,8 @@ grep -qx "Package: libtouchstone$soname" debian/control && [ -e "debian/libtouch
 	[ "$(grep -oh 'libtouchstone[0-9.]*[0-9]' debian/control | sort -u)" = "libtouchstone$soname" ]
 verdict $? 'the library is in the package of its soname'
 
-# What is missing on a machine without any package; compilers, make and libc every Debian machine that builds packages has.
+# What is missing on a machine without any package; compilers,
+# make and libc every Debian machine that builds packages has.
 mkdir "$scratch/bin"
 printf '#!/bin/bash\nexit 1\n' | tee "$scratch/bin/dpkg-query" > "$scratch/bin/apt-get"
 chmod +x "$scratch/bin"/*
@@ -25,7 +27,8 @@ verdict "${PIPESTATUS[2]}" 'to build it what install-deps --build installs is ne
 variables() {
 	grep -oE '\b[A-Z_]+=' | sort -u
 }
-unset_ones=$(comm -23 <(sed -n '/^installcheck:/,/scripts\/installcheck$/p' Makefile | variables) <(variables < debian/tests/library))
+unset_ones=$(comm -23 <(sed -n '/^installcheck:/,/scripts\/installcheck$/p' Makefile | variables) \
+	<(variables < debian/tests/library))
 [ -z "$unset_ones" ]
 verdict $? 'its test of the library sets all that scripts/installcheck reads'
 [ -z "$unset_ones" ] || echo "# not set:" $unset_ones

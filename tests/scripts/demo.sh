@@ -1,6 +1,6 @@
 #!/bin/bash
-# `make demo` first builds what a picture takes, and says what it leaves out; it takes nothing from a whole build. Compiles
-# nothing: looks at the commands that make would run. Prints TAP.
+# `make demo` first builds what a picture takes, and says what it leaves out; it takes nothing from a whole build.
+# Compiles nothing: looks at the commands that make would run. Prints TAP.
 set -u
 build=$(mktemp -d)
 trap 'rm -rf "$build"' EXIT

@@ -1,5 +1,6 @@
 #!/bin/bash
-# The tarball of `make dist`: the same bytes each time, the files of the commit, which it knows where it is built without git.
+# The tarball of `make dist`: the same bytes each time, the files of the commit,
+# which it knows where it is built without git.
 . "$(dirname "$0")/../cli/tap.bash"
 if [ ! -e .git ]; then
 	echo '1..0 # SKIP not a git checkout'
@@ -12,7 +13,8 @@ dist() {
 	shift
 	made=$("$@" make -s dist | tail -n 1) && cp "$made" "$scratch/$name"
 }
-(umask 077 && dist first env TZ=Asia/Tokyo) && dist second env LC_ALL=C XZ_OPT=-0 && cmp "$scratch/first" "$scratch/second"
+(umask 077 && dist first env TZ=Asia/Tokyo) && dist second env LC_ALL=C XZ_OPT=-0 &&
+	cmp "$scratch/first" "$scratch/second"
 verdict $? 'the same bytes each time'
 
 mkdir "$scratch/tree"
@@ -24,7 +26,8 @@ object=build/none/obj/src/model/commit.c.o
 commit=$(git rev-parse HEAD)
 # knows COMMIT: what is built of the tarball says that.
 knows() {
-	(cd "$root" && GIT_DIR=/nowhere make -s BUILD=build/none "$object") && [ "$(strings "$root/$object" | grep -oE '[0-9a-f]{40}.*')" = "$1" ]
+	(cd "$root" && GIT_DIR=/nowhere make -s BUILD=build/none "$object") &&
+		[ "$(strings "$root/$object" | grep -oE '[0-9a-f]{40}.*')" = "$1" ]
 }
 knows "$commit"
 verdict $? 'builds without git, and knows its commit'

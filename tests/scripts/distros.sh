@@ -12,11 +12,13 @@ git init -q "$scratch/tree"
 PATH=$scratch/bin:$PATH
 command() { printf '#!/bin/bash\n%s\n' "$2" > "$scratch/bin/$1" && chmod +x "$scratch/bin/$1"; }
 
-# judged COMMAND OF THE CHROOT: what distros says where this answers "$root" "$asked"; each render has the files of a run.
+# judged COMMAND OF THE CHROOT: what distros says where this answers "$root" "$asked";
+# each render has the files of a run.
 judged() {
 	command chroot "root=\$1 asked=\$* out=\$1/touchstone/\${!#}
 		case \$asked in
-		*' render '*) mkdir -p \"\$out\" && cd \"\$out\" && echo same > depth.npy && echo \$RANDOM | tee a.png > times.json
+		*' render '*)
+			mkdir -p \"\$out\" && cd \"\$out\" && echo same > depth.npy && echo \$RANDOM | tee a.png > times.json
 			printf '  \"compiler\": %s,\n  \"frame\": 0\n' \$RANDOM > trace.json ;;
 		*apt-cache*) echo 'clang-99 - C' ;;
 		esac
@@ -48,7 +50,8 @@ says 1 '16 passed, 2 failed, 0 skipped' '^bookworm  make .*FAILED' '^    why$' '
 verdict $? 'what does not build fails, and nothing is the same as nothing'
 
 tar -cJf "$scratch/one.tar.xz" -C "$scratch" tree
-judged '[[ $asked != *dpkg-buildpackage* ]] || touch "$1/touchstone/package/one.deb"' --packages "$scratch/one.tar.xz" "$scratch/to"
+judged '[[ $asked != *dpkg-buildpackage* ]] || touch "$1/touchstone/package/one.deb"' --packages "$scratch/one.tar.xz" \
+	"$scratch/to"
 says 0 '6 passed, 0 failed, 0 skipped' && [ "$(cd "$scratch/to" && echo */*)" = 'bookworm/one.deb trixie/one.deb' ] &&
 	[ -x "$scratch/tree/build/distros/trixie/touchstone/package/tree/scripts/distros" ]
 verdict $? 'packages of a tarball, in a folder for each'

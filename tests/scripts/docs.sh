@@ -1,5 +1,6 @@
 #!/bin/bash
-# The published documents name only what exists and their tables are fresh; and the check sees what is not so. Prints TAP.
+# The published documents name only what exists and their tables are fresh; and the check sees what is not so.
+# Prints TAP.
 set -u
 export TOUCHSTONE=${TOUCHSTONE:-build/touchstone}
 folder=$(mktemp -d)

@@ -1,5 +1,6 @@
 #!/bin/bash
-# The sources are as clang-format writes them; scripts/format-check sees one that is not, and --write changes it. Prints TAP.
+# The sources are as clang-format writes them; scripts/format-check sees one that is not, and --write changes it.
+# Prints TAP.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

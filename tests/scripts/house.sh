@@ -1,5 +1,6 @@
 #!/bin/bash
-# scripts/house finds nothing wrong with the tree, and sees what it is for: arrows upward, nouns without a test. Prints TAP.
+# scripts/house finds nothing wrong with the tree, and sees what it is for: arrows upward, nouns without a test.
+# Prints TAP.
 set -u
 house=$(realpath scripts/house)
 export TOUCHSTONE=$(realpath "${TOUCHSTONE:-build/touchstone}")
@@ -31,15 +32,20 @@ for check in rooms clients rebuilt nouns sets; do
 	result $? "the tree itself: $check"
 done
 find "${BUILD:-build/release}/obj/src" -name '*.o' -exec nm -A {} + > "$folder/symbols"
-! grep ' i ' "$folder/symbols" && grep -q '_of_any_width\|_of_16\|_of_4' "$folder/symbols" || [ "$(uname -m)" != x86_64 ]
+! grep ' i ' "$folder/symbols" && grep -q '_of_any_width\|_of_16\|_of_4' "$folder/symbols" ||
+	[ "$(uname -m)" != x86_64 ]
 result $? "loops for vectors are not chosen by the loader"
-grep -E '\.c\.o: +U (__isoc[0-9]+_)?(strto(f|d|ld)|atof)$' "$folder/symbols" | grep -v '/model/decimal\.c\.o' > "$folder/out"
+grep -E '\.c\.o: +U (__isoc[0-9]+_)?(strto(f|d|ld)|atof)$' "$folder/symbols" |
+	grep -v '/model/decimal\.c\.o' > "$folder/out"
 [ ! -s "$folder/out" ]
 result $? "floats in texts are read by model/decimal.c alone, whatever the locale"
-sed -E 's/.*"(.*)".*/\1/' <(tr ')' '\n' < "${BUILD:-build/release}/gen/tests.inc") | grep . | sed "s|.*|${BUILD:-build/release}/obj/tests/&.c.o|" |
+sed -E 's/.*"(.*)".*/\1/' <(tr ')' '\n' < "${BUILD:-build/release}/gen/tests.inc") | grep . |
+	sed "s|.*|${BUILD:-build/release}/obj/tests/&.c.o|" |
 	xargs nm -P --defined-only | awk '$2 ~ /^[TDBRVW]$/ { print $1 }' | sort -u > "$folder/own"
-{ nm -DP --defined-only $(ldconfig -p | awk '/lib(c|m)\.so\.6 / { print $NF }'); nm -P --defined-only "${BUILD:-build/release}/libtouchstone.a"; } \
-	2> "$folder/nm" | awk '$2 ~ /^[TDBRVWi]$/ { print $1 }' | sed 's/@.*//' | sort -u | comm -12 - "$folder/own" > "$folder/out"
+{ nm -DP --defined-only $(ldconfig -p | awk '/lib(c|m)\.so\.6 / { print $NF }'); nm -P \
+	--defined-only "${BUILD:-build/release}/libtouchstone.a"; } \
+	2> "$folder/nm" | awk '$2 ~ /^[TDBRVWi]$/ { print $1 }' | sed 's/@.*//' | sort -u |
+	comm -12 - "$folder/own" > "$folder/out"
 [ "$(wc -l < "$folder/own")" -gt 300 ] && [ ! -s "$folder/out" ]
 result $? "no test of the one program defines what libc or the library has"
 
@@ -87,7 +93,8 @@ for i in $(seq 65); do
 	lookup=$([ "$i" -gt 30 ] || echo src/kernels/points/lookup.h)
 	echo "obj/$i.o: src/model/$i.c $lookup src/model/../kernels/raster/draw.h" > "obj/src/model/$i.d"
 done
-BUILD=. gives 1 "  30  src/kernels/points/lookup.h  (fewer than 30 wanted)" "a kernel that rebuilds too much" "$house" rebuilt
+BUILD=. gives 1 "  30  src/kernels/points/lookup.h  (fewer than 30 wanted)" "a kernel that rebuilds too much" \
+	"$house" rebuilt
 BUILD=. gives 1 "  65  src/kernels/raster/draw.h  (fewer than 65 wanted)" "a rasterizer that does" "$house" rebuilt
 rm src/model/30.c
 BUILD=. gives 0 "0 headers rebuild too many of 64 sources" "headers that do not" "$house" rebuilt

@@ -14,7 +14,9 @@ places=(prefix=$at libdir=$at/lib/machine docdir=/opt/docs)
 	[ -z "$(find "$scratch/made/opt" ! -type d ! -perm -444)" ]
 verdict $? 'installs, for all to read'
 find "$scratch/made" ! -type d -printf '/%P\n' |
-	grep -vE "^($at/(bin/touchstone$|lib/machine/|lib/python3/dist-packages/touchstone/|include/touchstone/|share/)|/opt/docs/)" > "$scratch/astray"
+	grep -vE \
+	"^($at/(bin/touchstone$|lib/machine/|lib/python3/dist-packages/touchstone/|include/touchstone/|share/)|/opt/docs/)" \
+	> "$scratch/astray"
 [ ! -s "$scratch/astray" ]
 verdict $? 'into the folders that were named'
 diff -r tests/api/example "$scratch/made$at/share/touchstone/examples"
@@ -22,10 +24,12 @@ verdict $? 'with the examples'
 [ -e "$scratch/made$at/include/touchstone/candidate.h" ] &&
 	[ "$(head -qn 1 "$scratch/made$at/include/touchstone"/* | sort -u)" = '/* SPDX-License-Identifier: Apache-2.0 */' ]
 verdict $? 'with headers that say their licence, alone'
-! command -v clang > "$scratch/stdout" || [ "$(grep -c '^\.visible \.entry' "$scratch/made$at/share/touchstone/kernels.ptx")" -eq \
+! command -v clang > "$scratch/stdout" ||
+	[ "$(grep -c '^\.visible \.entry' "$scratch/made$at/share/touchstone/kernels.ptx")" -eq \
 	"$(scripts/assembled src/backends/kernels.def | grep -c '^KERNEL(')" ]
 verdict $? 'with all kernels as PTX, where there is clang'
-[ ! -e .git ] || grep -q "^\.TH TOUCHSTONE [1] \"$(date -u -d "@$(git log -1 --format=%ct)" +%F)\" " "$scratch/made$at/share/man/man1/touchstone.1"
+[ ! -e .git ] || grep -q "^\.TH TOUCHSTONE [1] \"$(date -u -d "@$(git log -1 --format=%ct)" +%F)\" " \
+	"$scratch/made$at/share/man/man1/touchstone.1"
 verdict $? "with a manual of the commit's date"
 
 # As debian/rules installs it, which leaves out these two.
@@ -46,7 +50,8 @@ mv "$scratch/made" "$scratch/moved"
 make -s installcheck DESTDIR="$scratch/moved" "${places[@]}" | sed 's/^/# /'
 verdict "${PIPESTATUS[0]}" 'all of it works where it is moved to'
 
-echo kept | tee "$scratch/moved/opt/docs/"{other,reference/other} "$scratch/moved$at/share/man/man1/touchstone-other.1" > "$scratch/stdout"
+echo kept | tee "$scratch/moved/opt/docs/"{other,reference/other} \
+	"$scratch/moved$at/share/man/man1/touchstone-other.1" > "$scratch/stdout"
 make -s uninstall DESTDIR="$scratch/moved" "${places[@]}" > "$scratch/stdout" &&
 	[ "$(find "$scratch/moved" ! -type d -exec cat {} + | sort | uniq -c)" = '      3 kept' ]
 verdict $? 'uninstall leaves what is of others'

@@ -17,14 +17,16 @@ deps() {
 
 # wants GROUP: the packages that it would install on a machine without any.
 wants() {
-	TS_INSTALL=0 scripts/install-deps "--$1" 2>&1 > "$scratch/stdout" | sed -n 's/^install-deps: .* missing: //p' | tr ' ' '\n'
+	TS_INSTALL=0 scripts/install-deps "--$1" 2>&1 > "$scratch/stdout" | sed -n 's/^install-deps: .* missing: //p' |
+		tr ' ' '\n'
 }
 command dpkg-query 'exit 1'
 good=0 before=/dev/null
 for group in core build test package matrix; do
 	wants $group > "$scratch/$group"
 	n_before=$(wc -l < "$before")
-	head -n "$n_before" "$scratch/$group" | cmp -s "$before" - && [ "$(wc -l < "$scratch/$group")" -gt "$n_before" ] || good=1
+	head -n "$n_before" "$scratch/$group" | cmp -s "$before" - && [ "$(wc -l < "$scratch/$group")" -gt "$n_before" ] ||
+		good=1
 	before=$scratch/$group
 done
 [ -z "$(sort "$scratch/matrix" | uniq -d)" ]
@@ -53,11 +55,13 @@ command rpm '[ "${!#}" != gcc ]' && command dnf "echo \"\$*\" >> '$scratch/asked
 mv "$scratch/bin/rpm" "$scratch/bin/dnf" "$scratch/fedora"
 fedora() { deps env -u TS_INSTALL PATH="$scratch/fedora" scripts/install-deps "$@"; }
 fedora
-[ "$status" -eq 0 ] && [ "$(cat "$scratch/stdout")" = 'install-deps: installing gcc' ] && grep -q '^install .* gcc$' "$scratch/asked"
+[ "$status" -eq 0 ] && [ "$(cat "$scratch/stdout")" = 'install-deps: installing gcc' ] &&
+	grep -q '^install .* gcc$' "$scratch/asked"
 verdict $? 'on Fedora what is missing comes by dnf'
 sed -i 's/\[.*/exit 1/' "$scratch/fedora/rpm"
 fedora --matrix
-[ "$status" -eq 0 ] && grep -q ' gcc-c++ .* embree-devel .* clang .* pandoc ' "$scratch/asked" && ! grep -qE -- '-dev( |$)' "$scratch/asked"
+[ "$status" -eq 0 ] && grep -q ' gcc-c++ .* embree-devel .* clang .* pandoc ' "$scratch/asked" &&
+	! grep -qE -- '-dev( |$)' "$scratch/asked"
 verdict $? 'by the names that it has there'
 rm "$scratch/fedora/dnf"
 fedora

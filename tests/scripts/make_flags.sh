@@ -1,6 +1,6 @@
 #!/bin/bash
-# Flags on make's command line are added to the project's own, never in their place, and warnings are errors on demand only.
-# Compiles nothing: looks at the commands that make would run. Prints TAP.
+# Flags on make's command line are added to the project's own, never in their place, and warnings are errors on demand
+# only. Compiles nothing: looks at the commands that make would run. Prints TAP.
 set -u
 n=0
 
@@ -37,12 +37,14 @@ has 'linking' '-o build/none/touchstone$' '-Wl,-O1' '-ljansson'
 
 # What a packager says in the environment; what the contract asks for stands behind it.
 commands=$(CPPFLAGS=-DTRIED CFLAGS=-g3 CXXFLAGS=-g3 LDFLAGS=-Wl,-O1 would \
-	build/none/touchstone-core build/none/installed/touchstone build/none/tests/model/error build/none/record/touchstone)
+	build/none/touchstone-core build/none/installed/touchstone build/none/tests/model/error \
+	build/none/record/touchstone)
 every 'all that is compiled' ' -c [^ ]* -o ' '-DTRIED -g3 .*-ffp-contract=off -fno-math-errno -fno-trapping-math'
 every 'all that is linked' '\.[ao] .* -o build/none/' '-Wl,-O1'
 
 n=$((n + 1))
-if ! grep -q -e -Werror <<< "$commands"; then echo "ok $n - warnings are warnings"; else echo "not ok $n - warnings are warnings"; fi
+if ! grep -q -e -Werror <<< "$commands"; then echo "ok $n - warnings are warnings"; else echo \
+	"not ok $n - warnings are warnings"; fi
 commands=$(would WERROR=1)
 has 'unless WERROR is 1' '-c src/model/commit.c' -Werror
 

@@ -27,13 +27,18 @@ chmod +x "$folder/command"
 page=$folder/page.md
 {
 	echo "# Page"
-	for name in machine limits stages figures growth; do printf 'before\n<!-- measured: %s -->\nold\n<!-- end -->\n' $name; done
+	for name in machine limits stages figures growth; do
+		printf 'before\n<!-- measured: %s -->\nold\n<!-- end -->\n' $name
+	done
 	echo "last"
 } > "$page"
 PERFORMANCE=$page TOUCHSTONE=$folder/command scripts/performance --runs 1
-[ "$(cat "$folder/asked")" = "bench speed --runs 1 --json" ] && ! grep -q old "$page" && [ "$(grep -c before "$page")" -eq 5 ] &&
-	grep -q '^last$' "$page" && grep -q '^M | 2; 2 threads.$' "$page" && grep -q '^| minima | 812 | M/s | 1.5 |  |$' "$page" &&
-	grep -q '^| A by epr | splat | 1234 | 60 |  |$' "$page" && ! grep -q pose "$page" && grep -q '^| a\\|b | 0.5 |$' "$page" &&
+[ "$(cat "$folder/asked")" = "bench speed --runs 1 --json" ] && ! grep -q old "$page" &&
+	[ "$(grep -c before "$page")" -eq 5 ] &&
+	grep -q '^last$' "$page" && grep -q '^M | 2; 2 threads.$' "$page" &&
+	grep -q '^| minima | 812 | M/s | 1.5 |  |$' "$page" &&
+	grep -q '^| A by epr | splat | 1234 | 60 |  |$' "$page" && ! grep -q pose "$page" &&
+	grep -q '^| a\\|b | 0.5 |$' "$page" &&
 	grep -q '^Nothing was measured.$' "$page" && ! grep -q 'busy machine' "$page"
 result $? "tables stand in their places, and nothing else changes"
 cp "$page" "$folder/before"

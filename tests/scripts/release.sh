@@ -1,6 +1,6 @@
 #!/bin/bash
-# `make release` of the tarball alone, in a clone of the last commit: what the folder holds, and what is refused. The other parts
-# take minutes. Prints TAP.
+# `make release` of the tarball alone, in a clone of the last commit: what the folder holds, and what is refused. The
+# other parts take minutes. Prints TAP.
 . "$(dirname "$0")/../cli/tap.bash"
 if [ ! -e .git ]; then
 	echo '1..0 # SKIP not a git checkout'
@@ -15,7 +15,8 @@ releases() {
 }
 # refused PATTERN: by one line, and nothing is left.
 refused() {
-	[ "$status" -eq 2 ] && [ "$(grep -c '^release: ' "$scratch/stderr")" -eq 1 ] && grep -q "^release: $1" "$scratch/stderr" &&
+	[ "$status" -eq 2 ] && [ "$(grep -c '^release: ' "$scratch/stderr")" -eq 1 ] &&
+		grep -q "^release: $1" "$scratch/stderr" &&
 		[ -z "$(ls -d build/dist* 2> /dev/null)" ]
 	verdict $? "refused: $1"
 }
@@ -33,14 +34,17 @@ refused 'CHANGELOG.md has no section'
 git reset -q --hard HEAD~1
 mkdir "$scratch/bin" && printf '#!/bin/sh\necho 1000\n' > "$scratch/bin/id" && chmod +x "$scratch/bin/id"
 PATH=$scratch/bin:$PATH releases tarball packages
-grep -q 'skipped: a chroot needs root' "$scratch/stdout" && refused 'packages: could not be made, .*T="tarball" leaves it out'
+grep -q 'skipped: a chroot needs root' "$scratch/stdout" &&
+	refused 'packages: could not be made, .*T="tarball" leaves it out'
 
 releases tarball
-[ "$status" -eq 0 ] && [ "$(cd build && find dist* | sort)" = "$(printf '%s\n' dist dist/SHA256SUMS "dist/$(basename build/*.tar.xz)")" ]
+[ "$status" -eq 0 ] &&
+	[ "$(cd build && find dist* | sort)" = "$(printf '%s\n' dist dist/SHA256SUMS "dist/$(basename build/*.tar.xz)")" ]
 verdict $? 'the folder holds the tarball and its digest'
 (cd build/dist && sha256sum --quiet -c SHA256SUMS) && [ "$(wc -l < build/dist/SHA256SUMS)" -eq 1 ]
 verdict $? 'the digests are right'
-! grep -vE "^ *[0-9]+  build/dist/" "$scratch/stdout" && [ "$(stat -c '%s  %n' build/dist/* | sort)" = "$(sed 's/^ *//' "$scratch/stdout" | sort)" ]
+! grep -vE "^ *[0-9]+  build/dist/" "$scratch/stdout" &&
+	[ "$(stat -c '%s  %n' build/dist/* | sort)" = "$(sed 's/^ *//' "$scratch/stdout" | sort)" ]
 verdict $? 'each file is printed with its size'
 cp -r build/dist "$scratch/first"
 releases tarball

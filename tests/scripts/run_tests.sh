@@ -1,6 +1,6 @@
 #!/bin/bash
-# The runner of tests: which tests a name means, what it leaves out, and that it fails a test that takes too much processor
-# time, hangs, crashes or reports nothing. Prints TAP.
+# The runner of tests: which tests a name means, what it leaves out, and that it fails a test that takes too much
+# processor time, hangs, crashes or reports nothing. Prints TAP.
 . "$(dirname "$0")/../cli/tap.bash"
 runner=$(realpath scripts/run-tests)
 cd "$scratch" || exit

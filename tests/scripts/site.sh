@@ -1,12 +1,13 @@
 #!/bin/bash
-# The pages of `make docs`: all documents, headers and commands are there, every link and anchor leads somewhere, and none to
-# the network; scripts/links-check sees what does not. Prints TAP.
+# The pages of `make docs`: all documents, headers and commands are there, every link and anchor leads somewhere, and
+# none to the network; scripts/links-check sees what does not. Prints TAP.
 . "$(dirname "$0")/../cli/tap.bash"
 
 mkdir "$scratch/bin"
 for tool in env python3 bash; do ln -s "$(command -v $tool)" "$scratch/bin/$tool"; done
 PATH=$scratch/bin scripts/site "$scratch" "$scratch/none" > "$scratch/stdout" 2> "$scratch/stderr"
-[ $? -eq 2 ] && [ "$(wc -l < "$scratch/stderr")" -eq 1 ] && grep -q '^site: pandoc is not installed: ' "$scratch/stderr" &&
+[ $? -eq 2 ] && [ "$(wc -l < "$scratch/stderr")" -eq 1 ] &&
+	grep -q '^site: pandoc is not installed: ' "$scratch/stderr" &&
 	[ ! -e "$scratch/none" ]
 verdict $? 'without pandoc one line says so, and nothing is written'
 command -v pandoc > /dev/null || {
@@ -18,7 +19,8 @@ site=$scratch/site
 scripts/manual "$touchstone" "$scratch/manual" && scripts/site "$scratch/manual" "$site"
 verdict $? 'the pages are written'
 [ -d "$site" ] || finish
-for source in README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md reference/*.md reference/methods/*.md include/touchstone/*.h; do
+for source in README.md CONTRIBUTING.md CHANGELOG.md SECURITY.md reference/*.md reference/methods/*.md \
+	include/touchstone/*.h; do
 	page=${source%.*}.html
 	[ -s "$site/${page/#README/index}" ] || echo "# no page of $source"
 done > "$scratch/missing"
@@ -30,24 +32,29 @@ cat "$scratch/missing"
 verdict $? 'each document, header and command has a page'
 scripts/links-check "$site" | sed 's/^/# /'
 verdict "${PIPESTATUS[0]}" 'every link and anchor leads to something in the folder'
-missing=$(grep -ohE '^TS_API .*\b(ts_\w+)\(' include/touchstone/*.h | grep -oE 'ts_\w+\($' | tr -d '(' | while read -r name; do
+missing=$(grep -ohE '^TS_API .*\b(ts_\w+)\(' include/touchstone/*.h | grep -oE 'ts_\w+\($' | tr -d '(' |
+	while read -r name; do
 	grep -qE "<h2 id=\"[^\"]*\b$name\b" "$site"/include/touchstone/*.html || echo "$name"
 done)
 [ -z "$missing" ]
 verdict $? "each public function has a section $missing"
 for list in params stages buffers; do
-	"$touchstone" list $list --json | grep -oE '^ *"name": "[^"]*"' | cut -d'"' -f4 | tee -a "$scratch/names" > "$scratch/some"
+	"$touchstone" list $list --json | grep -oE '^ *"name": "[^"]*"' | cut -d'"' -f4 |
+		tee -a "$scratch/names" > "$scratch/some"
 	[ -s "$scratch/some" ]
 	verdict $? "there are $list"
 done
 grep -ohE '^TS_API .*\b(ts_\w+)\(' include/touchstone/*.h | grep -oE 'ts_\w+\($' | tr -d '(' >> "$scratch/names"
 missing=$(while read -r name; do
-	grep -qE "<a href=[^>]*#[^>]*><code>$name</code></a>" "$site/terms.html" && grep -q "^\[\"$name\", " "$site/terms.js" || echo "$name"
+	grep -qE "<a href=[^>]*#[^>]*><code>$name</code></a>" "$site/terms.html" &&
+		grep -q "^\[\"$name\", " "$site/terms.js" || echo "$name"
 done < "$scratch/names")
 [ -z "$missing" ]
 verdict $? "each parameter, stage, buffer and public function is in the index and the search $missing"
-cp -r "$site" "$scratch/terms" && sed -nE 's|^\["(.*)", "(.*)", "(.*)"\],$|<a href="\3">\1</a>|p' "$site/terms.js" > "$scratch/terms/terms.js.html" &&
-	[ "$(grep -c . "$scratch/terms/terms.js.html")" -eq $(($(grep -c . "$site/terms.js") - 2)) ] && scripts/links-check "$scratch/terms"
+cp -r "$site" "$scratch/terms" &&
+	sed -nE 's|^\["(.*)", "(.*)", "(.*)"\],$|<a href="\3">\1</a>|p' "$site/terms.js" > "$scratch/terms/terms.js.html" &&
+	[ "$(grep -c . "$scratch/terms/terms.js.html")" -eq $(($(grep -c . "$site/terms.js") - 2)) ] &&
+	scripts/links-check "$scratch/terms"
 verdict $? 'each row of the search leads to something'
 if command -v chromium chromium-browser google-chrome > "$scratch/stdout"; then
 	python3 - "$site" <<'PY'

@@ -1,6 +1,7 @@
 #!/bin/bash
-# The stranger's lane, on a repository of a few files that stands in for this one: what works passes, and a fault in a shell line
-# whose path has a blank, a recipe that changes nothing, and a workflow whose target does not exist each fail. Prints TAP.
+# The stranger's lane, on a repository of a few files that stands in for this one: what works passes, and a fault in a
+# shell line whose path has a blank, a recipe that changes nothing, and a workflow whose target does not exist each
+# fail. Prints TAP.
 . "$(dirname "$0")/../cli/tap.bash"
 lane=$(realpath scripts/stranger)
 cd "$scratch" || exit
@@ -90,7 +91,8 @@ mkdir -p "$to"
 [ "$method" = mvr-supersample ] && set=$(tail -n 1 src/methods/points/mvr.c)
 scene=$(cat "src/scene/builtin/$scene.c" 2> /dev/null)
 { cat src/kernels/points/splat_box.h; echo "$scene ${set:-trilinear}"; } > "$to/$method.png"
-grep -q 0.5 src/kernels/points/splat_box.h || echo 'left out: the fast paths of splat, as said; splat runs without its fast path'
+grep -q 0.5 src/kernels/points/splat_box.h ||
+	echo 'left out: the fast paths of splat, as said; splat runs without its fast path'
 PROGRAM
 chmod +x program
 git init -q . && git add -A && git -c user.name=one -c user.email=one commit -qm small

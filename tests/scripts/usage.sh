@@ -15,7 +15,8 @@ says_usage() {
 count=0
 for script in scripts/*; do
 	[ -x "$script" ] && [ ! -d "$script" ] || continue
-	taken=$(head -n 20 "$script" | tr '\n#' '  ' | grep -oE "Usage: +$script( +(\[[^]]*\]|[A-Z][A-Z-]*)(\.\.\.)?)+") || continue
+	taken=$(head -n 20 "$script" | tr '\n#' '  ' | grep -oE "Usage: +$script( +(\[[^]]*\]|[A-Z][A-Z-]*)(\.\.\.)?)+") ||
+		continue
 	count=$((count + 1))
 	says_usage "$script" --bogus
 	! sed 's/\[[^]]*\]//g' <<< "${taken#Usage:*"$script"}" | grep -q '[A-Z]' || says_usage "$script"

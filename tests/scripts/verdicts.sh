@@ -1,6 +1,6 @@
 #!/bin/bash
-# The verdicts of tables that take no scene are those of src/study/verdicts.def, and a report is summed up as its rows say.
-# Prints TAP.
+# The verdicts of tables that take no scene are those of src/study/verdicts.def, and a report is summed up as its rows
+# say. Prints TAP.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -23,7 +23,8 @@ cat > "$folder/command" <<'SH'
 #!/bin/sh
 case "$1 $2" in
 "bench list") echo '{"claims": [{"paper": "P", "place": "figure 1", "bench": "one", "rows": "a |b"},
-	{"paper": "P", "place": "figure 2", "bench": "one", "rows": "t"}, {"paper": "P", "place": "table 1", "bench": null, "rows": null}]}' ;;
+	{"paper": "P", "place": "figure 2", "bench": "one", "rows": "t"},
+	{"paper": "P", "place": "table 1", "bench": null, "rows": null}]}' ;;
 "list benches") echo '{"benches": [{"name": "one", "brief": "--runs 1"}]}' ;;
 "bench one") [ "$3 $4" = "--runs 1" ] && cat "${0%/*}/report" ;;
 "--version ") echo "command 1.2, commit abc" ;;
@@ -40,10 +41,11 @@ cat > "$folder/report" <<'JSON'
 	{"relation": "time", "scene": "y", "verdict": "holds"},
 	{"relation": "total", "verdict": "holds"}]}
 JSON
-cat > "$folder/wanted" <<'DEF'
+unjudged='1 row of times not judged, for others used the machine'
+cat > "$folder/wanted" <<DEF
 MEASURED("1.2", "abc", "x, y, z")
 VERDICT("P", "figure 1", "differs in 2 of 4 rows: a first in y, z: too \"few\"", "")
-VERDICT("P", "figure 2", "holds in 1 row", "times: holds in 1 row; 1 row of times not judged, for others used the machine")
+VERDICT("P", "figure 2", "holds in 1 row", "times: holds in 1 row; $unjudged")
 DEF
 VERDICTS=$folder/verdicts.def TOUCHSTONE=$folder/command scripts/verdicts --write 2> /dev/null
 grep -v '^/\?[ *]' "$folder/verdicts.def" | diff "$folder/wanted" -

@@ -6,5 +6,6 @@ if [ -z "${TS_SCENES:-}" ]; then
 	exit
 fi
 scripts/verdicts 2> /dev/null | sed 's/^/# /' | grep .
-if [ "${PIPESTATUS[0]}" -eq 0 ]; then echo "ok 1 - verdicts"; else echo "not ok 1 - verdicts: scripts/verdicts --write"; fi
+if [ "${PIPESTATUS[0]}" -eq 0 ]; then echo "ok 1 - verdicts"; else echo \
+	"not ok 1 - verdicts: scripts/verdicts --write"; fi
 echo "1..1"

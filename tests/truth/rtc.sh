@@ -1,5 +1,6 @@
 #!/bin/bash
-# Embree and OpenCL are opened when they are needed: what needs neither does without them, and what does says what it lacks.
+# Embree and OpenCL are opened when they are needed: what needs neither does without them,
+# and what does says what it lacks.
 . "$(dirname "$0")/../cli/tap.bash"
 small=(render reflections atrium:triangles=10000:texels=32 --size 48x27 --method epr --reflectors 1)
 
@@ -27,8 +28,10 @@ without libembree "${small[@]}" --no-images --trace -o "$scratch/trace"
 [ "$status" -eq 0 ] && [ -e "$scratch/trace/trace-epr/trace.json" ]
 verdict $? 'no Embree: a trace'
 without libembree "${small[@]}" --truth=B -o "$scratch/out"
-lacks 2 '^touchstone: .*rays need Embree, in Debian the package libembree[34]-[34]: libabsent.so: cannot open' 'no Embree: no truth'
-without libembree render surfels checkerboard:surfels=10000 --size 48x27 --method deferred --truth=discs -o "$scratch/out"
+lacks 2 '^touchstone: .*rays need Embree, in Debian the package libembree[34]-[34]: libabsent.so: cannot open' \
+	'no Embree: no truth'
+without libembree render surfels checkerboard:surfels=10000 --size 48x27 --method deferred --truth=discs \
+	-o "$scratch/out"
 lacks 2 'rays need Embree' 'no Embree: no truth of surfels'
 without libOpenCL digest "${small[@]:2}" --backend opencl
 lacks 77 'no OpenCL device; install' 'no OpenCL: skipped'

@@ -1,5 +1,5 @@
-"""Prints a PTX module as C: a statement for each instruction, whose meaning is the function of its name in instructions.h. What is
-not known there does not compile. Usage: ptx.py < MODULE.ptx > MODULE.c"""
+"""Prints a PTX module as C: a statement for each instruction, whose meaning is the function of its name in
+instructions.h. What is not known there does not compile. Usage: ptx.py < MODULE.ptx > MODULE.c"""
 import re
 import sys
 
@@ -86,7 +86,8 @@ def statement(text):
 		made = transfer(words, operands)
 	else:
 		arithmetic = [word for word in words if word not in ("global", "local")]
-		sources = [address(operand) if operand.startswith("[") else value(operand, words[-1]) for operand in operands[1:]]
+		sources = [address(operand) if operand.startswith("[") else value(operand, words[-1])
+		           for operand in operands[1:]]
 		first = words[-2] if words[0] == "cvt" else words[-1]
 		made = assignment(operands[0], first, f"{'_'.join(arithmetic)}({', '.join(sources)})")
 	return f"if ({guard.group(1)}_{guard.group(2)}) {made}" if guard else made
@@ -131,7 +132,8 @@ def function(part):
 		yield f"void {name}(u8 **given, u32 ctaid, u32 ntid, u32 tid) {{"
 		yield from (f"u8 *{parameter} = given[{i}];" for i, parameter in enumerate(names))
 	else:
-		yield f"static void {name}({', '.join('u8 *' + parameter for parameter in names) or 'void'})" + (" {" if brace else ";")
+		given = ", ".join("u8 *" + parameter for parameter in names) or "void"
+		yield f"static void {name}({given})" + (" {" if brace else ";")
 	if brace:
 		yield from body(rest)
 		yield "}"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-# picture.py PNG STDOUT STDERR [mirrors] [tall]: fails unless the picture is worth looking at: at most 95 % black, and, if
-# asked for, with reflective pixels, and with a thing that covers a quarter of the height.
+# picture.py PNG STDOUT STDERR [mirrors] [tall]: fails unless the picture is worth looking at: at most 95 % black, and,
+# if asked for, with reflective pixels, and with a thing that covers a quarter of the height.
 import re
 import struct
 import sys

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Candidates with the faults of ports, by hand: damage.py WHAT TRACE CANDIDATE. fields: positions and normals of some pixels
-in the mirrors. count: a point less of one piece, which moves all sums behind it, and a bit of the picture."""
+"""Candidates with the faults of ports, by hand: damage.py WHAT TRACE CANDIDATE. fields: positions and normals of some
+pixels in the mirrors. count: a point less of one piece, which moves all sums behind it, and a bit of the picture."""
 import glob
 import shutil
 import sys

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Random inputs of one stage, and the port's answer, as a candidate to replay: PORTING.md, section 6.
 
-fuzz.py TRACE CANDIDATE STAGE SEED [--break N]     STAGE: visibility or splat; TRACE: its parameters and types of records
+fuzz.py TRACE CANDIDATE STAGE SEED [--break N]     STAGE: visibility or splat;
+TRACE: its parameters and types of records
 
 What scenes hardly have: pieces without area, others that cross the range of snapping, or of which a face sees nothing;
 corners within two units in the last place of a frustum's border. --break: as that of port.py.

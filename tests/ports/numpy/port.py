@@ -8,8 +8,8 @@ port.py TRACE CANDIDATE [--stages visibility,splat] [--arrival] [--break N]
 
 --break N damages one line, for tests of the comparison:
 	1 a plane of the frustum belongs to the outside     2 back faces are seen
-	3 all half a texel to the right and down            4 splat.clip=off: the whole box of a splat, not only the piece's texels
-	5 axial depth instead of distance                   10 contracted: the distance's sum is fused
+	3 all half a texel to the right and down            4 splat.clip=off: the whole box of a splat, not only the piece's
+	texels 5 axial depth instead of distance                   10 contracted: the distance's sum is fused
 	11 the last writer wins, not the least key          12 boxes shifted as unsigned numbers
 	13 squares of half size 128, not 129
 and these take what the documents say otherwise, where few scenes tell:

@@ -25,14 +25,16 @@ PRIMITIVES = {
 	'add': np.add, 'mul': np.multiply, 'div': np.divide, 'sqrt': np.sqrt,
 	'muladd': lambda a, b, c: a * b + c, 'mulsub': lambda a, b, c: c - a * b,
 	'put': contract.put, 'fix': contract.fix, 'floor_i32': contract.floor_i32,
-	'dot': contract.dot, 'cross': contract.cross, 'length': contract.length, 'key': contract.key, 'footprint': footprint,
+	'dot': contract.dot, 'cross': contract.cross, 'length': contract.length, 'key': contract.key,
+	'footprint': footprint,
 }
 
 
 def main(vectors, out, variant=''):
 	out = pathlib.Path(out)
 	out.mkdir(parents=True, exist_ok=True)
-	faults = {'fused': {'muladd': contract.fused}, 'divided': {'footprint': lambda *given: footprint(*given, divided=True)}}
+	faults = {'fused': {'muladd': contract.fused},
+	          'divided': {'footprint': lambda *given: footprint(*given, divided=True)}}
 	primitives = PRIMITIVES | faults.get(variant, {})
 	for name, primitive in primitives.items():
 		given = np.load(pathlib.Path(vectors, f'{name}.in.npy'))
