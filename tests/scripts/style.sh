@@ -27,13 +27,18 @@ sees 'carriage return' a.py 1 < <(printf 'a = 1\r\n')
 sees 'no newline at the end' a.sh 2 < <(printf 'true\nfalse')
 sees 'a blank before a tab' src/model/a.h 1 < <(printf '\t \tint a;\n')
 sees 'unfinished marker' src/model/a.c 1 < <(printf '/* %s */\n' TO''DO)
-sees "a run's parameters are read only; its plan says what follows from them" src/model/a.c 1 <<< 'run->params.width = 1;'
+sees "a run's parameters are read only; its plan says what follows from them" src/model/a.c 1 \
+	<<< 'run->params.width = 1;'
 sees "a compiler's arithmetic is that of the Makefile's flags" src/model/a.c 1 <<< '#pragma GCC optimize "fast"'
 sees 'a message of the library names members, not options of the command' src/model/a.c 1 <<< 'fail("see --size");'
 for name in test_equal equal images_equal test_images_equal; do
 	sees 'a test is named after its claim, in three words or more' tests/a.c 1 <<< "static void $name(void **state)"
 done
-sees 'a function of 41 lines, at most 40' src/model/a.c 2 < <(printf 'int f(void)\n{\n'; yes '	;' | head -n 41; echo '}')
+sees '121 columns, at most 120' a.py 1 < <(printf 'a = "%s"\n' "$(text 115)")
+sees '121 columns, at most 120' scripts/a 2 < <(printf '#!/bin/bash\n\ttrue %s\n' "$(text 112)")
+sees '122 columns, at most 120' Makefile 1 < <(printf 'A = %s\n' "$(text 118)")
+sees 'a function of 41 lines, at most 40' src/model/a.c 2 < <(printf 'int f(void)\n{\n'; yes '	;' |
+	head -n 41; echo '}')
 sees '601 lines, at most 600' src/model/a.h 1 < <(yes 'int a;' | head -n 601)
 sees '1001 lines, at most 1000' a.sh 1 < <(yes true | head -n 1001)
 printf 'f(\n\t"%s")\n' "$(text 130)" > a.py
