@@ -88,7 +88,6 @@ typedef struct {
 #define TS_IN(name, buffer) {TS_BINDS_TO, #name, TS_ROLE_IN, TS_B_##buffer}
 #define TS_OUT(name, buffer) {TS_BINDS_TO, #name, TS_ROLE_OUT, TS_B_##buffer}
 #define TS_MIN(name, buffer) {TS_BINDS_TO, #name, TS_ROLE_MIN, TS_B_##buffer}
-#define TS_SUM(name, buffer) {TS_BINDS_TO, #name, TS_ROLE_SUM, TS_B_##buffer}
 #define TS_WORK(name, memory) {TS_BINDS_TO, #name, TS_ROLE_WORK, TS_WORK_##memory}
 /* clang-format on */
 

@@ -68,7 +68,7 @@ ts_status ts_compared_judge(ts_compared *c)
 	return ts_compare(c->context, &c->verdicts, c->reference, c->candidate, &c->options);
 }
 
-void ts_compared_end(ts_compared *c)
+static void close_all(ts_compared *c)
 {
 	ts_verdicts_free(c->verdicts);
 	ts_trace_close(c->candidate);
@@ -214,7 +214,7 @@ ts_status ts_compare_command(ts_cli *cli)
 	if (status != TS_ERROR) status = tell(cli, &c);
 	ts_outcomes_end(&c.outcomes);
 	ts_compare_lists_free(&c.lists);
-	ts_compared_end(&c.of);
+	close_all(&c.of);
 	json_decref(c.cases);
 	free(c.own);
 	free(c.mask);

@@ -17,8 +17,6 @@ typedef struct {
 
 /* Judges. TS_OK: all is the same; TS_DIFFERENT; TS_ERROR. */
 ts_status ts_compared_judge(ts_compared *compared);
-/* Closes all that is open. */
-void ts_compared_end(ts_compared *compared);
 /* The verdict on a buffer, and its index; NULL: there is none. */
 const ts_verdict_info *ts_compared_find(const ts_compared *compared, const char *buffer, size_t *place);
 

@@ -18,7 +18,9 @@ static bool says_where(u32 option)
 	return where[option];
 }
 
-json_t *ts_sharded_typed(const ts_cli *cli)
+/* The typed options that change results: not those on speed, on the part, or on output. A new reference, or NULL
+ * without memory. */
+static json_t *typed_of(const ts_cli *cli)
 {
 	json_t *words = json_array();
 	int failed = 0;
@@ -41,10 +43,9 @@ json_t *ts_sharded_typed(const ts_cli *cli)
 
 static json_t *describe(const ts_cli *cli, const ts_sharded *s)
 {
-	json_t *object =
-		json_pack("{s:i, s:i, s:s, s:s, s:o, s:s, s:O, s:i}", "index", (int)cli->job.shard.index, "of",
-	              (int)cli->job.shard.of, "commit", ts_commit(), "command", s->command, "typed", ts_sharded_typed(cli),
-	              "class", s->class_name, "cases", s->cases, "status", (int)s->status);
+	json_t *object = json_pack("{s:i, s:i, s:s, s:s, s:o, s:s, s:O, s:i}", "index", (int)cli->job.shard.index, "of",
+	                           (int)cli->job.shard.of, "commit", ts_commit(), "command", s->command, "typed",
+	                           typed_of(cli), "class", s->class_name, "cases", s->cases, "status", (int)s->status);
 	if (object != NULL && s->renders != NULL) json_object_set(object, "renders", s->renders);
 	return object;
 }

@@ -16,9 +16,6 @@ typedef struct {
 } ts_sharded;
 /* Writes the report of a shard, otherwise like ts_results_report. */
 ts_status ts_sharded_write(ts_report *report, const ts_cli *cli, const ts_sharded *sharded);
-/* The typed options that change results: not those on speed, on the part, or on output. A new reference, or NULL
- * without memory. */
-json_t *ts_sharded_typed(const ts_cli *cli);
 /* The digest of a file; false: it cannot be read. */
 bool ts_sharded_digest(char *hex, const char *path);
 

@@ -324,7 +324,9 @@ static void hold(ts_info *info, ts_v3 p, u64 *found)
 	ts_store3(info->box_max, first ? p : ts_max3(ts_load3(info->box_max), p));
 }
 
-void ts_build_box(ts_scene *scene)
+/* The box of the triangles of object 0 and the centres of the surfels; without either, of all objects at rest.
+ * Triangles whose corners do not exist are ignored. */
+static void measure_box(ts_scene *scene)
 {
 	ts_info *info = &scene->info;
 	u64 found = 0;
@@ -348,7 +350,7 @@ void ts_build_measure(ts_build *build)
 {
 	ts_info *info = &build->scene->info;
 	if (!build->placed) {
-		ts_build_box(build->scene);
+		measure_box(build->scene);
 		ts_build_walls(build);
 		return;
 	}

@@ -39,10 +39,6 @@ void ts_build_motions_free(ts_build *build);
 	                                       &(build)->capacity.array, sizeof *(build)->scene->array, what), \
 	 !(build)->failed)
 
-/* Computes the box of the triangles of object 0 and the centres of the surfels; without either, of all objects at rest.
- * Triangles whose corners do not exist are ignored. */
-void ts_build_box(ts_scene *scene);
-
 /* Computes box, hall and, of a scene whose place was chosen, the eye. */
 void ts_build_measure(ts_build *build);
 

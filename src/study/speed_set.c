@@ -5,7 +5,8 @@
 #include "speed_work.h"
 #include "words.h"
 
-bool ts_speed_has_method(const ts_job *job, const char *method)
+/* Whether a method is to be measured. */
+static bool has_method(const ts_job *job, const char *method)
 {
 	return job->method == NULL || strcmp(job->method, "all") == 0 || ts_words_listed(job->method, method);
 }
@@ -90,7 +91,7 @@ static ts_status open_frames(ts_speed_set *set, const ts_speed_scene *of, const 
 	char item[32];
 	ts_status status = TS_OK;
 	while (status == TS_OK && ts_words_item(&names, item, sizeof item)) {
-		if (!ts_speed_has_method(job, item)) continue;
+		if (!has_method(job, item)) continue;
 		ts_speed_frame *frame = &set->frame[set->n_frames++];
 		ts_estimate estimate;
 		frame->method = ts_pipeline_find(of->effect, item);

@@ -89,8 +89,6 @@ struct ts_speed_set {
 ts_status ts_speed_set_open(ts_speed_set *set, const char *spec, const ts_speed_scene *of, const ts_job *job, u32 runs);
 ts_status ts_speed_set_run(ts_speed_set *set, u32 run, ts_quiet *quiet);
 void ts_speed_set_close(ts_speed_set *set);
-/* Whether a method is to be measured. */
-bool ts_speed_has_method(const ts_job *job, const char *method);
 
 /* The rows of the machine's limits. */
 enum { TS_SPEED_SIZES = 3 };

@@ -11,7 +11,7 @@ enum { BATCH = 16 * TS_TRUTH_PACKET, ONE_OF = 16 };
 
 const ts_arrays *ts_truth_scene(const ts_truth *truth) { return &truth->scene; }
 
-ts_truth_hit ts_truth_measure(const ts_truth *truth, const ts_truth_query *query, u32 triangle)
+static ts_truth_hit measure(const ts_truth *truth, const ts_truth_query *query, u32 triangle)
 {
 	ts_corners corner = ts_k_corners(&truth->scene, triangle);
 	ts_hit hit = ts_k_hit(query->origin, query->direction, &corner);
@@ -27,7 +27,7 @@ static u32 flags_of(const ts_truth *truth, u32 triangle)
 
 bool ts_truth_is_cut(const ts_truth *truth, const ts_truth_query *query, u32 triangle, ts_v3 normal)
 {
-	ts_truth_hit hit = ts_truth_measure(truth, query, triangle);
+	ts_truth_hit hit = measure(truth, query, triangle);
 	return ts_k_is_cut(&truth->scene, triangle, hit.weights, normal, hit.footprint);
 }
 
@@ -75,7 +75,7 @@ u32 ts_truth_find(const ts_truth *truth, const ts_truth_query *query)
 
 static ts_truth_hit hit_of(const ts_truth *truth, const ts_truth_query *query, u32 triangle)
 {
-	return triangle != TS_NONE ? ts_truth_measure(truth, query, triangle) : (ts_truth_hit){.triangle = TS_NONE};
+	return triangle != TS_NONE ? measure(truth, query, triangle) : (ts_truth_hit){.triangle = TS_NONE};
 }
 
 static void add_cost(const ts_truth *truth, u32 rays, double seconds)

@@ -54,7 +54,6 @@ typedef struct {
 ts_status ts_truth_parts_make(ts_truth *truth);
 void ts_truth_parts_free(ts_truth *truth);
 
-ts_truth_hit ts_truth_measure(const ts_truth *truth, const ts_truth_query *query, u32 triangle);
 /* Whether alpha cuts out the point at which the ray meets a masked triangle with this normal. */
 bool ts_truth_is_cut(const ts_truth *truth, const ts_truth_query *query, u32 triangle, ts_v3 normal);
 /* The nearest triangle that no filter rejects, or TS_NONE. */

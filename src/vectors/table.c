@@ -170,9 +170,3 @@ u32 ts_vector_out_shape(u64 shape[TS_MAX_DIMS], const ts_vector *vector)
 	shape[1] = vector->out[0].count;
 	return !ts_vector_gives_record(vector) && vector->out[0].count > 1 ? 2 : 1;
 }
-
-u32 ts_vector_out_bytes(const ts_vector *vector)
-{
-	bool record = ts_vector_gives_record(vector);
-	return (record ? ts_vector_out_words(vector) : ts_vector_type_words(vector->out[0].type)) * (u32)sizeof(u32);
-}

@@ -115,8 +115,6 @@ void ts_vector_out_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector);
 /* Writes the shape of the file of outputs: items, and elements of an item if there are several and the output is no
  * record. Returns the number of dimensions. */
 u32 ts_vector_out_shape(u64 shape[TS_MAX_DIMS], const ts_vector *vector);
-/* Bytes of one element of that shape. */
-u32 ts_vector_out_bytes(const ts_vector *vector);
 
 /* Fills TS_VECTOR_ITEMS rows of inputs and of outputs, always the same: special values first, then random ones over the
  * whole range, then rows for which each of the primitive's faults gives another result. No float of the outputs is

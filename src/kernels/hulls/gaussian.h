@@ -25,13 +25,6 @@ TS_FN ts_sg ts_sg_make(f32 mu, f32 lambda, ts_v3 phi)
 	return r;
 }
 
-/* Eq 1: in the direction w. */
-TS_FN f32 ts_k_sg_value(const ts_sg *g, ts_v3 w)
-{
-	f32 d = ts_dot(g->phi, w) - 1.0f;
-	return g->mu * ts_exp(g->lambda * d);
-}
-
 /* Eq 3. The exponent lambda3 - lambda1 - lambda2 is -lambda1 lambda2 |phi1 - phi2|^2 over the sum of the three. */
 TS_FN ts_sg ts_k_sg_product(const ts_sg *a, const ts_sg *b)
 {

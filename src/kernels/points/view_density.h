@@ -9,10 +9,9 @@
 #include "../raster/clip.h"
 
 /* Rates: by which each texel whose centre sees the triangle gets a sample (watertight); at the least depth of the part
- * in the frustum (exact); at the point closest to the view (the paper); VIR's worst case. */
+ * in the frustum (exact, which is 2); at the point closest to the view (the paper); VIR's worst case. */
 #define TS_RATE_IS_EYE 0u /* EPR: see density.h */
 #define TS_RATE_IS_WATERTIGHT 1u
-#define TS_RATE_IS_EXACT 2u
 #define TS_RATE_IS_PAPER 3u
 #define TS_RATE_IS_VIR 4u
 

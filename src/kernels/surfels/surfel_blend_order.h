@@ -13,7 +13,6 @@
 #include "surfel_blend.h"
 #include "../base/half.h"
 
-#define TS_ACCUMULATION_IS_FLOAT32 1u
 #define TS_ACCUMULATION_IS_HALF 2u
 #define TS_ACCUMULATION_IS_8BIT 3u
 

@@ -5,6 +5,9 @@
 
 static const double sg_pi = 3.14159265358979323846;
 
+/* Eq 1, in a direction at this cosine to phi. */
+static inline double sg_value(double mu, double lambda, double c) { return mu * exp(lambda * (c - 1)); }
+
 /* e^-x I0(x): the power series, as far as its terms count, or the asymptotic one. */
 static inline double sg_bessel(double x)
 {

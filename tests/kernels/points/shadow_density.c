@@ -162,7 +162,7 @@ static void rates_fall_short_as_figured(void **state)
 		double cap = 512 / ts_length(middle);
 		double need = need_behind((d3){0, 0, 0}, d3_of(middle), d3_of(e), eye.focal);
 		for (u32 shadow = TS_SHADOW_IS_SAFE; shadow <= TS_SHADOW_IS_PAPER; shadow++) {
-			ts_density_args args = arguments(views, 1, &eye, TS_RATE_IS_EXACT, shadow);
+			ts_density_args args = arguments(views, 1, &eye, RATE_IS_EXACT, shadow);
 			double s = ts_k_shadow_density(&args, words, middle, b, c).s;
 			assert_true(s <= cap * 1.001);
 			below[shadow] += s < fmin(need, cap) * 0.999;

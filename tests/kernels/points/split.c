@@ -64,7 +64,7 @@ static void watertight_pieces_are_even_enough(void **state)
 		assert_true(n_lower == n_capped);
 		mesh_clear(&m);
 	}
-	assert_true(n_split[TS_RATE_IS_WATERTIGHT] > 2 * n_split[TS_RATE_IS_EXACT] && n_split[TS_RATE_IS_EXACT] > 100);
+	assert_true(n_split[TS_RATE_IS_WATERTIGHT] > 2 * n_split[RATE_IS_EXACT] && n_split[RATE_IS_EXACT] > 100);
 	assert_true(n_split[TS_RATE_IS_WATERTIGHT] > n_last + 1000);
 }
 

@@ -5,7 +5,7 @@
 
 enum { N = 20000, SIZE = 96, FULL = 128 };
 
-static const u32 rates[] = {TS_RATE_IS_WATERTIGHT, TS_RATE_IS_EXACT, TS_RATE_IS_PAPER, TS_RATE_IS_VIR};
+static const u32 rates[] = {TS_RATE_IS_WATERTIGHT, RATE_IS_EXACT, TS_RATE_IS_PAPER, TS_RATE_IS_VIR};
 
 /* A two-sided triangle alone, seen by the first `n_views` views. */
 static void begin(mesh *m, const ts_v3 corner[3], u32 n_views)
@@ -112,7 +112,7 @@ static void each_rate_follows_its_formula(void **state)
 		double least = INFINITY, z = fmax(fmax(at, farthest), view.near);
 		for (int k = 0; k < seen.n; k++) least = fmin(least, fmax(view_place(&view, seen.p[k]).z, view.near));
 		if (h < 0.02 * d || h < 0.01 * (double)view.near || seen.n == 0) continue;
-		double paper = need(&m, &view, 1, TS_RATE_IS_PAPER).s, exact = need(&m, &view, 1, TS_RATE_IS_EXACT).s;
+		double paper = need(&m, &view, 1, TS_RATE_IS_PAPER).s, exact = need(&m, &view, 1, RATE_IS_EXACT).s;
 		double vir = need(&m, &view, 1, TS_RATE_IS_VIR).s;
 		n_clipped += seen.n > 3;
 		n_denser += exact > paper * 1.01;
@@ -334,7 +334,7 @@ static double holes_of_slant(double degrees, u32 n, double *error)
 			d3 p = d3_mad(d3_mad(aside, along, r * cos(angle)), across, r * sin(angle));
 			corner[k] = ts_v3_make((f32)p.x, (f32)p.y, (f32)p.z);
 		}
-		scatter(&view, &view, corner, TS_RATE_IS_EXACT, 0);
+		scatter(&view, &view, corner, RATE_IS_EXACT, 0);
 		u32 empty = 0;
 		for (u32 k = 0; k < FULL * FULL; k++) empty += depths[k] == TS_NONE;
 		double share = empty / (double)(FULL * FULL);
@@ -430,8 +430,8 @@ static void holes_in_perspective_match_the_figures(void **state)
 	(void)state;
 	double error[3];
 	n_random = 0;
-	tally whole = holes_of_perspective(TS_RATE_IS_EXACT, false, 120, &error[0]);
-	tally clipped = holes_of_perspective(TS_RATE_IS_EXACT, true, 120, &error[1]);
+	tally whole = holes_of_perspective(RATE_IS_EXACT, false, 120, &error[0]);
+	tally clipped = holes_of_perspective(RATE_IS_EXACT, true, 120, &error[1]);
 	tally tight = holes_of_perspective(TS_RATE_IS_WATERTIGHT, true, 40, &error[2]);
 	double share = (double)whole.holes / (double)whole.seen, more = (double)clipped.holes / (double)clipped.seen;
 	print_message("exact: %.2f %% +- %.2f, clipped %.2f %% +- %.2f\n", 100 * share, 100 * error[0], 100 * more,

@@ -5,6 +5,9 @@
 #include "../../../src/kernels/points/scatter.h"
 #include "../../../src/kernels/points/split.h"
 
+/* Of the rates, the one that no kernel asks for by name. */
+enum { RATE_IS_EXACT = TS_RATE_IS_WATERTIGHT + 1 };
+
 static inline ts_v3 unit3(void)
 {
 	for (;;) {
