@@ -578,10 +578,11 @@ bench: all
 	for table in $$(build/touchstone list benches | awk 'NR > 1 && /^[a-z]/ { print $$1 }'); do \
 		build/touchstone bench $$table || exit; done
 
-##   style              the checks of the source text
+##   style              the checks of the source text, and of the last commit's subject
 ##   format             clang-format, version 14, of the C and C++ sources; scripts/format-check compares only
 style:
 	$(Q)scripts/style-check
+	$(Q)scripts/subjects
 	$(Q)scripts/cite-check
 	$(Q)scripts/lint-kernels
 format:
