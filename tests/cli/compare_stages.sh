@@ -50,7 +50,7 @@ PY
 run compare r/trace-epr several
 [ "$status" -eq 1 ] &&
 	tail -n 1 stdout | grep -q \
-	'^stage 05 mirror_pixel, buffer mirror_pixel.record, pixel (.*, field position\[0\]: ref .* [+-]1 ulp — first of 12; inputs identical$'
+		'^stage 05 mirror_pixel, buffer mirror_pixel.record, pixel (.*, field position\[0\]: ref .* [+-]1 ulp — first of 12; inputs identical$'
 verdict $? 'the first divergence is the last line'
 tells 'mirror_pixel.record: elements that differ, by field: position 12, normal 3' 'elements of each field'
 tells 'align.frame: elements that differ, by field: s 1' 'of later stages too'
@@ -114,7 +114,7 @@ for count in 0 17 "$last"; do
 	run compare r/trace-epr count
 	[ "$status" -eq 1 ] &&
 		tail -n 1 stdout | grep -qE \
-		"^stage 10 points.count, buffer points.offset, count of piece $count \(element $((count + 1)) less element $count\), ref [0-9]+ candidate [0-9]+ — first of 1; inputs identical\$"
+			"^stage 10 points.count, buffer points.offset, count of piece $count \(element $((count + 1)) less element $count\), ref [0-9]+ candidate [0-9]+ — first of 1; inputs identical\$"
 	verdict $? "the count of piece $count of $last"
 done
 tells 'points.offset: sums, judged by their counts' 'and how that is known'

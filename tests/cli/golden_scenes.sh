@@ -86,8 +86,8 @@ golden new 'eye-*'
 run compare own/goldens/eye-lamp own/goldens/eye-lamp.new
 [ "$status" -eq 1 ] &&
 	grep -q \
-	'^stage 00 scene, buffer scene.vertex, SHA-256 ref .*, as each side leaves its file out; of the scene, which no stage makes' \
-	stdout &&
+		'^stage 00 scene, buffer scene.vertex, SHA-256 ref .*, as each side leaves its file out; of the scene, which no stage makes' \
+		stdout &&
 	grep -Eq '^image.shadow +image.srgb +1,728 +[1-9][0-9]* .* different$' stdout
 verdict $? 'compare tells the stage that moved, and the pixels'
 run compare own/goldens/eye-mirror own/goldens/eye-mirror.new

@@ -71,8 +71,8 @@ PY
 run replay $epr --stage align --inputs port
 [ "$status" -eq 1 ] &&
 	grep -q \
-	'different in 1 of [0-9]* elements, first element 7, field s: .* is right, 1.5 = 0x1.8p+0 (3fc00000) was found in port/09-align.frame.npy$' \
-	stdout
+		'different in 1 of [0-9]* elements, first element 7, field s: .* is right, 1.5 = 0x1.8p+0 (3fc00000) was found in port/09-align.frame.npy$' \
+		stdout
 verdict $? 'a wrong value is named in decimal, hexadecimal float and bits'
 run replay $epr --stage align --inputs port --json
 python3 - <<'PY'

@@ -26,8 +26,8 @@ leaves() { [ "$(ls -A -I 'end.so' -I stdout -I stderr | tr '\n' ' ')" = "$1" ]; 
 
 { ending exit "${tiny[@]}" -o a/b; } 2> /dev/null
 [ "$status" -eq 2 ] && leaves '' &&
-	[ \
-	"$(cat stderr)" = 'touchstone: a library ended the run with exit code 1, for want of memory or threads; no result' ]
+	[ "$(cat stderr)" = \
+		'touchstone: a library ended the run with exit code 1, for want of memory or threads; no result' ]
 verdict $? 'a library that ends the process does not say "different"'
 for signal in 6 11 9 8 24; do
 	{ ending "signal $signal" "${tiny[@]}" -o a/b; } 2> /dev/null

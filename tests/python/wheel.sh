@@ -56,7 +56,7 @@ sed -i "s/${needed//./\\.}/${needed/jansson/missing}/" "$inside"/libtouchstone.s
 	own/bin/python picture.py > printed 2> said
 [ $? -eq 1 ] && tail -n 1 said |
 	grep -q \
-	"^ImportError: touchstone: .*${needed/jansson/missing}: cannot open .*TOUCHSTONE_LIBRARY can name the library$"
+		"^ImportError: touchstone: .*${needed/jansson/missing}: cannot open .*TOUCHSTONE_LIBRARY can name the library$"
 verdict $? 'without a library of the system one line names it'
 tail -n 1 said | sed 's/^/# /'
 finish
