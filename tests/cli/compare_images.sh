@@ -142,7 +142,8 @@ writes grey.png <<< 'pixels = [[0]] * 40'
 writes_exr grey.exr Y
 writes_exr alpha.exr RGBA
 ends 0 'greys' grey.png grey.exr --exposure 1
-refuses '--exposure: alpha.exr has 4 channels; expected 1 or 3, as alpha is not shown' compare alpha.exr black.png --exposure 1
+refuses '--exposure: alpha.exr has 4 channels; expected 1 or 3, as alpha is not shown' \
+	compare alpha.exr black.png --exposure 1
 refuses '--exposure auto: needs a scene' compare r/epr.png r/epr.exr --exposure auto
 cp r/epr.exr named.png
 refuses 'named.png holds linear radiance, and r/epr.png sRGB codes;' compare r/epr.png named.png

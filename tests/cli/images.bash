@@ -16,7 +16,7 @@ open(sys.argv[1], "wb").write(b"\x89PNG\r\n\x1a\n"
                               + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 PY
 }
-# writes_exr NAME CHANNELS: black, 10 x 4, as OpenEXR's file layout has it: header, offsets of rows, rows, not compressed.
+# writes_exr NAME CHANNELS: black, 10 x 4, not compressed: header, offsets of rows, rows (OpenEXR's file layout).
 writes_exr() {
 	python3 - "$@" <<'PY'
 import struct, sys
@@ -25,10 +25,12 @@ def attribute(name, kind, body):
 	return f"{name}\0{kind}\0".encode() + struct.pack("<I", len(body)) + body
 window = struct.pack("<4i", 0, 0, width - 1, height - 1)
 channels = b"".join(name.encode() + struct.pack("<BIIII", 0, 2, 0, 1, 1) for name in sorted(names)) + b"\0"
-head = struct.pack("<II", 20000630, 2) + attribute("channels", "chlist", channels) + attribute("compression", "compression", b"\0")
+head = struct.pack("<II", 20000630, 2) + attribute("channels", "chlist", channels)
+head += attribute("compression", "compression", b"\0")
 head += attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", window)
 head += attribute("lineOrder", "lineOrder", b"\0") + attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
-head += attribute("screenWindowCenter", "v2f", bytes(8)) + attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0"
+head += attribute("screenWindowCenter", "v2f", bytes(8))
+head += attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0"
 row = 4 * width * len(names)
 offsets = [len(head) + 8 * height + y * (row + 8) for y in range(height)]
 rows = b"".join(struct.pack("<iI", y, row) + bytes(row) for y in range(height))

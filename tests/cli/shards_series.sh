@@ -24,7 +24,8 @@ series() {
 small=(render reflections atrium:triangles=10000:texels=32 --size 49x27 --method epr,mvr --reflectors 3
 	--set reflectors.px=20 --set cube.hysteresis=4)
 series 2 "a sweep" "${small[@]}" --set cube.max_px=16,32 --set seed=1,2 --truth=B
-python3 -c 'import json; assert json.load(open("s-1/report.json"))["shard"]["cases"] == [f"combination {i}" for i in range(4)]'
+python3 -c 'import json
+assert json.load(open("s-1/report.json"))["shard"]["cases"] == [f"combination {i}" for i in range(4)]'
 verdict $? 'a shard names all combinations'
 series 2 "a sequence" "${small[@]}" --set cube.max_px=16 --frames 3..7:2 --truth=B
 python3 -c 'import json

@@ -73,7 +73,8 @@ plant "there is no table epr-4 of bench" README.md '/^## Start/s/$/ `touchstone 
 plant ".ci/run does not run make test-long" CONTRIBUTING.md 's/, the second, `make test-devices`/, `make test-long`&/'
 plant ".ci/run runs make golden" CONTRIBUTING.md 's/`make faults-short`, `make golden`/`make faults-short`/'
 planted
-plant "tests/kernels/points/cull.c has no nothing_stays" METHODS.md 's/ten_survivors_a_pixel_whatever_the_area/nothing_stays/'
+plant "tests/kernels/points/cull.c has no nothing_stays" METHODS.md \
+	's/ten_survivors_a_pixel_whatever_the_area/nothing_stays/'
 plant "stale" methods/points.md 's/^- \*\*Kind:\*\* scatter/- **Kind:** map/'
 plant "stale" CONTRACT.md '/^| `brdf` |/d'
 planted

@@ -37,7 +37,6 @@ static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *param
 	if (status != TS_OK) fail_msg("%s: %s", method->name, ts_error_message());
 }
 
-/* Every way to compute, on any number of threads. */
 static void threads_change_no_bit_of_any_way(void **state)
 {
 	(void)state;
@@ -105,7 +104,7 @@ static void check_light(const ts_run *run)
 }
 
 /* Hulls are near what they approximate; so are other ways to get there, and nearer to each other. */
-static void hulls_are_near_what_they_approximate(void **state)
+static void hulls_are_near_what_they_stand_for(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -312,7 +311,6 @@ static void boxes_hold_the_pixels_they_light(void **state)
 	ts_scene_free(scene);
 }
 
-/* A grid of at least as many texels as the image shows every pixel, so that a segment holds each. */
 static void a_whole_grid_holds_every_pixel(void **state)
 {
 	(void)state;
@@ -478,7 +476,7 @@ static void lamps_add_up_triangle_by_triangle(void **state)
 }
 
 /* Display values of lamps are as bright as radiance says, those of a bounce eight times that. */
-static void a_bounce_is_displayed_eight_times_brighter(void **state)
+static void a_bounce_is_eight_times_brighter(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
@@ -590,18 +588,12 @@ static void a_grid_of_no_multiple_is_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(threads_change_no_bit_of_any_way),
-		cmocka_unit_test(hulls_are_near_what_they_approximate),
-		cmocka_unit_test(no_segment_spans_two_components),
-		cmocka_unit_test(unparted_blocks_have_one_box_each),
-		cmocka_unit_test(boxes_hold_the_pixels_they_light),
-		cmocka_unit_test(a_whole_grid_holds_every_pixel),
-		cmocka_unit_test(the_sky_gathers_no_light),
-		cmocka_unit_test(each_light_has_its_maps),
-		cmocka_unit_test(without_light_all_is_dark),
-		cmocka_unit_test(a_grid_of_no_multiple_is_refused),
-		cmocka_unit_test(lamps_add_up_triangle_by_triangle),
-		cmocka_unit_test(a_bounce_is_displayed_eight_times_brighter),
+		cmocka_unit_test(threads_change_no_bit_of_any_way),  cmocka_unit_test(hulls_are_near_what_they_stand_for),
+		cmocka_unit_test(no_segment_spans_two_components),   cmocka_unit_test(unparted_blocks_have_one_box_each),
+		cmocka_unit_test(boxes_hold_the_pixels_they_light),  cmocka_unit_test(a_whole_grid_holds_every_pixel),
+		cmocka_unit_test(the_sky_gathers_no_light),          cmocka_unit_test(each_light_has_its_maps),
+		cmocka_unit_test(without_light_all_is_dark),         cmocka_unit_test(a_grid_of_no_multiple_is_refused),
+		cmocka_unit_test(lamps_add_up_triangle_by_triangle), cmocka_unit_test(a_bounce_is_eight_times_brighter),
 		cmocka_unit_test(gloss_only_adds_to_the_picture),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -317,7 +317,7 @@ static void a_cut_off_leaves_few_pairs(void **state)
 }
 
 /* Of many more paths than texels of the reflective shadow map maps are expected where those are. */
-static void many_paths_share_the_places_of_texels(void **state)
+static void many_paths_share_texels_places(void **state)
 {
 	(void)state;
 	const ts_pipeline *pipeline = ts_pipeline_find("indirect", "megaviews");
@@ -472,7 +472,7 @@ static bool sees_texel(const f32 *normal, u32 texel, u32 n)
 }
 
 /* Without culling there are more pairs, and maps show the same before each light. */
-static void culling_changes_no_map_before_a_light(void **state)
+static void culling_changes_no_lit_map(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < N_METHODS; m++) {
@@ -508,7 +508,7 @@ static void culling_changes_no_map_before_a_light(void **state)
 
 /* Without a hierarchy of the scene, or of the views either, maps are those of brute force; with one of the views there
  * are more pairs than with both, in queues of any length. */
-static void views_alone_show_what_brute_force_does(void **state)
+static void views_alone_show_as_brute_force(void **state)
 {
 	(void)state;
 	static ts_sums brute, alone, shared, pieces;
@@ -536,7 +536,7 @@ static void views_alone_show_what_brute_force_does(void **state)
 
 /* Maps asked from the root down, without fusion, answer the same: pictures have the same bits, and a question reads a
  * texel of each node above its view, and of each level of their pyramids. */
-static void queries_from_the_root_answer_the_same(void **state)
+static void queries_from_the_root_agree(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < N_METHODS; m++) {
@@ -585,21 +585,14 @@ static int end(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(threads_and_queues_change_no_bit),
-		cmocka_unit_test(stages_read_only_what_they_claim),
-		cmocka_unit_test(lists_leave_out_no_light),
-		cmocka_unit_test(lists_end_at_the_cut_off),
-		cmocka_unit_test(units_of_light_match_direct),
-		cmocka_unit_test(drawn_lights_average_to_all),
-		cmocka_unit_test(little_light_and_no_light_end_well),
-		cmocka_unit_test(a_run_takes_the_memory_expected),
-		cmocka_unit_test(a_cut_off_leaves_few_pairs),
-		cmocka_unit_test(many_paths_share_the_places_of_texels),
-		cmocka_unit_test(brute_force_shows_every_leaf),
-		cmocka_unit_test(wide_leaves_leave_no_difference),
-		cmocka_unit_test(culling_changes_no_map_before_a_light),
-		cmocka_unit_test(queries_from_the_root_answer_the_same),
-		cmocka_unit_test(views_alone_show_what_brute_force_does),
+		cmocka_unit_test(threads_and_queues_change_no_bit),   cmocka_unit_test(stages_read_only_what_they_claim),
+		cmocka_unit_test(lists_leave_out_no_light),           cmocka_unit_test(lists_end_at_the_cut_off),
+		cmocka_unit_test(units_of_light_match_direct),        cmocka_unit_test(drawn_lights_average_to_all),
+		cmocka_unit_test(little_light_and_no_light_end_well), cmocka_unit_test(a_run_takes_the_memory_expected),
+		cmocka_unit_test(a_cut_off_leaves_few_pairs),         cmocka_unit_test(many_paths_share_texels_places),
+		cmocka_unit_test(brute_force_shows_every_leaf),       cmocka_unit_test(wide_leaves_leave_no_difference),
+		cmocka_unit_test(culling_changes_no_lit_map),         cmocka_unit_test(queries_from_the_root_agree),
+		cmocka_unit_test(views_alone_show_as_brute_force),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }
