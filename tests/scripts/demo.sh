@@ -7,7 +7,8 @@ trap 'rm -rf "$build"' EXIT
 n=0
 
 would() {
-	commands=$(env -u WERROR -u MAKEFLAGS -u MAKELEVEL TS_INSTALL=0 make -n V=1 JOBS=1 BUILD="$build" "$@" 2> /dev/null)
+	commands=$(env -u WERROR -u MAKEFLAGS -u MAKELEVEL TS_INSTALL=0 make -n V=1 JOBS=1 BUILD="$build" "$@" 2>&- |
+		sed -e ':a' -e '/\\$/N; s/\\\n[[:space:]]*//; ta')
 }
 
 # verdict NAME: of the command before.
