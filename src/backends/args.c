@@ -4,7 +4,7 @@
 #include <pthread.h>
 #include <stdio.h>
 
-/* A role by its name: what is made of it for a buffer, lent memory, a tally, a number or a struct, and whether it is
+/* A role by its name: how its row declares a buffer, lent memory, a tally, a number or a struct, and whether it is
  * constant, in parts, optional. */
 #define ROLE_IN(MAKE, T, N, F) MAKE##_BUFFER(IN, true, false, false, T, N, F)
 #define ROLE_IN_OPT(MAKE, T, N, F) MAKE##_BUFFER(IN, true, false, true, T, N, F)

@@ -64,7 +64,7 @@ static bool is_by_pieces(const ts_launch *launch, const void *args)
 	return launch->kernel == TS_KERNEL_splat && splat->from.offset != NULL && splat->mark == 0;
 }
 
-/* Where the arguments of kernels that know bands say how many items share an item's rows with it. */
+/* The offset of the argument that holds the number of items sharing an item's rows, for kernels with bands. */
 static size_t others_at(ts_kernel kernel)
 {
 	switch (kernel) {
@@ -78,7 +78,7 @@ static size_t others_at(ts_kernel kernel)
 	}
 }
 
-/* Bands for few items, which may be large, are many; few for many. */
+/* Few items, which may be large, get many bands; many items get few. */
 static u32 bands_of(u64 n)
 {
 	const u64 items = 1 << 20, most = 256, bands = items / n;

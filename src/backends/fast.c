@@ -1,4 +1,4 @@
-/* Kernels that were edited, whose fast paths the build left out. */
+/* Edited kernels, whose fast paths the build left out. */
 #include "fast.h"
 #include <stdatomic.h>
 

@@ -1,4 +1,4 @@
-/* Kernels that were compiled before. */
+/* Kernels that were compiled ahead. */
 #include "modules.h"
 #include <errno.h>
 #include <stdio.h>

@@ -13,7 +13,7 @@ typedef struct {
 	u64 part_bytes; /* of each but the last */
 	u8 *data;
 	u64 bytes;
-	place place; /* of the newest contents */
+	place place; /* where the newest contents are */
 	bool mapped;
 } resident;
 
@@ -123,7 +123,7 @@ static ts_status fetch(void *buffer)
 	return TS_ERROR;
 }
 
-/* Nothing may use the memory any more when the frame frees it. */
+/* Ensures that nothing uses the memory when the frame frees it. */
 static void release(void *buffer)
 {
 	resident *r = buffer;
@@ -132,7 +132,7 @@ static void release(void *buffer)
 	free_parts(r);
 }
 
-/* A buffer made before there were parts, or the other way round, is made again. */
+/* A buffer made with another size of parts is made again. */
 static ts_status require(ts_store *store, ts_buffer *buffer, u64 part_bytes)
 {
 	resident *r = buffer->resident;

@@ -1,4 +1,4 @@
-/* Which of the versions of a vector loop are taken. */
+/* Which versions of vector loops run. */
 #include "wide.h"
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* The loops over the items of the kernels of a header, ITEMS, whose rows are ITEMS_DEF. The Makefile compiles this file
- * for each header that has kernels, so that an edit of one compiles few again. */
+ * once per header that has kernels, so that editing a header compiles few of them again. */
 #include "../backend.h"
 #include ITEMS
 #define TS_FILE __BASE_FILE__ " of " ITEMS

@@ -19,7 +19,7 @@ static bool find_calls(void *library, ts_cu_calls *call)
 	return ts_library_find(call, names, sizeof names / sizeof *names, library);
 }
 
-/* The driver's calls, once: it stays as long as the process. */
+/* The driver's calls, found once: the driver stays loaded as long as the process lives. */
 static ts_cu_calls calls;
 
 static ts_status start(void)

@@ -1,4 +1,4 @@
-/* The kernels' PTX, which the driver compiles as each is first launched, and keeps in a cache of its own. */
+/* The kernels' PTX. The driver compiles each when it is first launched, and keeps a cache. */
 #include <stdio.h>
 #include <string.h>
 #include "cu.h"
@@ -9,7 +9,7 @@ void ts_cu_open_modules(ts_cu *cu, const char *folder)
 	cu->modules = (ts_modules){"cuda", "ptx", {packed, sizeof packed - 1, first_byte}, folder, NULL};
 }
 
-/* What the driver's compiler says goes to standard error. */
+/* Prints the log of the driver's compiler on standard error. */
 static CUresult compile(ts_cu *cu, ts_kernel kernel, const ts_module *module)
 {
 	char log[4096] = "";

@@ -37,7 +37,7 @@ static ts_status set_pointers(ts_cu *cu, ts_frame *frame, const ts_launch *launc
 	return TS_OK;
 }
 
-/* Items [0, n), as many at once as there may be groups. */
+/* Runs items [0, n), as many at once as there may be groups. */
 static ts_status dispatch(ts_cu *cu, ts_kernel kernel, u8 *values, u64 n)
 {
 	u64 most = (u64)cu->most.groups * cu->work_group;
@@ -107,7 +107,7 @@ static ts_status begin(ts_cu *cu, const ts_backend_options *options)
 	}
 	ts_cu_open_modules(cu, options->build);
 	ts_cu_open_store(cu);
-	return ts_cu_make_kernel(cu, TS_KERNEL_vectors); /* the first that runs: what the driver refuses shows here */
+	return ts_cu_make_kernel(cu, TS_KERNEL_vectors); /* the first to run: a refusal by the driver shows here */
 }
 
 static ts_status open_device(ts_backend **backend, const ts_backend_options *options)

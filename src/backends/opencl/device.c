@@ -14,7 +14,7 @@ enum { PLATFORMS = 16 };
 
 ts_cl_calls ts_cl_call;
 
-/* The program's own OpenCL comes first, where it has one. */
+/* The program's own OpenCL is preferred. */
 static bool find_calls(void)
 {
 #define NAME(name) "cl" #name,
@@ -38,7 +38,7 @@ static u32 all_devices(cl_device_id devices[TS_MAX_DEVICES])
 	return n;
 }
 
-/* Asked in a child first: a driver may end the process that asks, as PoCL does where there is no /sys. */
+/* A child asks first: a driver may end the process that asks, as PoCL does where there is no /sys. */
 static ts_status ask(void)
 {
 	static bool known, there;
@@ -114,8 +114,8 @@ u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES])
 	return n;
 }
 
-/* PoCL 6.0 ends the process as it compiles some kernels (its issue 1608), but not if it makes work-groups in another of
- * its ways. PoCL reads the variable with each kernel; the user's own stays. An unknown version may be that one. */
+/* PoCL 6.0 ends the process as it compiles some kernels (its issue 1608), except with another way of making
+ * work-groups. PoCL reads the variable with each kernel; the user's setting stays. An unknown version may be 6.0. */
 static void choose_pocl_method(cl_device_id device)
 {
 	char version[256] = "";

@@ -1,5 +1,5 @@
-/* Entry points of kernels. A kernel of OpenCL 1.2 cannot be given a struct that holds pointers: it gets a twin of
- * the struct with an offset in place of each pointer, and the buffers behind it; of what is in parts, all parts. */
+/* Entry points of kernels. A kernel of OpenCL 1.2 cannot be given a struct that holds pointers. It gets a twin of the
+ * struct with an offset in place of each pointer, followed by the buffers, or by all parts of those in parts. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "../../output/file.h"

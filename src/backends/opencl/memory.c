@@ -1,5 +1,5 @@
-/* Parts of buffers on the device. Where the device has the host's memory, they are the frame's own, mapped while the
- * host reads them; elsewhere they are copies. */
+/* Parts of buffers on the device. A device that shares the host's memory uses the frame's buffers, mapped while the
+ * host reads them; others use copies. */
 #include "cl.h"
 
 static ts_cl *of(ts_store *store) { return (ts_cl *)((u8 *)store - offsetof(ts_cl, store)); }
@@ -46,7 +46,7 @@ static ts_status download(ts_store *store, void *part, void *data, u64 bytes)
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a transfer from the device", status);
 }
 
-/* A driver takes what follows in order, so waiting is only needed where the host looks. */
+/* A driver keeps the order, so waiting is only needed where the host reads. */
 static ts_status wait(ts_store *store)
 {
 	cl_int status = ts_cl_call.Finish(of(store)->queue);

@@ -1,6 +1,6 @@
-/* The kernels' text: a program for each paragraph of kernels.def, built by the driver as the first of its kernels is
- * launched; the driver keeps what it built in a cache of its own. The options are those of CONTRACT section 1: no
- * contraction (the text says so), correctly rounded quotients and roots, nothing unsafe. */
+/* The kernels' text: a program for each paragraph of kernels.def, built by the driver when the first of its kernels is
+ * launched; the driver caches it. The options are those of CONTRACT section 1: no contraction (the text says so),
+ * correctly rounded quotients and roots, nothing unsafe. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "cl.h"
 #include "program.inc"
 
-/* False if it says nothing. */
+/* False if the log is empty. */
 static bool show_log(const ts_cl *cl, cl_program program)
 {
 	size_t bytes = 0;

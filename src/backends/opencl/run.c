@@ -32,7 +32,7 @@ static ts_status set(cl_kernel kernel, u32 index, size_t bytes, const void *valu
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a kernel's argument", status);
 }
 
-/* The arguments of one pointer, from *index on; the offset takes its place among the values. */
+/* Sets the arguments of one pointer, from *index on; the offset takes its place among the values. */
 static ts_status set_buffer(ts_cl *cl, ts_frame *frame, const ts_launch *launch, const ts_pointer *pointer, u8 *values,
                             u32 *index)
 {
@@ -65,7 +65,7 @@ static ts_status set_arguments(ts_cl *cl, ts_frame *frame, const ts_launch *laun
 	return set(kernel, 1, sizeof n, &n);
 }
 
-/* Kernels that get arrays in parts are others. */
+/* Kernels that get arrays in parts are different programs. */
 static ts_status admit(ts_cl *cl, u64 part_bytes)
 {
 	if (cl->part_bytes == part_bytes) return TS_OK;
@@ -148,7 +148,7 @@ static ts_status begin(ts_cl *cl, const ts_backend_options *options)
 	cl->options = options->build;
 	cl->part_bytes = options->part_bytes;
 	if (ts_cl_put_flags(cl) != TS_OK) return TS_ERROR;
-	return ts_cl_make_kernel(cl, TS_KERNEL_vectors); /* the first that runs: what the compiler refuses shows here */
+	return ts_cl_make_kernel(cl, TS_KERNEL_vectors); /* the first to run: a refusal by the compiler shows here */
 }
 
 static ts_status open_device(ts_backend **backend, const ts_backend_options *options)

@@ -1,4 +1,4 @@
-/* Commands are recorded into one buffer, and each sees what those before it wrote; flushing runs them and waits. */
+/* Commands are recorded into one buffer, and each sees the writes of those before it; flushing runs them and waits. */
 #include <string.h>
 #include "vk.h"
 
@@ -22,7 +22,7 @@ void ts_vk_next(ts_vk *vk)
 	vk->store.busy = true;
 }
 
-/* A driver may end loops on its own, and say nothing: the kernels tell (compat.glsl). */
+/* A driver may end loops silently: the kernels report that (compat.glsl). */
 static ts_status whole(const ts_vk *vk)
 {
 	u32 kernel;

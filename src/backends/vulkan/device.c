@@ -33,8 +33,8 @@ static ts_status make_instance(const ts_vk_calls *call, VkInstance *instance)
 	return result == VK_SUCCESS ? TS_OK : ts_vk_failed("an instance", result);
 }
 
-/* The loader's and one instance's calls, found once: the instance stays as long as the process, for the loader
- * unloads drivers with it, and what they leak would have no name. */
+/* The loader's and one instance's calls, found once. The instance stays as long as the process lives: the loader
+ * unloads drivers with it, and their leaks would have no names. */
 static struct {
 	ts_vk_calls call;
 	VkInstance instance;
@@ -64,7 +64,7 @@ static u32 all_devices(VkPhysicalDevice devices[TS_MAX_DEVICES])
 	return result == VK_SUCCESS || result == VK_INCOMPLETE ? n : 0;
 }
 
-/* What a device has, by what asks for it. */
+/* A device's features, as the query's structs. */
 typedef struct {
 	VkPhysicalDeviceVulkan12Features more;
 	VkPhysicalDeviceFeatures2 features;

@@ -1,5 +1,5 @@
-/* Blocks of memory, and the frame's buffers in them: written by the host where it sees the device's memory, copied
- * through a block that it sees elsewhere. */
+/* Blocks of memory, and the frame's buffers in them: written by the host where it sees the device's memory, otherwise
+ * copied through a staging block that it sees. */
 #include <stdlib.h>
 #include <string.h>
 #include "vk.h"
@@ -86,7 +86,7 @@ static void release(ts_store *store, void *part)
 	free(part);
 }
 
-/* One stretch of a block through the staging block; the host's side is the caller's. */
+/* Copies one stretch of a block through the staging block; the caller copies the host's side. */
 static ts_status copy(ts_vk *vk, const ts_vk_block *from, u64 from_offset, const ts_vk_block *to, u64 to_offset,
                       u64 bytes)
 {
@@ -102,7 +102,7 @@ static ts_status require_staging(ts_vk *vk)
 	return vk->staging.mapped != NULL ? TS_OK : ts_vk_make_block(vk, &vk->staging, STAGING, true);
 }
 
-/* What was recorded may still read what is there. */
+/* Recorded commands may still read the part. */
 static ts_status upload(ts_store *store, void *part, const void *data, u64 bytes)
 {
 	ts_vk *vk = of(store);

@@ -1,4 +1,4 @@
-/* The kernels' SPIR-V, and the pipelines that the driver makes of it, each as it is first launched. */
+/* The kernels' SPIR-V, and the pipelines that the driver makes from it, each when first launched. */
 #include "vk.h"
 #include "spirv.inc"
 

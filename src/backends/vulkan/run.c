@@ -1,4 +1,4 @@
-/* Kernels on a device: their arguments, whose pointers become addresses, lie in a block of their own. */
+/* Kernels on a device. Their arguments, whose pointers become addresses, have a block of their own. */
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,12 +24,12 @@ ts_status ts_vk_failed(const char *what, VkResult result)
 	                    : ts_fail_as(TS_KIND_DEVICE, "backend vulkan: %s: %s (%d)", what, name, result);
 }
 
-/* What a launch hands to a kernel: its arguments, and the addresses of the parts of what is in parts. */
+/* What a launch hands to a kernel: its arguments, and the addresses of the parts of its buffers. */
 typedef struct {
 	u8 args[TS_ARGUMENTS];
 	u64 parts[TS_POINTERS][TS_PARTS];
 	u32 n_parted;
-	u32 parted_at[TS_POINTERS]; /* where in args the address of parts[i] stands */
+	u32 parted_at[TS_POINTERS]; /* offset in args of the address of parts[i] */
 } arguments;
 
 static ts_status set_pointer(ts_vk *vk, ts_frame *frame, const ts_launch *launch, const ts_pointer *pointer,
@@ -68,7 +68,7 @@ static ts_status set_pointers(ts_vk *vk, ts_frame *frame, const ts_launch *launc
 
 static u64 aligned(u64 bytes) { return (bytes + TS_VK_ALIGN - 1) / TS_VK_ALIGN * TS_VK_ALIGN; }
 
-/* Writes the arguments behind those of what is recorded, and returns where. */
+/* Writes the arguments behind those of recorded launches, and returns where. */
 static ts_status place(ts_vk *vk, const ts_launch *launch, arguments *a, u64 *address)
 {
 	u64 bytes = ts_kernel_args(launch->kernel)->bytes, parts = a->n_parted * sizeof *a->parts;
@@ -86,7 +86,7 @@ static ts_status place(ts_vk *vk, const ts_launch *launch, arguments *a, u64 *ad
 	return TS_OK;
 }
 
-/* Items [0, n), as many at once as there may be groups. */
+/* Records items [0, n), as many at once as there may be groups. */
 static void dispatch(ts_vk *vk, ts_kernel kernel, u64 address, u64 n)
 {
 	const VkShaderStageFlags compute = VK_SHADER_STAGE_COMPUTE_BIT;
@@ -101,7 +101,7 @@ static void dispatch(ts_vk *vk, ts_kernel kernel, u64 address, u64 n)
 	ts_vk_next(vk);
 }
 
-/* Kernels that get arrays in parts are others. */
+/* Kernels that get arrays in parts are different programs. */
 static ts_status admit(ts_vk *vk, u64 part_bytes)
 {
 	if (vk->part_bytes == part_bytes) return TS_OK;
@@ -222,7 +222,7 @@ static ts_status begin(ts_vk *vk, const ts_backend_options *options)
 	if (result != VK_SUCCESS) return ts_vk_failed("a queue", result);
 	if (ts_vk_make_block(vk, &vk->arguments, TS_VK_ARGUMENTS, true) != TS_OK) return TS_ERROR;
 	ts_vk_empty_arguments(vk);
-	return ts_vk_make_pipeline(vk, TS_KERNEL_vectors); /* the first that runs: what the driver refuses shows here */
+	return ts_vk_make_pipeline(vk, TS_KERNEL_vectors); /* the first to run: a refusal by the compiler shows here */
 }
 
 static ts_status open_device(ts_backend **backend, const ts_backend_options *options)

@@ -48,7 +48,7 @@ TS_WIDE(void, integrate, (lobes * l), (l))
 	}
 }
 
-/* By eqs 15 to 18 in their stable forms, of interpolated parameters. */
+/* Eqs 15 to 18 in their stable forms, with interpolated parameters. */
 bool ts_c_fast_hull(const void *of, u64 n, u32 threads)
 {
 	const ts_hull_args *args = of;

@@ -1,4 +1,4 @@
-/* Texels that are read, marked; and their blocks. */
+/* Marks of the texels that are read, and of their blocks. */
 #include "asked_texels.h"
 #include <stdlib.h>
 #include "../../../model/core.h"
@@ -31,7 +31,7 @@ static void mark(u8 *texel, const ts_splat_args *args, u32 threads)
 	}
 }
 
-/* Blocks of the next level: each of four, or fewer at the ends. */
+/* Makes the next level's blocks: each of four, or fewer at the ends. */
 static void join(u8 *to, const u8 *from, u32 n)
 {
 	u32 half = (n + 1) / 2;
@@ -40,7 +40,7 @@ static void join(u8 *to, const u8 *from, u32 n)
 	}
 }
 
-/* Each receives what those to its right and below have: read before they receive. */
+/* Each block receives what those to its right and below had before. */
 static void widen(u8 *block, u32 n)
 {
 	for (u32 y = 0; y < n; y++) {

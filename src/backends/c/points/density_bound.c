@@ -1,9 +1,9 @@
-/* Bounds of what a cube tells of a triangle, so that most need not be measured.
+/* Bounds of a cube's path lengths to a triangle, so that most need not be measured.
  *
  * The points t that ts_k_closest_on_triangle returns are on the triangle, however it rounds: see closest_lanes.h. So t
- * is within `reach` of the middle m. Light goes by a point x of the ball with centre c and radius R, straight or not:
- * its way is f(x) = |eye - x| + |x - t| >= |eye - x| + |x - m| - reach. Without the reach that is convex, with a slope
- * of -(u + v) at c, where u and v are the unit vectors from c to the eye and to m. So
+ * is within `reach` of the middle m. Light passes through a point x of the ball with centre c and radius R, straight or
+ * not: the path length is f(x) = |eye - x| + |x - t| >= |eye - x| + |x - m| - reach. Without the reach that is convex,
+ * with a slope of -(u + v) at c, where u and v are the unit vectors from c to the eye and to m. So
  * f(x) >= |eye - c| + |c - m| - reach - R |u + v|.
  *
  * The kernel rounds some fifty times in a row, each time by 2^-24 of at most the sum of all coordinates. The slack is
@@ -12,7 +12,7 @@
 #include <math.h>
 #include "../../wide.h"
 
-/* What may lie between a bound and its rounding: the slack, 2^-19 of the square of |u + v|, 2^-13 of a need. */
+/* Margins for rounding: the slack, 2^-19 of the square of |u + v|, 2^-13 of a need. */
 #define SLACK 0.000030517578125f
 #define TINY 0.0000000000009094947f
 #define BEYOND 67108864.0f

@@ -1,4 +1,4 @@
-/* Densities of EPR, with the bits of ts_k_density: the triangles that a cube may see go side by side. */
+/* EPR's densities, with the bits of ts_k_density: the triangles that a cube may see are processed side by side. */
 #include "density_eye.h"
 #include "../../../model/core.h"
 #include "../../wide.h"
@@ -7,19 +7,19 @@
 
 enum { LANES = 16 };
 
-/* What densities of a part come to. */
+/* The densities of a part. */
 typedef struct {
 	f32 density[TS_PART];
 	u32 limited[TS_PART], large[TS_PART]; /* 1: the densest cube limits; there are too many samples for a piece */
 } densities;
 
-/* Those that a cube may see: what it tells of each. There is room for lanes beyond the last. */
+/* The triangles that a cube may see, and their bounds. There is room for lanes beyond the last. */
 typedef struct {
 	u32 n, triangle[TS_PART + LANES];
 	f32 way[TS_PART + LANES], need[TS_PART + LANES];
 } seen;
 
-/* A step of ts_k_path_length: the point of the ball that light comes by, and whether its way meets the ball. */
+/* A step of ts_k_path_length: the point of the ball that light passes through, and whether its path meets the ball. */
 typedef struct {
 	ts_v3 by;
 	u32 meets;
@@ -62,7 +62,7 @@ static void take(ts_density_part *p, u32 lane, const ts_density_args *args, u32 
 	}
 }
 
-/* Keeps the listed triangles, n of them, that cube r sees. */
+/* Keeps those of the n listed triangles that cube r sees. */
 static void find_seen(seen *s, const u64 *words, u32 n_words, u32 r, u32 n)
 {
 	s->n = 0;
@@ -95,7 +95,7 @@ static ts_density_cube cube_of(const ts_density_args *args, u32 r)
 	                         .half_size = (f32)side * 0.5f};
 }
 
-/* As the end of ts_k_density, and the start of ts_k_split. */
+/* Like the end of ts_k_density, and the start of ts_k_split. */
 TS_WIDE(void, finish, (densities *restrict to, const ts_density_part *restrict p, f32 wanted, u32 cap),
         (to, p, wanted, cap))
 {
@@ -112,7 +112,7 @@ TS_WIDE(void, finish, (densities *restrict to, const ts_density_part *restrict p
 	}
 }
 
-/* As the end of ts_k_split_count_item. Returns 1 where the densest cube limits. */
+/* Like the end of ts_k_split_count_item. Returns 1 where the densest cube limits. */
 static u32 put(const ts_density_args *args, const densities *d, u32 lane, u32 triangle)
 {
 	args->whole[triangle] = d->density[lane];
@@ -142,7 +142,7 @@ static void count_part(const ts_density_args *args, u32 first, u32 n)
 	ts_add_i64(args->n_limited, n_limited);
 }
 
-/* By default: the paper's path, balls and off-axis densities take the kernel, and so does an eye within a ball. */
+/* Only for defaults: the paper's path, balls, off-axis densities and an eye within a ball are left to the kernel. */
 static bool applies(const ts_density_args *args)
 {
 	ts_v3 eye = ts_load3(args->view->eye);

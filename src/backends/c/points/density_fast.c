@@ -1,5 +1,5 @@
-/* Fast path of iVIR's and VIR's densities, with the same bits: what each view needs of a triangle, in one loop over the
- * views, which compilers vectorize. */
+/* Fast path of iVIR's and VIR's densities, with the same bits: the needs of a triangle in one loop over the views,
+ * which compilers vectorize. */
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/points/split.h"
@@ -51,7 +51,7 @@ TS_WIDE(void, rates, (f32 *restrict s, lanes l, u32 n, u32 rate, ts_v3 normal, t
 	}
 }
 
-/* As ts_k_split_count_item. */
+/* Like ts_k_split_count_item. */
 static void count(const ts_density_args *args, const lanes *of, f32 *s, u32 triangle)
 {
 	const u64 *words = args->bits + (u64)triangle * args->n_words;
@@ -67,7 +67,7 @@ static void count(const ts_density_args *args, const lanes *of, f32 *s, u32 tria
 	args->offset[triangle] = args->whole[triangle] > 0.0f ? ts_k_split(args, triangle, false) : 0;
 }
 
-/* The same rate of all views, all perspective, and not by what clipping leaves. */
+/* Only where all views have the same rate and perspective, and the rate ignores clipping. */
 static bool applies(const ts_density_args *args)
 {
 	bool good = args->shadow == TS_SHADOW_IS_NONE && args->rate >= TS_RATE_IS_PAPER;

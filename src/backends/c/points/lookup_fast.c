@@ -1,5 +1,5 @@
 /* Fast path of the look-ups of reflective pixels, with the same bits: a pixel's samples side by side, and the texels of
- * some pixels on their way before they are read. */
+ * some pixels prefetched. */
 #include "../../../kernels/points/lookup.h"
 #include "../../fast.h"
 #include "sample_texels.h"

@@ -1,5 +1,5 @@
-/* Points of a piece side by side: the lattice's in loops without branches, which compilers vectorize; then those beside
- * the piece, which move to its border. */
+/* Points of a piece side by side: the lattice's in loops without branches, which compilers vectorize; then the samples
+ * beside the piece, which move to its border. */
 #include "made_points.h"
 #include "../../wide.h"
 
@@ -57,8 +57,8 @@ static void widen(limits *to, ts_v3 p)
 	to->high = ts_max3(to->high, p);
 }
 
-/* A coordinate of a sample never falls, or never rises, along rows and columns, so four samples are the limits of all;
- * those that moved are on the piece's border, but for rounding. */
+/* A coordinate of a sample never falls, or never rises, along rows and columns, so four samples bound all; those that
+ * moved are on the piece's border, but for rounding. */
 ts_bounds ts_made_piece_bounds(const ts_made_piece *p)
 {
 	const f32 rounding = 0x1p-18f;

@@ -1,5 +1,5 @@
-/* Fast path of reflective pixels, with the same bits: one glance at each, and none more by its neighbours; those of one
- * material are glanced at together. */
+/* Fast path of reflective pixels, with the same bits: each is glanced at once, and its neighbours reuse that; pixels of
+ * one material are glanced at together. */
 #include "../../../kernels/points/mirror_pixel.h"
 #include <omp.h>
 #include <stdlib.h>
@@ -12,10 +12,10 @@ enum { BAND = 32, RING = 3 };
 typedef struct {
 	ts_glance glance;
 	ts_v3 tint;
-	u32 reflector; /* TS_NONE: none is seen */
+	u32 reflector; /* TS_NONE: no reflector is seen */
 } seen;
 
-/* A thread's. */
+/* What a thread works with. */
 typedef struct {
 	ts_surface_bins bins;
 	ts_fragment_batch fragments;
@@ -29,12 +29,12 @@ typedef struct {
 	seen *row[RING];
 } band;
 
-/* Where a row of what is seen goes. */
+/* Where a row of glances goes. */
 typedef struct {
 	seen *row;
 } sink;
 
-/* As ts_k_glance. */
+/* Like ts_k_glance. */
 static void keep(const void *user, const ts_surface_batch *of, const ts_surfaces *found)
 {
 	const sink *to = user;
@@ -67,7 +67,7 @@ static void see_row(band *b, i32 y)
 	ts_surface_bins_flush(&w->bins);
 }
 
-/* What is seen at (x, y), if that is the same reflector. */
+/* The glance at (x, y), if the reflector there is the same. */
 static ts_glance glance_at(const band *b, i32 x, i32 y, u32 reflector)
 {
 	static const ts_glance unseen = {.seen = false};
@@ -92,7 +92,7 @@ static void write_row(const band *b, i32 y)
 	}
 }
 
-/* Rows from `first` on, of the pictures of all samples, one below the other. */
+/* Writes rows from `first` on, of the pictures of all samples, one below the other. */
 static void write_band(const ts_mirror_pixel_args *args, worker *w, seen *room, i64 first)
 {
 	i32 width = args->view->width, height = args->view->height;

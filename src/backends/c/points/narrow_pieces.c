@@ -4,8 +4,8 @@
 
 enum { PIECES = TS_NARROW_PIECES, NARROW = TS_NARROW };
 
-/* Corners; and edges: inside where `at` is 0 or more, at the first sample of a row, and how that grows to the right and
- * down. */
+/* Corners, and edges: inside where `at` is 0 or more, its value at the first sample of a row, and its steps to the
+ * right and down. */
 typedef struct {
 	i32 q[6][PIECES];
 	i32 at[3][PIECES], right[3][PIECES], down[3][PIECES];
@@ -16,7 +16,7 @@ static inline i32 least(i32 a, i32 b, i32 c) { return ts_min_i32(ts_min_i32(a, b
 static inline i32 most(i32 a, i32 b, i32 c) { return ts_max_i32(ts_max_i32(a, b), c); }
 static inline i32 size_of(i32 x) { return x < 0 ? -x : x; }
 
-/* Of a piece that is not narrow these may be anything. */
+/* For a piece that is not narrow these may be anything. */
 static inline i32 times(i32 a, i32 b) { return (i32)((u32)a * (u32)b); }
 static inline i32 plus(i32 a, i32 b) { return (i32)((u32)a + (u32)b); }
 static inline i32 minus(i32 a, i32 b) { return (i32)((u32)a - (u32)b); }
@@ -47,7 +47,7 @@ TS_WIDE(void, find_borders, (edges *restrict e, ts_narrow_pieces *restrict to, i
 	}
 }
 
-/* And goes down. */
+/* Also moves the edges down a row. */
 TS_WIDE(void, find_row, (u32 *restrict row, u32 *restrict n, edges *restrict e, i32 y), (row, n, e, y))
 {
 	for (u32 i = 0; i < PIECES; i++) {

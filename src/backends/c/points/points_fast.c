@@ -7,7 +7,7 @@
 #include "made_points.h"
 #include "narrow_pieces.h"
 
-/* Samples of a row, on average, that are worth that; and the most that there is room for, with those at its ends. */
+/* Fewest samples per row, on average, for a wide piece; most that there is room for, and those at its ends. */
 enum { LEAST = 8, MOST = 4096, ENDS = 4, PIECES = TS_NARROW_PIECES, CHUNK = 16 };
 
 static i32 extent(const i32 *q)
@@ -22,7 +22,7 @@ static bool is_wide(const ts_points_args *args, u64 piece)
 	return wide >= 2 * LEAST * 256 && wide <= MOST * 256;
 }
 
-/* How a piece goes. */
+/* How a piece is processed. */
 typedef enum { NONE, ALONE, WIDE, MASKED, NARROW } way;
 
 static way way_of(const ts_points_args *args, u64 piece, bool narrow)
@@ -44,7 +44,7 @@ static u32 points_of(const ts_points_args *args, u64 piece, way of)
 	return (u32)ts_made_piece_count(&made);
 }
 
-/* Leaves the samples out that the mask of a narrow piece cuts. */
+/* Leaves out the samples that a narrow piece's mask cuts. */
 static void cut(const ts_points_args *args, u64 piece, ts_narrow_pieces *of, u32 i)
 {
 	ts_sample_mask mask = ts_sample_mask_of(&args->scene, &args->frames[piece], args->pieces[piece].triangle);
@@ -143,7 +143,7 @@ static void put(const ts_points_args *args, u64 first, u32 n, f32 *const centre[
 	}
 }
 
-/* Not where points may find no room. */
+/* Refuses where points may find no room. */
 bool ts_c_fast_points(const void *of, u64 n, u32 threads)
 {
 	const ts_points_args *args = of;

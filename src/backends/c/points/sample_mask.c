@@ -1,7 +1,7 @@
 /* Alpha masks of samples. */
 #include "sample_mask.h"
 
-/* As ts_k_slot_sample finds them. */
+/* Like ts_k_slot_sample. */
 static void find_levels(ts_sample_mask *m, const ts_arrays *scene, f32 area, f32 footprint)
 {
 	ts_v2 a = m->uv[0], b = m->uv[1], c = m->uv[2];

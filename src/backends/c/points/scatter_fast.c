@@ -1,7 +1,7 @@
 /* Fast path of the scatter kernels for depth maps, with the same bits: the threads fill pools with points, then each
  * takes whole depth maps and scatters all pools into them, so there are no atomics. Points come in runs, each of one
- * piece: a view takes the runs that it may see, and a block of points goes side by side through its transform. Runs
- * that no view may see are counted, and not made. */
+ * piece. A view takes the runs that it may see, and transforms a block of points side by side. Runs that no view may
+ * see are counted, and not made. */
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/points/scatter.h"
@@ -17,7 +17,7 @@ enum {
 	BLOCK = 256,
 	LANES = 16,
 	TAKEN = 64,
-	MOST_GROUPS = 64, /* of 32 views; more are not worth the memory */
+	MOST_GROUPS = 64, /* of 32 views; more are not worth their memory */
 };
 
 /* Points of one thread. Run r has those from begin[r] to begin[r + 1], of piece of[r]; its views are bits of
@@ -28,14 +28,14 @@ typedef struct {
 	u32 n_runs, begin[RUNS + 1], of[RUNS];
 	i64 n_points, n_scatters;
 	u64 piece, end; /* pieces that this thread took and has not finished */
-	i32 row;        /* of the first of them, from touched.y0 */
+	i32 row;        /* the first row of `piece`, from touched.y0 */
 } pool;
 
 typedef struct {
 	const ts_scatter_args *args;
 	u64 n_items;
 	bool stored; /* items are points, not pieces */
-	u64 next;    /* item that nobody took; atomic */
+	u64 next;    /* the next item that nobody took; atomic */
 	u32 first_group, n_groups;
 	ts_view_planes *planes; /* of each group */
 	i64 n_writes;
@@ -54,8 +54,8 @@ static u32 bits_of(const job *j, u32 triangle, u32 g)
 	return (u32)(words[group >> 1] >> ((group & 1u) * 32u)) & j->planes[g].views;
 }
 
-/* Begins a run of a piece, whose points are in a box of world space; NULL: they may be anywhere. Returns how many
- * views may see its triangle, and in `any` whether one may see the box. */
+/* Begins a run of a piece, whose points are in a box of world space; NULL: they may be anywhere. Returns how many views
+ * may see its triangle; `any` receives whether one may see the box. */
 static u32 begin_run(const job *j, pool *to, u64 piece, const ts_bounds *box, bool *any)
 {
 	u32 n = 0, seen = 0;
@@ -80,7 +80,7 @@ static void end_run(pool *to, u32 n)
 
 static u64 take(job *j, u64 n) { return __atomic_fetch_add(&j->next, n, __ATOMIC_RELAXED); }
 
-/* Stored points of a piece from i on; returns how many. */
+/* Adds stored points of a piece from i on; returns how many. */
 static u32 fill_run(const job *j, pool *to, u64 i, u64 end)
 {
 	const ts_point *points = j->args->from.points;
@@ -102,7 +102,7 @@ static void fill_stored(job *j, pool *to)
 	for (u64 i = begin; i < end;) i += fill_run(j, to, i, end);
 }
 
-/* Makes the rows of a piece that fit, from `row` on. True if that was all of them. */
+/* Makes the rows of a piece that fit, from `row` on. True if those were all. */
 static bool make_rows(pool *to, const ts_made_piece *piece)
 {
 	u32 first = n_points(to), n = 0;
@@ -116,7 +116,7 @@ static bool make_rows(pool *to, const ts_made_piece *piece)
 	return touched.y0 + to->row > touched.y1;
 }
 
-/* As much as fits of the pool's first piece. True if that was all of it. */
+/* Makes the points of the pool's first piece that fit. True if those were all. */
 static bool fill_piece(const job *j, pool *to)
 {
 	const ts_points_args *from = &j->args->from;
@@ -149,7 +149,7 @@ static void fill_pieces(job *j, pool *to)
 	}
 }
 
-/* Texel and depth bits of n points in a view; -1: none. Selects, so that it is vectorized. */
+/* Texel and depth bits of n points in a view; -1: none. Uses selects, so that it is vectorized. */
 TS_WIDE(void, place,
         (ts_camera_k view, const f32 *restrict x, const f32 *restrict y, const f32 *restrict z, u32 n,
          i32 *restrict texel, u32 *restrict depth),
@@ -176,14 +176,13 @@ TS_WIDE(void, place,
 	}
 }
 
-/* A piece, whether its points count at the centre of their texel, and what its triangle shows at that of the point
- * before. */
+/* A piece, whether its points count at texel centres, and its triangle's depth at the previous point's texel. */
 typedef struct {
 	u32 piece;
 	bool at_centre, has_triangle;
 	ts_prepared triangle;
 	i32 texel;
-	u32 depth; /* TS_NONE: it is not drawn there */
+	u32 depth; /* TS_NONE: the triangle does not cover the texel */
 } caster;
 
 static u32 centre_depth(const job *j, const ts_camera_k *view, caster *c, i32 texel)
@@ -199,7 +198,7 @@ static u32 centre_depth(const job *j, const ts_camera_k *view, caster *c, i32 te
 	return ts_k_is_cut(scene, triangle, f.w, c->triangle.corners.n, footprint) ? TS_NONE : ts_f2u(f.z);
 }
 
-/* Points where they are; returns how many texels they were offered to. */
+/* Offers points where they are; returns to how many texels. */
 static u32 offer_points(u32 *map, const i32 *texel, const u32 *depth, u32 n)
 {
 	u32 writes = 0;
@@ -212,7 +211,7 @@ static u32 offer_points(u32 *map, const i32 *texel, const u32 *depth, u32 n)
 	return writes;
 }
 
-/* What their triangle shows at the centres of texels. */
+/* Offers the depths of their triangle at the centres of texels. */
 static u32 offer_centres(const job *j, const ts_camera_k *view, caster *c, u32 *map, const i32 *texel, u32 n)
 {
 	u32 writes = 0;
@@ -227,7 +226,7 @@ static u32 offer_centres(const job *j, const ts_camera_k *view, caster *c, u32 *
 	return writes;
 }
 
-/* Points from `begin` to `end`; of a caster at its centres. */
+/* Scatters points from `begin` to `end`, at texel centres if the caster has that. */
 static u32 scatter_points(const job *j, const ts_camera_k *view, caster *c, const pool *from, u32 begin, u32 end,
                           u32 *map)
 {
@@ -242,7 +241,7 @@ static u32 scatter_points(const job *j, const ts_camera_k *view, caster *c, cons
 	return writes;
 }
 
-/* Runs beside each other go together, but where each asks its own triangle. */
+/* Adjacent runs are scattered together, unless points count at texel centres. */
 static void scatter_pool(job *j, const ts_camera_k *view, u32 v, const pool *from, u32 *map)
 {
 	i64 writes = 0;
@@ -274,7 +273,7 @@ static bool is_empty(const job *j)
 	return n == 0;
 }
 
-/* Every thread of the team comes here. */
+/* Every thread of the team runs this. */
 static void work(job *j)
 {
 	pool *mine = &j->pools[omp_get_thread_num()];
@@ -340,7 +339,8 @@ static void count(const job *j)
 	ts_add_i64(j->args->n_writes, j->n_writes);
 }
 
-/* Of n stored points or n pieces, into depth maps; n_views must not be 0. False if there are more than 2048 views. */
+/* Scatters n stored points or n pieces into depth maps; n_views must not be 0. False if there are more than 2048
+ * views. */
 static bool scatter(const ts_scatter_args *args, u64 n, bool stored, u32 threads)
 {
 	if (args->depths == NULL) return false;

@@ -1,6 +1,6 @@
-/* Fast path of the shade kernel, with the same bits: samples next to each other see the same points, so each thread
- * remembers what it shaded; what the points of some entries need is on its way before they are shaded; and points of
- * one material are shaded together. Shading operations are counted as the method asks for them, remembered or not. */
+/* Fast path of the shade kernel, with the same bits: neighbouring samples see the same points, so each thread remembers
+ * what it shaded. The data for the points of some entries is prefetched, and points of one material are shaded
+ * together. Shading operations are counted as the method prescribes, remembered or not. */
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/points/lookup.h"
@@ -11,7 +11,7 @@
 
 enum { SLOTS = 16384, ENTRIES = 256, CHUNK = 4 /* parts */, MOST = ENTRIES * TS_N_SAMPLES };
 
-/* What a point looks like from a cube's centre, and where that is among a part's colours; TS_NONE: not there. */
+/* A point's radiance towards a cube's centre, and its place among a part's colours; TS_NONE: not there. */
 typedef struct {
 	u32 point, cube, place;
 	ts_v3 radiance;
@@ -63,7 +63,7 @@ static u32 want(part *p, u64 sample, u32 cube, seen *slot)
 	return place;
 }
 
-/* Where the sample's colour is, or will be. */
+/* The place of the sample's colour, now or later. */
 static u32 recall(part *p, const ts_lookup_args *args, u64 sample, u32 cube)
 {
 	u32 point = args->found[sample];
@@ -123,7 +123,7 @@ static void fetch_vertices(const ts_points_args *from, u32 point)
 	for (u32 k = 0; k < 3; k++) fetch(&from->scene.vertices[t->vertex[k]], sizeof *from->scene.vertices);
 }
 
-/* Each step reads what the one before has fetched, of all points. */
+/* Each step reads what the step before has prefetched for all points. */
 static void fetch_all(const part *p, const ts_lookup_args *args)
 {
 	static void (*const steps[])(const ts_points_args *, u32) = {fetch_point, fetch_piece, fetch_triangle,
@@ -143,7 +143,7 @@ static void put_lit(const void *user, const ts_surface_batch *of, const ts_surfa
 	for (u32 i = 0; i < of->n; i++) to->colour[of->place[i]] = ts_lane3(&radiance, i);
 }
 
-/* As ts_k_sample_radiance. */
+/* Like ts_k_sample_radiance. */
 static void shade_wanted(part *p, const ts_lookup_args *args)
 {
 	for (u32 i = 0; i < p->n_wanted; i++) {
@@ -168,7 +168,7 @@ static void shade_wanted(part *p, const ts_lookup_args *args)
 	ts_surface_bins_flush(&p->bins);
 }
 
-/* A slot that another point took since is that point's. */
+/* A slot that another point has taken since keeps that point's place. */
 static void remember(part *p)
 {
 	for (u32 place = 0; place < p->n_colours; place++) {

@@ -1,6 +1,6 @@
 /* Fast path of EPR's shadow splats that are made piece by piece, with the same bits: the points of a piece are made
- * once for all views, in blocks that go side by side through a view's transform, in loops that compilers vectorize;
- * a piece's edges are evaluated as lines in (i, j). */
+ * once for all views. Blocks of them are transformed side by side, in loops that compilers vectorize. A piece's edges
+ * are evaluated as lines in (i, j). */
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/points/shadow_splat.h"
@@ -10,7 +10,7 @@
 
 enum { BLOCK = 64, MOST_VIEWS = 1024, PIECES_A_CHUNK = 64 };
 
-/* Points of a piece: where they are, and where they are in its lattice, where their squares tile the plane. */
+/* Points of a piece, and their places in its lattice, where their squares tile the plane. */
 typedef struct {
 	f32 centre[3][BLOCK], place[3][BLOCK];
 	u32 n;
@@ -19,13 +19,13 @@ typedef struct {
 /* A block as a view sees it. */
 typedef struct {
 	f32 z[BLOCK];
-	i32 texel[BLOCK];  /* of a point that is written alone; -1: there is none */
+	i32 texel[BLOCK];  /* of a point that is written alone; -1: none */
 	u32 square[BLOCK]; /* its splat is longer than a texel, and may reach into the view */
 } places;
-/* Points of a block whose splat is longer than a texel. */
+/* Points of a block whose splats are longer than a texel. */
 typedef struct {
 	f32 place[3][BLOCK], z[BLOCK];
-	ts_box box[BLOCK]; /* of the square, not yet met with the view */
+	ts_box box[BLOCK]; /* of the square, not yet intersected with the view */
 	f32 ahead[BLOCK];  /* of the nearest corner */
 	u32 n;
 } squares;
@@ -49,8 +49,8 @@ typedef struct {
 	ts_shadow_tally tally;
 } worker;
 
-/* ts_k_is_within_texel, and the texel of ts_k_scatter_into. What lies farther outside a plane of the view than its
- * square reaches, by the margins of ts_k_misses, is no square. */
+/* ts_k_is_within_texel, and the texel of ts_k_scatter_into. A point farther outside a plane of the view than its square
+ * reaches, by the margins of ts_k_misses, gets no square. */
 TS_WIDE(void, place_points,
         (places *restrict to, const block *restrict b, ts_camera_k view, ts_v2 reach, f32 length, f32 cell),
         (to, b, view, reach, length, cell))
@@ -106,7 +106,7 @@ static u32 *map_of(const ts_scatter_args *args, const ts_offscreen *view)
 	return args->depths + (view->offset - args->views[args->first_view].offset);
 }
 
-/* As ts_k_shadow_square. */
+/* Like ts_k_shadow_square. */
 static void square(worker *w, const caster *c, ts_box box, f32 own)
 {
 	const ts_shadow_splat_args *args = w->args;
@@ -190,7 +190,7 @@ static void add_point(worker *w, i32 x, i32 y)
 	if (++b->n == BLOCK) flush(w);
 }
 
-/* The views that a point of the piece may reach. */
+/* Finds the views that a point of the piece may reach. */
 static void find_casters(worker *w)
 {
 	const ts_scatter_args *args = &w->args->of;

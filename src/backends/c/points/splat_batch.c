@@ -1,4 +1,4 @@
-/* Pieces side by side: projected, snapped, and their edges as lines, as ts_k_splat_triangle and ts_k_lines do where no
+/* Pieces side by side: projected, snapped, and their edges as lines, like ts_k_splat_triangle and ts_k_lines where no
  * plane clips. */
 #include "splat_batch.h"
 #include <stdlib.h>
@@ -21,12 +21,12 @@ ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side)
 	return f;
 }
 
-/* What all lanes know; [3] is right, up, ahead. */
+/* What all lanes share; [3] is right, up, ahead. */
 typedef struct {
 	f32 eye[3], sign[3];
 	f32 focal, middle, near;
 	i32 last; /* texel of a row or column */
-	i32 keep; /* edges; 0: they do not count */
+	i32 keep; /* 0: edges do not count */
 	u32 clip, together;
 } lanes;
 
@@ -35,7 +35,7 @@ typedef struct {
 	const f32 *right, *up, *ahead;
 } ends;
 
-/* A snapped corner; `ok` is 0 where a plane of the snapping range is near, or the eye. */
+/* A snapped corner; `ok` is 0 near the eye or a plane of the snapping range. */
 typedef struct {
 	i32 x, y;
 	u32 ok;
@@ -59,7 +59,7 @@ typedef struct {
 	i32 x, y, c;
 } line;
 
-/* `turned` is -1 where the area is negative. Of a triangle that is not seen the line may be anything. */
+/* `turned` is -1 where the area is negative. For an unseen triangle the line may be anything. */
 static inline line edge(snapped a, snapped b, i32 turned, i32 i, i32 j)
 {
 	i32 dx = ((b.x - a.x) ^ turned) - turned, dy = ((b.y - a.y) ^ turned) - turned;

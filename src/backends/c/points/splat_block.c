@@ -1,4 +1,4 @@
-/* Points side by side. Most splats touch at most three texels by three: loops for vectors find which of the nine they
+/* Points side by side. Most splats touch at most three texels by three: vectorized loops find which of the nine they
  * offer a key to, and those are written one after another, the first four without branches. */
 #include <string.h>
 #include "../../../kernels/points/splat_pieces.h"
@@ -7,10 +7,10 @@
 
 enum { POINTS = TS_SPLAT_POINTS, LANES = TS_SPLAT_LANES, ROOM = TS_SPLAT_ROOM, EDGES = TS_SPLAT_EDGES };
 
-/* Texels a side that are offered at once; as bits, their first column and row, and the first two by two. */
+/* Texels per side that are offered at once; masks of the first column, the first row, and the first two by two. */
 enum { SIDE = 3, COLUMN = 0x49, ROW = 7, FEW = 0x1b };
 
-/* What all lanes know; [3] is right, up, ahead. */
+/* What all lanes share; [3] is right, up, ahead. */
 typedef struct {
 	f32 eye[3], sign[3], world_eye[3];
 	f32 focal, middle, size, near, widest;
@@ -18,7 +18,7 @@ typedef struct {
 	u32 apart;       /* 1: all are drawn one by one */
 } lanes;
 
-/* Where the splats are. Those that offer nothing offer the key of no point to a texel of their lane. */
+/* Where the splats are. Those that offer nothing offer an empty key to a texel of their lane. */
 typedef struct {
 	u32 distance[ROOM];
 	i32 x0[ROOM], y0[ROOM], x1[ROOM], y1[ROOM]; /* of the box */
@@ -46,7 +46,7 @@ static lanes lanes_of(const ts_splat_face *f)
 	return r;
 }
 
-/* One coordinate of the corners of a square, from the eye: ((c -+ du) -+ dv) - eye. */
+/* One coordinate of a square's corners, from the eye: ((c -+ du) -+ dv) - eye. */
 typedef struct {
 	f32 at[4];
 } corners;
@@ -69,7 +69,7 @@ static inline void project(const lanes *f, corners *x, corners *y, const corners
 	}
 }
 
-/* Bit 31: texel (i, j) from the box that may be written is on the outer side of an edge. */
+/* Bit 31: texel (i, j) of the box that may be written is outside an edge. */
 static inline u32 outside(i32 whole[][ROOM], u32 at, u32 i, u32 j)
 {
 	u32 out = 0;
@@ -88,7 +88,7 @@ static inline u32 inside(i32 whole[][ROOM], u32 at, u32 s, u32 t)
 	return bits;
 }
 
-/* 1 if a < b, of integers whose difference is one. */
+/* 1 if a < b, for integers whose difference does not overflow. */
 static inline u32 is_less(i32 a, i32 b) { return (u32)(a - b) >> 31; }
 
 static inline u32 of_box(i32 across, i32 down)
@@ -98,7 +98,7 @@ static inline u32 of_box(i32 across, i32 down)
 	return columns & rows;
 }
 
-/* Texels of the squares' boxes, like ts_k_splat_box; distances; what is covered. Returns how many texels are. */
+/* Texels of the squares' boxes, like ts_k_splat_box; distances; covered texels, whose number is returned. */
 TS_WIDE(u32, place_splats,
         (places *restrict to, ts_splat_block *restrict b, u32 n_points, lanes f, const f32 *const centre[3],
          const u32 axis[3]),
@@ -152,7 +152,7 @@ static inline void offer(u64 *texel, u64 key)
 	*texel = key < old ? key : old;
 }
 
-/* The others of two texels by two. */
+/* Writes the others of two texels by two. */
 static void write_few(u64 *texels, const places *p, u64 key, u32 i, i32 width)
 {
 	u64 *first = &texels[p->y0[i] * width + p->x0[i]], *below = first + (p->more[i] >> 1) * (u32)width;
@@ -185,7 +185,7 @@ static void write(u64 *texels, const places *p, const u32 *word, u32 n, i32 widt
 		write_beyond(texels, p, key_of(p->distance[beyond[k]], word[beyond[k]]), beyond[k], width);
 }
 
-/* What is drawn by itself. */
+/* Splats that are drawn alone. */
 typedef struct {
 	const ts_splat_live *live;
 	const ts_lines *lines;
@@ -209,7 +209,7 @@ static u32 plane_distance(const ts_splat_face *f, const ts_splat_live *live, u32
 	return ts_f2u(ts_put(ts_k_plane_distance(&f->view, n, c, distance, live->length[at], i, j)));
 }
 
-/* A splat of any size; its edges are told apart from the box that may be written. */
+/* Draws a splat of any size; its edges are separate from the box that may be written. */
 static void draw(ts_splat_face *f, ts_splat_block *b, u32 at, ts_box box, u32 distance)
 {
 	u64 key = key_of(distance, b->word[at]);
@@ -225,7 +225,7 @@ static void draw(ts_splat_face *f, ts_splat_block *b, u32 at, ts_box box, u32 di
 	f->writes += writes;
 }
 
-/* The same by lines, or with a depth of each texel. */
+/* Like draw, but by lines, or with a depth per texel. */
 static void draw_apart(ts_splat_face *f, ts_splat_block *b, const alone *of, u32 at, ts_box box, ts_v3 c, f32 distance)
 {
 	for (i32 j = box.y0; j <= box.y1; j++) {
@@ -239,7 +239,7 @@ static void draw_apart(ts_splat_face *f, ts_splat_block *b, const alone *of, u32
 	}
 }
 
-/* A square that is behind the eye as a whole is not seen. */
+/* A square that is wholly behind the eye is not seen. */
 static void draw_rest(ts_splat_face *f, ts_splat_block *b, const alone *of, u32 at, const places *p, bool apart)
 {
 	if (p->front[at] < 0) return;
@@ -293,7 +293,7 @@ static common common_of(const ts_splat_face *f, const ts_splat_live *live, const
 	return c;
 }
 
-/* From point `at` on. */
+/* Adds from point `at` on. */
 TS_WIDE(void, add_common, (ts_splat_block * b, const common *c, u32 at, u32 n), (b, c, at, n))
 {
 	for (u32 begin = at; begin < at + n; begin += LANES) {
@@ -312,13 +312,13 @@ TS_WIDE(void, add_common, (ts_splat_block * b, const common *c, u32 at, u32 n), 
 	}
 }
 
-/* What texels hold of the points: their indices, or their colours. */
+/* Adds the words that texels hold: points' indices or colours. */
 static void add_words(ts_splat_block *b, const ts_splat_face *f, u32 at, ts_splat_row row)
 {
 	for (u32 i = 0; i < row.n; i++) b->word[at + i] = ts_k_splat_word(f->args, row.index + i);
 }
 
-/* Lanes beyond the last point are overwritten by what comes next, or do not count. */
+/* Lanes beyond the last point are overwritten by the next row, or do not count. */
 static void add(ts_splat_block *b, const ts_splat_face *f, const common *c, ts_splat_row row)
 {
 	add_common(b, c, b->n, row.n);

@@ -4,7 +4,7 @@
 
 enum { FEW = 8 };
 
-/* Of squares around points: as seen from the eye, along an axis, with room for what is rounded. */
+/* Squares around points, along an axis from the eye, with a margin for rounding. */
 static ts_range towards(ts_range of, f32 wide, f32 eye, f32 sign)
 {
 	f32 room = wide + 0.000001f * (ts_max(ts_abs(of.least), ts_abs(of.most)) + ts_abs(eye) + wide);
@@ -30,7 +30,7 @@ ts_splat_extent ts_splat_extent_of(const ts_splat_face *f, const ts_splat_bounds
 	return e;
 }
 
-/* With room for what is rounded. */
+/* With a margin for rounding. */
 bool ts_splat_is_beside(const ts_splat_face *f, const ts_splat_extent *e)
 {
 	f32 ahead = ts_max(e->of[2].most, f->view.near) * 1.001f;
@@ -65,7 +65,7 @@ ts_box ts_splat_extent_box(const ts_splat_face *f, const ts_splat_extent *e)
 	return (ts_box){x[0], y[0], x[1], y[1]};
 }
 
-/* Differences, products, sums and roots are rounded monotonely. */
+/* Differences, products, sums and roots are rounded monotonically. */
 f32 ts_splat_nearest(ts_v3 eye, const ts_splat_bounds *points)
 {
 	f32 d[3];
@@ -77,7 +77,7 @@ f32 ts_splat_nearest(ts_v3 eye, const ts_splat_bounds *points)
 	return ts_put(ts_length(ts_v3_make(d[0], d[1], d[2])));
 }
 
-/* Bit 63: one is `least` or more, both but for TS_EMPTY below 2^63. */
+/* Bit 63: a key is `least` or more; both are below 2^63, except TS_EMPTY. */
 TS_WIDE(u64, any_beyond, (const u64 *key, u32 n, u64 least), (key, n, least))
 {
 	u64 any = 0;

@@ -1,7 +1,7 @@
-/* Fast path of the splat kernels, with the same bits: a thread owns a cube face, so there are no atomics; rows of
- * points go side by side, as many as a cache holds into all faces of a cube; rows beside a face are left out. Where
- * pixels tell which texels they read, the others stay empty, and what would touch those alone is left out, and what is
- * hidden: near rows go first. */
+/* Fast path of the splat kernels, with the same bits: a thread owns a cube face, so there are no atomics. Rows of
+ * points are processed side by side, as many as a cache holds, into all faces of a cube; rows beside a face are left
+ * out. Where pixels list the texels they read, the others stay empty. Splats that touch only those, or are hidden, are
+ * left out: near rows come first. */
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,19 +13,19 @@
 
 enum { LANES = TS_SPLAT_LANES, POINTS = TS_SPLAT_POINTS, ROOM = TS_SPLAT_ROOM };
 
-/* A thread takes that many cubes, and of each about so many rows and points at once, in clusters of rows. */
+/* Cubes per thread; rows and points of each that are taken at once, about; rows per cluster. */
 enum { MOST_CUBES = 10, MANY_CUBES = 16, PART_ROWS = 1024, PART_POINTS = 16384, CLUSTER = 32 };
 
 /* Clusters are in order of distance, in bins that have one exponent and the first bits of the fraction. */
 enum { BIN_SHIFT = 20, BINS = 1 << (31 - BIN_SHIFT) };
 
-/* Rows whose bits are fetched before they are asked for: those of one are a cache line or more from the next. */
+/* Rows whose bits are prefetched: those of neighbours are a cache line or more apart. */
 enum { AHEAD = 24 };
 
-/* Points that are worth a block. */
+/* Points from which a block pays. */
 enum { MANY = POINTS / 2 };
 
-/* Texels of a cluster's box that are worth looking at. */
+/* Largest box of a cluster, in texels, that is searched. */
 enum { MOST_TEXELS = 4096 };
 
 /* Rows one after another. */
@@ -39,13 +39,13 @@ typedef struct {
 	ts_splat_live live;
 	ts_asked asked;
 	u64 n_clusters;
-	cluster *clusters; /* NULL: all texels are asked for */
-	u32 *order;        /* of clusters, of each thread */
-	u8 *faces;         /* of cubes of tasks, of each thread */
+	cluster *clusters; /* NULL: all texels are read */
+	u32 *order;        /* of clusters, per thread */
+	u8 *faces;         /* of a task's cubes, per thread */
 	ts_stop *stop;
 } job;
 
-/* Cubes, and which of their faces. */
+/* Cubes, and the faces to draw. */
 typedef struct {
 	u32 first, n, faces;
 } task;
@@ -64,7 +64,7 @@ typedef struct {
 	u32 owner; /* the piece that has the block for itself, or TS_NONE */
 } worker;
 
-/* How a row goes. */
+/* How a row is drawn. */
 typedef struct {
 	u32 k;      /* of the batch */
 	bool owned; /* the block is its own */
@@ -79,7 +79,7 @@ static bool is_inside(ts_box box, const ts_lines *lines)
 	       ts_k_inside_lines(lines, box.x0, box.y1) && ts_k_inside_lines(lines, box.x1, box.y1);
 }
 
-/* No texel of the box can change: none is asked for, or what all hold is nearer. */
+/* No texel of the box can change: none is asked for, or all hold nearer points. */
 static bool is_needless(const job *j, const worker *w, ts_box box, const ts_splat_bounds *points)
 {
 	if (j->clusters == NULL) return false;
@@ -159,7 +159,7 @@ static void splat_made(const job *j, worker *w, const way *of)
 	if (row.n > 0) splat_made_row(j, w, of, row);
 }
 
-/* Many points, and those of which lines tell the texels, have the block for themselves. */
+/* Rows with many points or with lines have the block for themselves. */
 static void splat_together(const job *j, worker *w, u32 k, const ts_lines *lines)
 {
 	way of = {k, points_of(j, w->batch.live[k]) >= MANY || lines != NULL, lines};
@@ -170,7 +170,7 @@ static void splat_together(const job *j, worker *w, u32 k, const ts_lines *lines
 	}
 }
 
-/* A piece that a plane clips, or that is too large, or of which each texel has a depth of its own. */
+/* A piece that a plane clips, that is too large, or whose texels have depths of their own. */
 static void splat_alone(const job *j, worker *w, u32 k)
 {
 	u32 at = w->batch.live[k];
@@ -215,7 +215,7 @@ typedef struct {
 	u64 begin, end;
 } part;
 
-#define EIGHT 0x0101010101010101u /* the same bit of eight bytes */
+#define EIGHT 0x0101010101010101u /* the same bit in eight bytes */
 
 static u64 cluster_end(const job *j, u64 begin) { return begin + CLUSTER < j->live.n ? begin + CLUSTER : j->live.n; }
 
@@ -224,7 +224,7 @@ static const u64 *words_of(const job *j, u64 row)
 	return j->args->bits + (u64)j->live.triangle[row] * j->args->n_words;
 }
 
-/* ts_k_cube_bits of MOST_CUBES cubes from that one on, six bits each. */
+/* ts_k_cube_bits of MOST_CUBES cubes from `cube` on, six bits each. */
 static u64 bits_from(const u64 *words, u32 n_words, u32 cube)
 {
 	u32 word = cube * 6 / 64, shift = cube * 6 % 64;
@@ -232,7 +232,7 @@ static u64 bits_from(const u64 *words, u32 n_words, u32 cube)
 	return shift != 0 && word + 1 < n_words ? bits | words[word + 1] << (64 - shift) : bits;
 }
 
-/* Of rows beyond the last one: none. */
+/* Rows beyond the last one get no faces. */
 static void find_faces(const job *j, worker *w, const task *t)
 {
 	for (u64 i = 0; i < j->live.n; i++) {
@@ -255,7 +255,7 @@ static bool is_cluster_needless(const job *j, const worker *w, u64 of)
 	return is_needless(j, w, box, &c->points);
 }
 
-/* Eight rows at once, most of which the face does not see. */
+/* Takes eight rows at once, most of which the face does not see. */
 static void splat_cluster(const job *j, worker *w, const u8 *faces, u64 of)
 {
 	for (u32 k = 0; k < CLUSTER / 8; k++) {
@@ -266,7 +266,7 @@ static void splat_cluster(const job *j, worker *w, const u8 *faces, u64 of)
 	}
 }
 
-/* That any row of a cluster may be seen by. */
+/* The faces that may see any row of a cluster. */
 static u8 any_face(const u8 *faces)
 {
 	u64 eight[CLUSTER / 8], any = 0;
@@ -451,7 +451,7 @@ static bool splat(const ts_splat_args *args, u32 threads)
 	return made;
 }
 
-/* Points that stand by piece, and nothing to mark. */
+/* For points in order of piece, without marks. */
 bool ts_c_fast_splat(const void *of, u64 n, u32 threads)
 {
 	(void)n;

@@ -30,7 +30,7 @@ void ts_splat_bounds_add(ts_splat_bounds *to, const ts_splat_bounds *more)
 	}
 }
 
-/* Memory of all arrays of words is one block, which begins with `piece`. */
+/* One block, which begins with `piece`, holds all arrays of words. */
 static bool make_room(ts_splat_live *live, size_t n)
 {
 	size_t room = n + LANES;

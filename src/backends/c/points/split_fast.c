@@ -1,4 +1,4 @@
-/* Fast path of the kernel that writes pieces, with the same bits: a triangle that is not split is its piece. */
+/* Fast path of the kernel that writes pieces, with the same bits: a triangle that is not split is its own piece. */
 #include "../../../kernels/points/split.h"
 #include "../../fast.h"
 

@@ -1,12 +1,13 @@
-/* The planes of 32 views side by side. A pixel is W/2 + f R / A from the left of an image W wide, R to the right and A
- * ahead: inside where f R + W/2 A >= 0 and W/2 A - f R >= 0, as A is at least near; the same upward. */
+/* The planes of 32 views side by side. A point at R to the right and A ahead is W/2 + f R / A pixels from the left of
+ * an image that is W wide: inside where f R + W/2 A >= 0 and W/2 A - f R >= 0, as A is at least near; the same
+ * upward. */
 #include <math.h>
 #include "../../wide.h"
 #include "view_planes.h"
 
-static const f32 ROUNDING = 0x1p-16f; /* some 20 operations of 2^-24 each, and as much again */
+static const f32 ROUNDING = 0x1p-16f; /* some 20 operations of 2^-24 each, with a factor of two */
 
-/* f axis + half ahead, or of an orthographic view f axis + half. */
+/* f axis + half ahead; in an orthographic view f axis + half. */
 static void set_side(ts_view_planes *p, u32 plane, u32 at, const ts_camera_k *view, f32 f, ts_v3 axis, f32 half)
 {
 	bool parallel = view->orthographic != 0;

@@ -1,7 +1,7 @@
-/* Fast path of MVR's cube faces, with the same bits. Triangles are read once a cube: the axes of its faces are the
- * world's but for sign and order, so six sums a corner tell which faces a triangle is outside of, as ts_k_is_outside
- * does. Each thread draws into texels of its own, of which the least are kept; there are fewer threads where these
- * texels would be too many. */
+/* Fast path of MVR's cube faces, with the same bits. Triangles are read once per cube: the axes of its faces are the
+ * world's except for sign and order, so six sums per corner show which faces a triangle is outside of, as in
+ * ts_k_is_outside. Each thread draws into its own texels, and the smallest are kept; there are fewer threads where
+ * these texels would be too many. */
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/raster/cube_face.h"
@@ -32,7 +32,7 @@ typedef struct {
 	sight sight;
 } worker;
 
-/* Of x + y and x - y of a corner, or of all corners: bit 0 and 1, is below 0; bit 2 and 3, is above. */
+/* For x + y and x - y of a corner, or of all corners: bits 0 and 1, is below 0; bits 2 and 3, is above. */
 static inline u32 sides(f32 x, f32 y)
 {
 	f32 sum = x + y, difference = x - y;

@@ -1,6 +1,7 @@
-/* A triangle by itself, as ts_k_draw: clipped and set up once; then, tile by tile, the span of each row that it covers,
- * and all their pixels side by side. Edges are whole numbers below 2^52, which doubles hold exactly, and so is where
- * one crosses a row: quotients of steps up to 2^32 are 2^-32 from what they are not. */
+/* A triangle alone, like ts_k_draw: clipped and set up once; then, tile by tile, the span of each row that it covers,
+ * and all their pixels side by side. Edges are whole numbers below 2^52, which doubles hold exactly. Their crossings
+ * with rows are exact, too: a quotient by a step of up to 2^32 is at least 2^-32 from any whole number that it does not
+ * equal. */
 #include "../../wide.h"
 #include "draw_batch.h"
 #include "prepared.h"
@@ -15,7 +16,7 @@ typedef struct {
 	u32 swapped; /* corners 1 and 2 are those of the source */
 } tile;
 
-/* Pixels that it covers, row by row. */
+/* Pixels that the triangle covers, row by row. */
 typedef struct {
 	double begin[ROWS], end[ROWS]; /* columns of the tile */
 	i32 first[ROWS], n[ROWS];
@@ -73,7 +74,7 @@ TS_WIDE(void, find_spans, (pixels *restrict p, const tile *restrict t, i32 n), (
 	p->n_pixels = n_pixels;
 }
 
-/* Rows are written with room for lanes, which the next overwrites. */
+/* Rows are written with room for spare lanes, which the next row overwrites. */
 TS_WIDE(void, find_edges, (pixels *restrict to, const tile *restrict t, i32 n_rows), (to, t, n_rows))
 {
 	for (u32 k = 0; k < 3; k++) {
@@ -98,7 +99,7 @@ TS_WIDE(void, find_pixel_depths, (pixels *restrict to, const tile *restrict t), 
 	}
 }
 
-/* Of an orthographic view. */
+/* In an orthographic view. */
 TS_WIDE(void, find_pixel_depths_parallel, (pixels *restrict to, const tile *restrict t), (to, t))
 {
 	u32 n = (to->n_pixels + LANES - 1) / LANES * LANES, b = 1 + t->swapped, c = 2 - t->swapped;

@@ -1,5 +1,5 @@
-/* Small triangles side by side, as ts_k_draw does where no plane clips: their corners snapped and their edges set up,
- * then what they cover in a list, then the depths of the list. */
+/* Small triangles side by side, like ts_k_draw where no plane clips: corners are snapped, edges set up, covered pixels
+ * listed, and the list's depths found. */
 #include "draw_batch.h"
 #include "../../wide.h"
 
@@ -43,7 +43,7 @@ void ts_draw_block_read(ts_draw_block *b, const ts_arrays *scene, u32 first, u32
 	}
 }
 
-/* What all lanes know. */
+/* What all lanes share. */
 typedef struct {
 	f32 focal, middle_x, middle_y, near;
 	i32 shift_x, shift_y;
@@ -51,7 +51,7 @@ typedef struct {
 	ts_box owned;
 } lanes;
 
-/* A snapped corner; `ok` is 0 where a plane of the snapping range is near, or the eye. */
+/* A snapped corner; `ok` is 0 near the eye or a plane of the snapping range. */
 typedef struct {
 	i32 x, y;
 	u32 ok;
@@ -196,7 +196,7 @@ static void write(fragments *l, const placed *p, const ts_draw_batch *b)
 	l->n = 0;
 }
 
-/* The pixels of triangle k; there must be room for its box. */
+/* Lists the pixels of triangle k; there must be room for its box. */
 static void cover(fragments *restrict l, const placed *restrict p, u32 k, u32 width)
 {
 	u32 n = l->n;

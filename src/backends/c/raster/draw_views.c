@@ -1,5 +1,5 @@
-/* Each view, or band of one, by itself: blocks of triangles are brought into it side by side, and what it may show goes
- * into its batch. */
+/* Each view, or band of one, by itself: blocks of triangles are transformed into it side by side, and those that it may
+ * show enter its batch. */
 #include "draw_views.h"
 #include <omp.h>
 #include <stdlib.h>
@@ -33,7 +33,7 @@ static inline u32 corner_behind(const ts_camera_k *view, const ts_corner *p)
 	return behind | ts_draw_is_below(up - y) << 4;
 }
 
-/* As ts_k_offscreen_may_show and ts_k_is_outside. */
+/* Like ts_k_offscreen_may_show and ts_k_is_outside. */
 TS_WIDE(void, see_view, (sight *restrict to, const ts_draw_block *restrict b, ts_camera_k view, u32 object),
         (to, b, view, object))
 {

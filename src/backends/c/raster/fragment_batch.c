@@ -1,5 +1,5 @@
-/* Fragments side by side. Edges are whole numbers below 2^48, which doubles hold exactly: rounded to f32 they are what
- * the kernel's integers are. */
+/* Fragments side by side. Edges are whole numbers below 2^48, which doubles hold exactly: rounded to f32 they equal the
+ * kernel's integers. */
 #include "fragment_batch.h"
 #include "../../wide.h"
 
@@ -31,7 +31,7 @@ static inline snapped snap(const ts_camera_k *view, ts_v3 p, i32 x, i32 y)
 /* The edge from a to b, at the pixel's middle. */
 static inline double edge(snapped a, snapped b) { return a.x * b.y - a.y * b.x; }
 
-/* ts_k_fragment where nothing clips: each edge by the area is the same turned to positive area or not; the sum goes by
+/* ts_k_fragment where nothing clips: each edge divided by the area is the same for either orientation; the sum takes
  * the turned corners. */
 TS_WIDE(void, find_weights, (ts_fragment_batch *restrict to, corners *restrict from, ts_camera_k view, u32 n),
         (to, from, view, n))

@@ -1,10 +1,10 @@
-/* Fast path of the G-buffer, with the same bits: pixels beside each other are brought into the view together, and the
+/* Fast path of the G-buffer, with the same bits: neighbouring pixels are transformed into the view together, and the
  * surfaces of one material are found together. */
 #include "../../../kernels/raster/gbuffer.h"
 #include "../../fast.h"
 #include "surface_rows.h"
 
-/* As ts_k_gpixel. */
+/* Like ts_k_gpixel. */
 static void store(const void *user, const ts_surface_batch *of, const ts_surfaces *found)
 {
 	const ts_gbuffer_args *args = user;

@@ -1,5 +1,5 @@
-/* Fast path of MVR's shading, with the same bits: texels beside each other are brought into the view together, and
- * those of one material are shaded together. */
+/* Fast path of MVR's shading, with the same bits: neighbouring texels are transformed into the view together, and those
+ * of one material are shaded together. */
 #include "../../../kernels/base/shade.h"
 #include "../../../kernels/raster/cube.h"
 #include "../../../kernels/raster/texel_place.h"
@@ -24,7 +24,7 @@ static void put_lit(const void *user, const ts_surface_batch *of, const ts_surfa
 	for (u32 i = 0; i < of->n; i++) put(args, of->place[i], ts_lane3(&radiance, i));
 }
 
-/* Up to `most` texels, to the end of their row; returns their number. */
+/* Shades up to `most` texels, to the end of their row; returns their number. */
 static u64 light_row(ts_row_worker *w, u64 first, u64 most)
 {
 	const ts_illuminate_args *args = w->user;

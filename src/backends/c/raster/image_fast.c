@@ -1,4 +1,4 @@
-/* Fast path of the picture, with the same bits: pixels beside each other are brought into the view together, and those
+/* Fast path of the picture, with the same bits: neighbouring pixels are transformed into the view together, and those
  * of one material are shaded together. */
 #include "../../../kernels/raster/image.h"
 #include "../../fast.h"
@@ -11,7 +11,7 @@ typedef struct {
 	ts_srgb_table srgb;
 } picture;
 
-/* As ts_k_show. */
+/* Like ts_k_show. */
 static void show(const picture *p, u64 i, ts_v3 value)
 {
 	f32 *radiance = p->args->radiance + i * 3;

@@ -10,7 +10,7 @@ typedef struct {
 	f32 share[N];
 } view;
 
-/* What shines without lights; as the start of ts_k_shade_lit. */
+/* Emission and ambient light; like the start of ts_k_shade_lit. */
 TS_WIDE(void, start,
         (ts_lanes3 *restrict sum, view *restrict to, const ts_surface_batch *restrict of, const ts_surfaces *restrict s,
          f32 ambient, u32 two_sided, u32 n),
@@ -57,7 +57,7 @@ static inline ts_v3 added(ts_v3 sum, const ts_light *light, u32 kind, const ts_s
 	return ts_choose_lane(lit, ts_add(sum, more), sum);
 }
 
-/* One light on all; as the loop of ts_k_shade_lit. */
+/* Adds one light to all; like the loop of ts_k_shade_lit. */
 static inline void add(ts_lanes3 *restrict sum, const view *restrict from, const ts_surface_batch *restrict of,
                        const ts_surfaces *restrict s, const ts_light *light, u32 kind, u32 n)
 {

@@ -1,5 +1,4 @@
-/* Surfaces side by side: what their corners say is copied, then loops for vectors make of that what ts_k_surface
- * does. */
+/* Surfaces side by side: the corners' attributes are copied, then vectorized loops compute ts_k_surface from them. */
 #include "surface_batch.h"
 #include <string.h>
 #include "../../wide.h"
@@ -8,17 +7,17 @@
 enum { N = TS_ABREAST, UV_SETS = 2 };
 enum { BASE, METALLIC_ROUGHNESS, NORMAL_MAP, OCCLUSION, EMISSIVE, SLOTS };
 
-/* A vertex as floats: what is blended stands at its end. */
+/* A vertex as floats: blended attributes stand at its end. */
 enum { VERTEX = sizeof(ts_vertex) / sizeof(f32), BLENDED = 16, NORMAL = 0, TANGENT = 4, COLOUR = 12 };
 
-/* What corners say. */
+/* Attributes of corners. */
 typedef struct {
 	ts_lanes3 normal, tangent, colour; /* blended */
 	ts_lanes3 ab, ac;                  /* edges */
 	f32 handedness[N];
 	ts_uv_batch uv[UV_SETS];
 	f32 area[N];
-	u32 mirror[N]; /* 1: they belong to a reflector */
+	u32 mirror[N]; /* 1: the surface belongs to a reflector */
 } corners;
 
 static inline void copy_blends(corners *to, u32 i, const ts_vertex *const v[3], ts_v3 w)
@@ -66,7 +65,7 @@ TS_WIDE(void, copy_corners, (corners * to, const ts_arrays *scene, const ts_surf
 	}
 }
 
-/* As the start of ts_k_surface_geometry. */
+/* Like the start of ts_k_surface_geometry. */
 TS_WIDE(void, find_geometry,
         (ts_surfaces *restrict to, corners *restrict c, const ts_surface_batch *restrict of, u32 n), (to, c, of, n))
 {
@@ -79,7 +78,7 @@ TS_WIDE(void, find_geometry,
 	}
 }
 
-/* What all lanes of a normal map know. */
+/* What all lanes of a normal map share. */
 typedef struct {
 	f32 transform[6];
 	f32 scale;
@@ -103,7 +102,7 @@ static inline ts_tangent tangent_of(const corners *c, const ts_uv_batch *uv, con
 	return t;
 }
 
-/* As ts_k_normal_map from what the map holds. */
+/* Like ts_k_normal_map, given the map's values. */
 TS_WIDE(void, turn_normals,
         (ts_surfaces *restrict to, const corners *restrict c, const ts_uv_batch *restrict uv,
          const ts_lanes3 *restrict held, bumps m, u32 n),
@@ -122,7 +121,7 @@ TS_WIDE(void, turn_normals,
 	}
 }
 
-/* As ts_k_surface_material without textures. */
+/* Like ts_k_surface_material without textures. */
 TS_WIDE(void, find_material, (ts_surfaces *restrict to, const corners *restrict c, ts_material m, u32 n), (to, c, m, n))
 {
 	for (u32 i = 0; i < n; i++) {

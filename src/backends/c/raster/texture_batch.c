@@ -1,4 +1,4 @@
-/* Textures side by side: where each sample reads two levels, what is there, and the mean of that. */
+/* Textures side by side: where each sample reads two levels, their texels, and the mean of those. */
 #include "texture_batch.h"
 #include "../../wide.h"
 
@@ -6,7 +6,7 @@ enum { N = TS_ABREAST, LEVELS = 2, TEXELS = 4, MOST_LEVELS = 17 /* of 65,536 tex
 
 #define ALL 0xffffffffu
 
-/* Of a level of each sample: its four texels, and the weights of those to the right and of those below. */
+/* Of one level, for each sample: its four texels, and the weights of those to the right and of those below. */
 typedef struct {
 	u32 level[N], at[TEXELS][N], fx[N], fy[N];
 	u32 red_green[TEXELS][N], blue_alpha[TEXELS][N];
@@ -14,7 +14,7 @@ typedef struct {
 
 typedef struct {
 	read of[LEVELS];
-	u32 between[N]; /* the weight of the second level, in 1/256; 0: it is not read */
+	u32 between[N]; /* the weight of the second level, in 1/256; 0: not read */
 } reads;
 
 /* What all samples share. */
@@ -136,7 +136,7 @@ static inline u32 high_of(const u32 (*texel)[N], const read *r, u32 i)
 	                         r->fy[i]);
 }
 
-/* A level that is not read has no weight, whatever is there. */
+/* A level that is not read has weight 0, whatever it holds. */
 TS_WIDE(void, mix_reads, (ts_lanes3 *restrict to, const reads *restrict from, u32 n), (to, from, n))
 {
 	const read *p = &from->of[0], *q = &from->of[1];

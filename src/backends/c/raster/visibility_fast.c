@@ -1,5 +1,5 @@
 /* Fast path of the visibility of cubes, with the same bits: triangles side by side, cube by cube. The axes of a face
- * are the world's but for sign and order, so nothing needs products. */
+ * are the world's except for sign and order, so nothing needs products. */
 #include <string.h>
 #include "../../../kernels/raster/visibility.h"
 #include "../../fast.h"
@@ -7,7 +7,7 @@
 
 enum { LANES = 128, AXES = 3 };
 
-/* Ends of all corners. */
+/* Limits of all corners. */
 typedef struct {
 	f32 least[AXES], most[AXES];
 } extent;
@@ -19,7 +19,7 @@ typedef struct {
 	f32 corner[3 * AXES][LANES], normal[AXES][LANES];
 } batch;
 
-/* What a cube may see of them: corners from its centre, and bits of faces. */
+/* What a cube may see of the triangles: corners from its centre, and bits of faces. */
 typedef struct {
 	f32 corner[3 * AXES][LANES];
 	u32 shown[LANES], faces[LANES];
@@ -59,7 +59,7 @@ static extent extent_of(const batch *b)
 	return e;
 }
 
-/* From a cube's centre: as differences are rounded monotonely, no corner's is beyond those of the ends. */
+/* From a cube's centre: as differences are rounded monotonically, no corner is beyond the limits. */
 static extent extent_from(const extent *of, const f32 centre[3])
 {
 	extent e;
@@ -70,7 +70,7 @@ static extent extent_from(const extent *of, const f32 centre[3])
 	return e;
 }
 
-/* One plane of the face's frustum has all triangles outside. */
+/* All triangles are outside one plane of the face's frustum. */
 static bool is_outside(const extent *e, u32 axis, f32 sign, f32 near)
 {
 	u32 x = (axis + 1) % AXES, y = (axis + 2) % AXES;
@@ -78,7 +78,7 @@ static bool is_outside(const extent *e, u32 axis, f32 sign, f32 near)
 	return e->least[x] > ahead || -e->most[x] > ahead || e->least[y] > ahead || -e->most[y] > ahead || near > ahead;
 }
 
-/* No plane of the face's frustum has a triangle outside. */
+/* No triangle is outside a plane of the face's frustum. */
 static bool is_inside(const extent *e, u32 axis, f32 sign, f32 near)
 {
 	u32 x = (axis + 1) % AXES, y = (axis + 2) % AXES;
@@ -87,7 +87,7 @@ static bool is_inside(const extent *e, u32 axis, f32 sign, f32 near)
 	       near <= ahead;
 }
 
-/* Which triangles the cube may show at all, as ts_k_may_show has it: by those faces. */
+/* Finds which triangles the cube may show at all, by those faces, like ts_k_may_show. */
 TS_WIDE(void, find_shown, (sight *restrict to, const batch *restrict b, u32 n, ts_v3 centre, u32 object, u32 faces),
         (to, b, n, centre, object, faces))
 {
@@ -174,7 +174,7 @@ static void see_part(const ts_visibility_args *args, u32 first, u32 n)
 	}
 }
 
-/* Faces that see, not those that have a corner in sight. */
+/* Only for the rule by faces, not the one by corners in sight. */
 bool ts_c_fast_visibility(const void *of, u64 n, u32 threads)
 {
 	const ts_visibility_args *args = of;

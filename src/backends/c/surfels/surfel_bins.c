@@ -23,7 +23,7 @@ static i64 box_pixels(const ts_disc *disc)
 	return columns > 0 && rows > 0 ? columns * rows : 0;
 }
 
-/* Columns first to last of a row of tiles, about the centre of a surfel: the middle and half the sides, pixels. */
+/* Columns first to last of a row of tiles, from the centre of a surfel: the middle and half the sides, in pixels. */
 typedef struct {
 	double x, y, half_x, half_y;
 } box;
@@ -38,7 +38,7 @@ static box box_of(const ts_disc *disc, i32 first, i32 last, i32 row)
 
 /* A linear function of pixels. */
 typedef struct {
-	double at, by_x, by_y; /* in the middle of a box */
+	double at, by_x, by_y; /* at the middle of a box */
 } linear;
 
 static linear mix(double p, linear a, double q, linear b)
@@ -57,8 +57,9 @@ static double greatest(const box *in, linear f)
 	return fabs(f.by_x) * (fabs(in->x) + in->half_x) + fabs(f.by_y) * (fabs(in->y) + in->half_y);
 }
 
-/* Whether pixels of a box may be in the ellipse, of rays P = W (a, b) with |P| <= W where W = 1 + G.d: not if along the
- * direction that P has in the middle it is above W in all the box, by more than 64 times what rounding can change. */
+/* Whether pixels of a box may be in the ellipse, of rays P = W (a, b) with |P| <= W where W = 1 + G.d. They cannot if
+ * the component of P along its direction in the middle exceeds W in all of the box, by more than 64 times the rounding
+ * error. */
 static bool may_meet(const ts_disc *disc, const box *in)
 {
 	const double rounding = 0x1p-16, sane = 0x1p100;
@@ -84,8 +85,8 @@ static bool touches(const ts_surfel_bins *b, const ts_disc *disc, i32 first, i32
 	return near || may_meet(disc, &in);
 }
 
-/* Counts a surfel in its tiles or, where there is room for it, puts it there. Of many tiles in those that it may
- * touch: what comes to the eye's plane has the image as its box, however little is covered. */
+/* Counts a surfel in its tiles or, where there is room, lists it there. A surfel with many tiles is listed only in
+ * those that it may touch: one that comes to the eye's plane has the image as its box, however little it covers. */
 static void bin(const ts_surfel_bins *b, u64 *place, u32 surfel)
 {
 	const ts_disc *disc = &b->discs[surfel];
@@ -115,7 +116,7 @@ static void bin_lot(ts_surfel_bins *b, u32 lot)
 	ts_add_i64(&b->pixels, pixels);
 }
 
-/* From numbers to places; returns their sum. */
+/* Turns numbers into places; returns their sum. */
 static u64 scan_lots(ts_surfel_bins *b)
 {
 	u64 sum = 0;

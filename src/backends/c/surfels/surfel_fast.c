@@ -1,6 +1,6 @@
-/* Fast paths of the surfel kernels, with the same bits: a thread owns a tile of the image and draws the surfels of
- * its bin, so there are no atomics; the order is that of the surfels, but sums of integers and minima would not show
- * another. What all items count is counted by each thread first. */
+/* Fast paths of the surfel kernels, with the same bits: a thread owns a tile of the image and draws the surfels of its
+ * bin, so there are no atomics. The order is that of the surfels, though integer sums and minima do not depend on it.
+ * Counts of all items are kept per thread first. */
 #include "../../../kernels/surfels/surfel_blend.h"
 #include "../../../kernels/surfels/deferred.h"
 #include "../../../kernels/surfels/surfel_depth.h"
@@ -11,8 +11,8 @@
 
 enum { ITEMS = 1024 };
 
-/* Pixels of a box side by side, in full vectors of which the last pixels are not used, for loops that compilers
- * vectorize; and what a surfel has there. */
+/* Pixels of a box side by side, and a surfel's values there. Vectors are full, and the last pixels not used, so that
+ * compilers vectorize the loops. */
 enum { BLOCK = 64, VECTOR = 16 };
 typedef struct {
 	u32 n;
@@ -43,7 +43,7 @@ static u32 box_pixels(const ts_disc *disc)
 
 static u64 pixel_of(const block *b, u32 i, i32 width) { return (u64)b->y[i] * (u64)width + (u64)b->x[i]; }
 
-/* ts_k_disc_hit, by selects; `covers` is whether it is inside. */
+/* ts_k_disc_hit, by selects; `covers`: whether the hit is inside. */
 static void cast_block(block *b, ts_disc disc, f32 near)
 {
 	i32 faces = (disc.flags & TS_DISC_FLAT) == 0 ? 1 : 0;
@@ -117,7 +117,7 @@ bool ts_c_fast_surfel_depth(const void *of, u64 n, u32 threads)
 	return made;
 }
 
-/* What a surfel adds for a weight of 1, and what for any. */
+/* A surfel's terms for a weight of 1, and those for any weight. */
 typedef struct {
 	f32 value[TS_BLEND_SUMS];
 	i64 each[TS_BLEND_SUMS];
@@ -136,8 +136,7 @@ static bool make_terms(terms *t, const ts_attributes *attributes)
 	return small;
 }
 
-/* ts_k_blend_add of weights up to 1: adding what has its last bit at 2^-30, of which these are the bits, rounds
- * there. */
+/* ts_k_blend_add for weights up to 1: adding `grid`, of which grid_bits are the bits, rounds to multiples of 2^-30. */
 static void blend_add(const ts_surfel_blend_args *args, u64 pixel, u32 surfel, const terms *t, f32 weight)
 {
 	const double grid = 6291456.0;
@@ -174,7 +173,7 @@ static void radius_block(block *b, const ts_disc *disc, ts_filter filter)
 	}
 }
 
-/* Places of those that are seen, without a branch, for half of them are not; returns how many there are. */
+/* Places of seen pixels, without a branch, for half of them are not seen; returns their number. */
 static u32 list_seen(u32 seen[BLOCK], const block *b, const ts_filter *filter, const u64 *keys, i32 width)
 {
 	u32 n = 0;
@@ -253,7 +252,7 @@ bool ts_c_fast_surfel_blend(const void *of, u64 n, u32 threads)
 	return made;
 }
 
-/* The pixels of sky are shown alike. */
+/* All pixels of the sky are shown alike. */
 bool ts_c_fast_deferred(const void *of, u64 n, u32 threads)
 {
 	const ts_deferred_args *args = of;

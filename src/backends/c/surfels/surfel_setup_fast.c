@@ -6,8 +6,8 @@
 
 enum { LOT = 64, VECTOR = 16, FATES = TS_DISC_BESIDE + 1 };
 
-/* Some of the surfels from `first` on side by side, in full vectors, and what they are in the view. The fate is
- * TS_DISC_DRAWN if nothing but where the box is speaks against it. */
+/* Some of the surfels from `first` on side by side, in full vectors, and their set-up in the view. The fate is
+ * TS_DISC_DRAWN if only the place of the box can speak against that. */
 typedef struct {
 	const ts_surfel *first;
 	u32 n, index[LOT], fate[LOT], flags[LOT];
@@ -52,7 +52,7 @@ static void keep_facing(lot *l, ts_camera_k view)
 	load(l);
 }
 
-/* ts_k_disc_make, by selects; not of what may cross the near plane. */
+/* ts_k_disc_make, by selects; not for surfels that may cross the near plane. */
 static void make(lot *l, ts_camera_k view, ts_filter filter)
 {
 	const ts_filter unmoved = {.filter = TS_FILTER_IS_SCREEN};

@@ -1,16 +1,16 @@
-/* The texels of a cap, from the coarsest level on. What ts_k_cap_inside computes of a column and of a row are computed
- * once each. Rounded sums do not fall as what is added grows, so a row has no texel inside if the best column of it is
- * not inside. */
+/* The texels of a cap, from the coarsest level on. The terms of ts_k_cap_inside per column and per row are computed
+ * once each. Rounded sums do not fall as a term grows, so a row has no texel inside if its best column is not
+ * inside. */
 #include "cap_rows.h"
 #include "../../wide.h"
 
-/* What ts_k_cap_inside computes along one axis, for n texels of a level from `first` on; and the greatest. */
+/* The terms of ts_k_cap_inside along one axis, for n texels of a level from `first` on; and the greatest. */
 typedef struct {
 	u32 first, n;
 	f32 most, part[TS_MOST_SIDE];
 } parts;
 
-/* A level: parts by column and by row; whether any texel is inside; what is taken off for rounding. */
+/* A level: terms per column and per row; whether any texel is inside; the margin for rounding. */
 typedef struct {
 	parts columns, rows;
 	bool any;
@@ -43,7 +43,7 @@ static void find_level(level_parts *p, const ts_cap_sides *sides, const ts_cap *
 	p->any = is_inside(cap, p->columns.most, p->rows.most, p->slack);
 }
 
-/* Texels that are inside, of n. */
+/* Fills those of n texels that are inside. */
 TS_WIDE(void, fill_row, (u64 *restrict texels, const f32 *restrict part, u32 n, f32 c, f32 row, f32 slack, u64 key),
         (texels, part, n, c, row, slack, key))
 {
@@ -54,7 +54,7 @@ TS_WIDE(void, fill_row, (u64 *restrict texels, const f32 *restrict part, u32 n, 
 	}
 }
 
-/* The same but where the texel above is inside. */
+/* Like fill_row, but skips texels below one that is inside. */
 static void fill_below(u64 *texels, const level_parts *p, const level_parts *above, u32 row, const ts_cap *cap, u64 key)
 {
 	f32 part = p->rows.part[row], part_above = above->rows.part[((p->rows.first + row) >> 1) - above->rows.first];

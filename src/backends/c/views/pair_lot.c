@@ -1,4 +1,5 @@
-/* Lots of pairs, by the kernels' own functions in loops without branches, which compilers vectorize. */
+/* Pairs of nodes in groups, called lots, by the kernels' own functions in loops without branches, which compilers
+ * vectorize. */
 #include "pair_lot.h"
 #include "../../wide.h"
 
@@ -20,7 +21,7 @@ static inline void count_up(u32 *to, u32 value)
 	for (u32 k = 0; k < TS_ROW; k++) to[k] = value + k;
 }
 
-/* Nodes of the scene, with one of views. */
+/* Pairs nodes of the scene with one node of views. */
 static inline void lay_scene(ts_pair_lot *lot, u32 at, const ts_lot_job *job, const ts_pair_row *row)
 {
 	const ts_lane_nodes *s = &job->scene, *v = &job->views;
@@ -43,7 +44,7 @@ static inline void lay_scene(ts_pair_lot *lot, u32 at, const ts_lot_job *job, co
 	fill_whole(lot->view + at, row->other);
 }
 
-/* Nodes of views, with one of the scene. */
+/* Pairs nodes of views with one node of the scene. */
 static inline void lay_views(ts_pair_lot *lot, u32 at, const ts_lot_job *job, const ts_pair_row *row)
 {
 	const ts_lane_nodes *s = &job->scene, *v = &job->views;
@@ -89,7 +90,7 @@ void ts_pair_lot_lay(ts_pair_lot *lot, const ts_lot_job *job, const ts_pair_row 
 	lay_rows(lot, job, row, n_rows);
 }
 
-/* ts_k_pair_fate by numbers. */
+/* ts_k_pair_fate, as numbers. */
 TS_WIDE(void, decide, (ts_pair_lot *restrict lot, u32 n, f32 apart, ts_pair_counts *restrict counts),
         (lot, n, apart, counts))
 {
@@ -156,7 +157,7 @@ TS_WIDE(void, find_middles, (ts_pair_lot *restrict lot, u32 n), (lot, n))
 	}
 }
 
-/* By points, a node that is wider than a texel fills its caps (ts_k_map_pair). */
+/* With points, a node that is wider than a texel fills its caps (ts_k_map_pair). */
 TS_WIDE(void, find_wide, (ts_pair_lot *restrict lot, ts_pyramid pyramid), (lot, pyramid))
 {
 	u32 end = ts_whole_lanes(lot->n);
@@ -189,7 +190,7 @@ TS_WIDE(void, find_caps, (ts_pair_lot *restrict lot, u32 n, f32 fill, u32 back),
 /* ts_k_paraboloid_middle, where n is a power of two and `texel` is 1 / n. */
 static inline f32 middle(i32 i, f32 texel) { return (f32)(2 * i + 1) * texel - 1.0f; }
 
-/* Those of 2 x 2 texels of the finest level that are in the box and inside (ts_k_cap_inside). */
+/* Finds which of 2 x 2 texels of the finest level are in the box and inside (ts_k_cap_inside). */
 TS_WIDE(void, look_inside, (ts_lot_half *restrict half, u32 lanes, u32 n, u32 first), (half, lanes, n, first))
 {
 	u32 end = ts_whole_lanes(lanes);
@@ -212,7 +213,7 @@ TS_WIDE(void, look_inside, (ts_lot_half *restrict half, u32 lanes, u32 n, u32 fi
 	}
 }
 
-/* The greater of what ts_k_cap_inside computes along one axis of the texels that contain `from` and `to`. */
+/* The greatest term of ts_k_cap_inside along one axis, of the texels that contain `from` and `to`. */
 static inline f32 most_along(f32 y, f32 b, i32 from, i32 to, u32 level, f32 texel)
 {
 	i32 last = (i32)(1u << level) - 1, first = from & ~last, other = to & ~last;
@@ -221,9 +222,8 @@ static inline f32 most_along(f32 y, f32 b, i32 from, i32 to, u32 level, f32 texe
 	return ts_max(one, two);
 }
 
-/* A box of 2 x 2 texels is in up to 2 x 2 texels of a coarser level. Rounded sums do not fall as what is added grows:
- * so none of these is inside unless one would be that had the greatest of both axes; ts_k_cap_inside only takes more
- * off. */
+/* A box of 2 x 2 texels is in up to 2 x 2 texels of a coarser level. Rounded sums do not fall as a term grows. So none
+ * of these is inside unless the greatest terms of both axes together are; ts_k_cap_inside only subtracts more. */
 TS_WIDE(void, look_above, (ts_lot_half *restrict half, u32 lanes, u32 n, u32 level), (half, lanes, n, level))
 {
 	u32 end = ts_whole_lanes(lanes);

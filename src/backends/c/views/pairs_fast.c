@@ -1,16 +1,16 @@
-/* The lists of vpl_gather.pairs without queues of pairs, with the same entries. A pair of the level of gathering is
- * listed if no pair is culled that the traversal splits on its way there. Nodes of a level have the same size in both
- * octrees. So the views are split first, then the node of the scene: a node of the scene asks all views of its level
- * side by side, which its parent asked before. */
+/* The lists of vpl_gather.pairs without queues of pairs, with the same entries. A pair at the level of gathering is
+ * listed if the traversal culls none of the pairs that it splits on the way there. Nodes of a level have the same size
+ * in both octrees, so the views are split first, then the node of the scene. A node of the scene tests, side by side,
+ * the views of its level that its parent left. */
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/views/vpl_gather_pairs.h"
 #include "../../fast.h"
 #include "../../wide.h"
 
-enum { MOST_LEVELS = 12, BELOW = 2 }; /* levels below a node that are one thread's */
+enum { MOST_LEVELS = 12, BELOW = 2 }; /* levels below a node that one thread takes */
 
-/* By view node: its middle, the axis and the psi of its cone. */
+/* Per view node: its middle, and the axis and psi of its cone. */
 typedef struct {
 	f32 *at[3], *axis[3], *cosine, *sine;
 } lanes;
@@ -22,14 +22,14 @@ typedef struct {
 	u32 scene[MOST_LEVELS + 1];    /* nodes before each level */
 	u32 views[MOST_LEVELS + 1], n; /* the same of views; all of them */
 	f32 radius[MOST_LEVELS];       /* of nodes of views */
-	f32 *numbers;                  /* what lanes are of */
-	u32 *room;                     /* three times n for each thread */
+	f32 *numbers;                  /* what the lanes point into */
+	u32 *room;                     /* three times n per thread */
 	lanes v;
 	bool counts;
 } job;
 
-/* 1 for each view node that is left: of those that may be paired with a node of the scene of their level; of those that
- * are; and room for n more. */
+/* 1 for each view node that is left: before and after tests with a node of the scene of its level; and room for n
+ * more. */
 typedef struct {
 	u32 *asked, *left, *other;
 } flags;
@@ -46,7 +46,7 @@ static bool find_levels(const ts_node *nodes, u32 n_roots, u32 last, u32 *first)
 	return true;
 }
 
-/* The views are split where both nodes are of a level, and the scene where the views are of the next. */
+/* The views are split where both nodes are of one level, the scene where the views are a level deeper. */
 static bool splits_in_turns(job *j)
 {
 	for (u32 level = 0; level <= j->last; level++) {
@@ -113,14 +113,14 @@ TS_WIDE(void, leave_seen,
 	}
 }
 
-/* Views of a level, for a node of its own or of the level above. */
+/* Tests the views of a level, for a node of that level or the one above. */
 static void leave(const job *j, u32 *left, const u32 *asked, u32 node, u32 level)
 {
 	leave_seen(left, asked, j->v, j->views[level], j->views[level + 1], ts_k_node_ball(&j->how->nodes[node]),
 	           j->radius[level]);
 }
 
-/* The views of the next level that its children are asked of. */
+/* Marks the views of the next level that the node's children test. */
 static void ask_below(const job *j, const flags *f, u32 node, u32 level)
 {
 	for (u32 i = j->views[level]; i < j->views[level + 1]; i++) {
@@ -148,7 +148,7 @@ static u32 list_left(const u32 *left, u32 first, u32 n, u32 *list)
 	return at;
 }
 
-/* The next of a list is beyond its entry in `offset` when it is counted or listed. */
+/* Entry i + 1 of `offset` counts the list of node i, or is where its next view goes. */
 static void store(const job *j, const flags *f, u32 node)
 {
 	u32 first = j->views[j->last], n = j->n - first, *offset = &j->to->offset[node - j->to->first + 1];
@@ -161,7 +161,7 @@ static void store(const job *j, const flags *f, u32 node)
 	*offset += listed;
 }
 
-/* What is left for a node, when it is known what its parent leaves. */
+/* Finds the views that are left for a node, given those of its parent. */
 static void descend(const job *j, const flags *f, u32 node, u32 level)
 {
 	leave(j, f->left, f->asked, node, level);
@@ -175,7 +175,7 @@ static void descend(const job *j, const flags *f, u32 node, u32 level)
 	for (u32 k = 0; k < n; k++) descend(j, f, parent->child + k, level + 1);
 }
 
-/* Asks for a node what its ancestors leave. */
+/* Finds the views that are left for a node by way of its ancestors. */
 static void ask(const job *j, const flags *f, u32 node, u32 level)
 {
 	if (level == 0) {

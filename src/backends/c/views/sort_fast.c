@@ -1,5 +1,5 @@
-/* Fast path of the sorting of lists, with the same bits: what is sorted already, as lists are that one thread appended
- * or that were made in order, stays. */
+/* Fast path of the sorting of lists, with the same bits: lists that are sorted already, as one thread or an ordered
+ * pass leaves them, stay. */
 #include "../../../kernels/base/sort.h"
 #include "../../fast.h"
 

@@ -1,6 +1,6 @@
 /* Maps without queues of pairs, with the same texels and counts: the traversal goes depth first, and the pairs that
  * follow from some split pairs are decided and rendered side by side (pair_lot.h). Threads take nodes of views of one
- * level, whose maps, and those below them, nobody else writes; so nothing is atomic. Pairs above that level are decided
+ * level; nobody else writes their maps and those below them, so nothing is atomic. Pairs above that level are decided
  * again for each node of it, but rendered and counted only for the first node below them. */
 #include <omp.h>
 #include <stdlib.h>
@@ -8,11 +8,11 @@
 #include "cap_rows.h"
 #include "pair_lot.h"
 
-enum { SHARES = 16, ROOTS = 16 }; /* shares of work per thread, at least; roots of views in a share, at most */
-enum { FASTER = 2 };              /* than the passes, with as many threads */
+enum { SHARES = 16, ROOTS = 16 }; /* least shares of work per thread; most roots of views per share */
+enum { FASTER = 2 };              /* than the passes, with equally many threads */
 enum { MOST_ROWS = TS_LOT_PAIRS * (TS_STEPS + 1), MOST_LEVELS = TS_STEPS + 1 };
 
-/* An octree as far as a traversal descends it. */
+/* An octree, as deep as a traversal descends. */
 typedef struct {
 	const ts_node *nodes;
 	ts_lane_nodes lanes;
@@ -29,25 +29,25 @@ typedef struct {
 	ts_cap_sides sides;
 	u32 n_texels; /* of a map */
 	octree scene, views;
-	u32 shared; /* the level whose nodes of views are shared among threads */
+	u32 shared; /* the level whose nodes of views the threads share */
 	u64 steps[TS_STEPS];
 	ts_stop *stop;
 } job;
 
-/* What a thread works on: the views below some nodes of the shared level; and from a root to there the only node. */
+/* What a thread works on: the views below some nodes of the shared level, and the one path from a root to there. */
 typedef struct {
 	job *of;
 	u32 root, end, node; /* with which the next pairs begin */
 	u32 path[MOST_LEVELS];
-	u8 leads[MOST_LEVELS]; /* 1: the shared level's node of the path is the first below this one */
+	u8 leads[MOST_LEVELS]; /* 1: the path's node at the shared level is the first below this node */
 	ts_pair_counts counts;
 	u64 steps[TS_STEPS];
 	ts_pair_lot lot;
 	u32 n_rows, n_waiting;
-	ts_pair_row row[TS_LOT_PAIRS], waiting[MOST_ROWS]; /* of the lot; of later ones, the deepest last */
+	ts_pair_row row[TS_LOT_PAIRS], waiting[MOST_ROWS]; /* of the lot; waiting ones, the deepest last */
 } share;
 
-/* Finds the levels from `begin` on, of which the first has n nodes. False: more than a traversal has steps. */
+/* Finds the levels from `begin` on; the first has n nodes. False: there are more than a traversal has steps. */
 static bool find_levels(octree *t, const ts_node *nodes, u32 begin, u32 n)
 {
 	t->nodes = nodes;
@@ -130,8 +130,8 @@ static void unload(job *j)
 
 static u32 nodes_of(const octree *t, u32 level) { return t->first[level + 1] - t->first[level]; }
 
-/* The first level with enough nodes of views for all threads, or that with the most. False: so few that the passes are
- * faster, for which all threads work. */
+/* Finds the first level with enough nodes of views for all threads, or the one with the most. False: there are so few
+ * that the passes, for which all threads work, are faster. */
 static bool find_shared(job *j, u32 threads)
 {
 	u64 enough = (u64)threads * SHARES;
@@ -202,7 +202,7 @@ static ts_pair_row views_below(const share *s, u32 node, u32 view)
 	return row;
 }
 
-/* The children of split pairs; those of the deepest come last. */
+/* Adds the children of split pairs; those of the deepest come last. */
 static void split(share *s)
 {
 	const ts_pair_lot *lot = &s->lot;

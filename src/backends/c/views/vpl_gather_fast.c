@@ -1,13 +1,13 @@
-/* Fast path of gathering, with the same bits: the lights that a pixel draws are found, weighed and asked side by side,
- * by the kernel's own functions in loops without branches, which compilers vectorize. Adding a light that is not seen
- * changes no sum. Not where maps are not fused. */
+/* Fast path of gathering, with the same bits: the lights that a pixel draws are found, weighed and looked up side by
+ * side, by the kernel's own functions in loops without branches, which compilers vectorize. Adding an unseen light
+ * changes no sum. Only for fused maps. */
 #include <stdlib.h>
 #include "../../../kernels/views/vpl_gather.h"
 #include "../../fast.h"
 #include "../../wide.h"
 #include "../raster/lanes.h"
 
-enum { LOT = TS_ABREAST, PIXELS_A_CHUNK = 64, MOST_TEXELS = 64 }; /* a side of maps whose directions are made before */
+enum { LOT = TS_ABREAST, PIXELS_A_CHUNK = 64, MOST_TEXELS = 64 }; /* side of maps with precomputed directions */
 
 typedef struct {
 	ts_vpl_gather_args args;
@@ -15,21 +15,22 @@ typedef struct {
 	f32 near;          /* world units */
 } job;
 
-/* The pixel, and what it draws of. */
+/* The pixel, and the list that it draws from. */
 typedef struct {
 	u32 index;
 	ts_v3 p, n;
 	ts_view_list list;
 } place;
 
-/* Draws of a pixel: the number of views before, its place in the list, the view; and by form and texel of its map. */
+/* Draws of a pixel: the number of views before, its place in the list, the view, its form factor, and the texel of its
+ * map. */
 typedef struct {
 	u32 n, rank[LOT], at[LOT], view[LOT], texel[LOT];
 	ts_lanes3 way, from;
 	f32 form[LOT];
 } drawn;
 
-/* Those of them that send light towards the pixel, and what their maps show there. */
+/* The draws that send light towards the pixel, and their maps' values. */
 typedef struct {
 	u32 n, which[LOT], reaches[LOT];
 	ts_lanes3 way, light, centre, direction;
@@ -45,7 +46,7 @@ TS_WIDE(void, draw_ranks, (drawn *restrict d, u32 first, u32 seed, u32 views), (
 	}
 }
 
-/* Leaves out the first half of what is left of a list where not all of the views before the rank are in it. */
+/* Skips the first half of what is left of a list where the ranked view is not in it. */
 TS_WIDE(void, skip_half, (drawn *restrict d, const u32 *restrict sums, u32 half), (d, sums, half))
 {
 	for (u32 i = 0; i < LOT; i++) d->at[i] += sums[(i32)(d->at[i] + half - 1)] <= d->rank[i] ? half : 0u;
@@ -120,7 +121,7 @@ static void load_maps(asked *a, const drawn *d, const job *j)
 	}
 }
 
-/* A place is no farther than ts_k_vpl_reach; where the map shows nothing, it may be. */
+/* Whether a place is within ts_k_vpl_reach; where the map is empty, a farther one may be lit. */
 TS_WIDE(void, reach_lights, (asked *restrict a, ts_vpl_gather_args args, ts_v3 n), (a, args, n))
 {
 	for (u32 i = 0; i < LOT; i++) {
@@ -131,7 +132,7 @@ TS_WIDE(void, reach_lights, (asked *restrict a, ts_vpl_gather_args args, ts_v3 n
 	}
 }
 
-/* ts_k_vpl_reaches of a place that is farther. */
+/* ts_k_vpl_reaches for a farther place. */
 static bool is_clear(const ts_vpl_gather_args *args, u32 view, u32 texel, const place *at)
 {
 	u32 shown = (u32)ts_k_vpl_shown(args, view, texel);
