@@ -133,7 +133,7 @@ typedef struct {
 	ts_judged judged[TS_N_BUFFERS];
 } outputs;
 
-/* A candidate is judged by what it has alone, unless the reference lends its own. */
+/* A candidate is judged by its own buffers, unless the reference lends it some. */
 static ts_status judge_output(outputs *o, ts_buffer_id id)
 {
 	ts_comparison *c = o->verdicts->comparison;

@@ -21,7 +21,7 @@ void ts_api_ready(void)
 	pthread_once(&once, begin);
 }
 
-/* The host's: what it does with floating point, which may trap what is no fault here, and who listened before. */
+/* The caller's floating-point environment, which may trap where the library does not, and its listener. */
 static _Thread_local fenv_t environment;
 static _Thread_local ts_listener before;
 
@@ -52,7 +52,7 @@ static bool is_zero(const char *bytes, size_t n)
 	return true;
 }
 
-/* Of no struct of callers, ever. */
+/* No struct of a caller is as large. */
 enum { MOST_BYTES = 4096 };
 
 ts_status ts_api_room(size_t bytes, size_t least_bytes, size_t our_bytes, const char *type)

@@ -9,7 +9,7 @@
 #include "../scene/sources.h"
 #include "../trace/emit.h"
 
-/* The file may be anybody's. */
+/* The file is untrusted. */
 static ts_status find_method(const ts_pipeline **pipeline, const ts_golden_said *said, const ts_golden_dir *dir)
 {
 	*pipeline = ts_pipeline_find(said->effect, said->method);

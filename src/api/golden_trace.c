@@ -23,7 +23,7 @@ static ts_status keep_files(ts_trace *trace, const ts_golden *golden, const char
 	return status;
 }
 
-/* The picture without its alpha, if SHA256SUMS says that it is that of the run. */
+/* Puts the picture without its alpha, if SHA256SUMS has its digest. */
 static ts_status put_picture(ts_trace *trace, u8 *rgba, u32 width, u32 height)
 {
 	char hex[TS_DIGEST_BYTES], wanted[TS_DIGEST_BYTES];

@@ -70,7 +70,7 @@ ts_status ts_html_add_trace(ts_html *page, const ts_trace *trace)
 	return status;
 }
 
-/* An object of what the caller says. */
+/* Parses the caller's JSON, which must be an object. */
 static json_t *read_said(const char *text)
 {
 	json_error_t error;
@@ -81,7 +81,7 @@ static json_t *read_said(const char *text)
 	return NULL;
 }
 
-/* Whether verdicts can be of these traces: what differs is in both. */
+/* Whether verdicts can be of these traces: both have all buffers that differ. */
 static ts_status match(const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate)
 {
 	bool both = reference->pipeline == candidate->pipeline;

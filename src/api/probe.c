@@ -54,7 +54,7 @@ typedef struct {
 static row *rows;
 static size_t n_rows;
 
-/* By subjects, and as the families have them. */
+/* By subject, in the order of the families. */
 static void make(void)
 {
 	const ts_probe_part *part;

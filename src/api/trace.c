@@ -200,7 +200,7 @@ int ts_trace_has(const ts_trace *trace, const char *name)
 	return trace != NULL && name != NULL && ts_trace_find(&id, name) && trace->item[id].path != NULL;
 }
 
-/* Brings a buffer that is in a file to memory. */
+/* Loads a buffer from its file. */
 static ts_status bring(ts_trace_item *item, ts_buffer_id id)
 {
 	if (item->memory != NULL) return TS_OK;

@@ -74,7 +74,7 @@ static ts_status make_words(ts_api_words *words, const ts_vector *v)
 	return TS_OK;
 }
 
-/* Sees to it that the context, which is entered, holds the words of a primitive. */
+/* Makes the context, which is entered, hold the words of a primitive. */
 static ts_status find(ts_context *context, const char *name)
 {
 	const ts_vector *v = ts_vectors_find(name);

@@ -15,7 +15,7 @@ struct ts_told {
 	char first[TS_FIRST_TEXT], line[TS_LINE_TEXT], note[TS_LINE_TEXT], inputs[TS_INPUTS_TEXT];
 	ts_field_count fields[TS_MAX_FIELDS];
 	u32 n_fields, n;         /* n: differences of the list */
-	difference *differences; /* at least one: where the list is empty, as shapes differ, it tells of the buffer */
+	difference *differences; /* at least one: where the list is empty, as shapes differ, it describes the buffer */
 };
 
 ts_verdicts *ts_verdicts_make(u32 most)
@@ -43,7 +43,7 @@ static void tell_values(difference *to, ts_buffer_id id, const ts_difference *d)
 	told->bytes = ts_sum_of(id) != NULL ? 0 : fields.field[d->field].bytes;
 }
 
-/* Difference i; of an empty list that of the buffer as a whole. */
+/* Difference i; if the list is empty, the difference of the whole buffer. */
 static void tell_difference(ts_told *told, const ts_verdict_info *info, ts_buffer_id id, const ts_verdict *v, u32 i)
 {
 	difference *to = &told->differences[i];
