@@ -1,4 +1,4 @@
-/* What `golden check` found, as a report. */
+/* The findings of `golden check`, as a report. */
 #include "../scene/print.h"
 #include "golden.h"
 #include "relaxed.h"

@@ -16,7 +16,7 @@ json_t *ts_client_json(ts_tree *tree)
 {
 	if (tree == NULL) return NULL;
 	char *text = ts_tree_json(tree);
-	ts_tree_free(tree); /* before there is another */
+	ts_tree_free(tree); /* before the next is made */
 	json_t *json = text != NULL ? json_loads(text, JSON_DECODE_ANY, NULL) : NULL;
 	free(text);
 	if (json == NULL) ts_fail("an answer: out of memory");

@@ -37,7 +37,7 @@ ts_status ts_judging_check(const ts_cli *cli)
 	return TS_OK;
 }
 
-/* A command as it was typed. It stays where it is: the scene that it asks for points into the job. */
+/* A typed command. It is never copied: the scene that it requests points into the job. */
 typedef struct {
 	const ts_command *command; /* NULL: all is done */
 	ts_cli cli;
@@ -74,7 +74,7 @@ static void tell_failed(const task *t, ts_status status)
 	if (t->command != NULL && t->command->failed != NULL) t->command->failed(&t->cli, status);
 }
 
-/* Prints why there is no result, tells the command so, and returns the exit code. */
+/* Prints why there is no result, reports the failure to the command, and returns the exit code. */
 static int end(const task *t, ts_status status)
 {
 	if (status != TS_ERROR && ts_file_print("", 0) != TS_OK) status = TS_ERROR;
@@ -99,7 +99,7 @@ static int run(void *user)
 	require_path();
 	if (cli->job.output.quiet) ts_listen(&(ts_listener){.line = NULL});
 	ts_status status = ts_lanes_choose();
-	if (status == TS_OK) status = ts_backend_open(&cli->job); /* before there are threads: who asks for devices forks */
+	if (status == TS_OK) status = ts_backend_open(&cli->job); /* before there are threads: asking for devices forks */
 	if (status == TS_OK && ts_command_takes(t->command, TS_OPTION_THREADS)) {
 		u32 *n = &cli->job.how.threads;
 		*n = *n == 0 ? ts_threads_all() : ts_threads_ready(*n);
@@ -113,7 +113,8 @@ static int run(void *user)
 	return end(t, status);
 }
 
-/* A worker that could not say how it ended leaves the message to this process. The worker comes back here, too. */
+/* A worker that could not report how it ended leaves the message to this process. The worker itself returns here,
+ * too. */
 static int run_worker(task *t)
 {
 	const pid_t own = getpid();
@@ -127,7 +128,7 @@ static int run_worker(task *t)
 
 int ts_cli_main(int argc, char **argv)
 {
-	/* A file-size limit shall fail the write, not end the process. */
+	/* A file-size limit fails the write instead of ending the process. */
 	signal(SIGXFSZ, SIG_IGN);
 	ts_cli_listen();
 	task t = {.command = NULL};

@@ -27,7 +27,7 @@ static kind kind_of(const char *path)
 	return ends_in(path, ".npy") || ends_in(path, ".npy.zst") ? BUFFERS : TRACES;
 }
 
-/* No option is passed over in silence. */
+/* Refuses options that would have no effect. */
 static ts_status check_options(const ts_cli *cli, kind is)
 {
 	static const struct {
@@ -88,8 +88,8 @@ typedef struct {
 	const ts_cli *cli;
 	ts_compared of;
 	u8 *mask;
-	json_t *cases; /* of shards; NULL: there are none */
-	char *own;     /* those of this one */
+	json_t *cases; /* of shards; NULL: none */
+	char *own;     /* those of this shard */
 	const char *relaxed;
 	ts_compare_lists lists;
 	ts_outcomes outcomes;
@@ -135,7 +135,7 @@ static ts_status open_sides(ts_compared *c, const ts_cli *cli, kind is)
 	return status;
 }
 
-/* How to judge, but for what the lists say. */
+/* Reads how to judge, except for the lists. */
 static ts_status read_options(comparison *c)
 {
 	ts_compare_options *o = &c->of.options;

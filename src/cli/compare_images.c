@@ -17,19 +17,19 @@ enum { LINE = 2048, SHOWN = 512 };
 typedef struct {
 	f32 *pixels;
 	u32 width, height, channels;
-	bool linear; /* radiance; else sRGB codes, from 0 to 1 */
+	bool linear; /* radiance; otherwise sRGB codes, from 0 to 1 */
 } picture;
 
 typedef struct {
 	const ts_cli *cli;
 	picture p[2];
 	ts_compare_options relaxed;
-	u8 *mask;               /* of these */
-	u8 *marks;              /* of pixels: 255 where a channel differs */
-	u64 *first, n_first;    /* the first values that differ, as many as are shown */
-	u64 n_values, n_pixels; /* judged */
+	u8 *mask;               /* the pixels of relaxed.mask */
+	u8 *marks;              /* per pixel: 255 where a channel differs */
+	u64 *first, n_first;    /* the first different values that are shown */
+	u64 n_values, n_pixels; /* compared */
 	u64 n_unlike, n_unlike_pixels;
-	double squares, largest; /* of differences, relaxed ones too; infinite beside a NaN */
+	double squares, largest; /* of differences, relaxed ones too; infinite for a NaN */
 	bool same;
 } images;
 
@@ -123,7 +123,7 @@ static void judge_pixel(images *s, u64 pixel)
 static double rmse_of(const images *s) { return sqrt(s->squares / (double)s->n_values); }
 static double percent_of(const images *s) { return 100.0 * (double)s->n_unlike_pixels / (double)s->n_pixels; }
 
-/* All tolerances that were typed hold; without one nothing differs. */
+/* All given tolerances hold; without any, nothing differs. */
 static bool passes(const images *s)
 {
 	const bool *given = s->cli->given;
@@ -170,7 +170,7 @@ static void sum_up(char text[LINE], const images *s)
 	         relaxed);
 }
 
-/* Line i of what is said of all: the figures, then what differs first. False: there are no more. */
+/* Line i of the report: the figures, then the first differences. False: there are no more. */
 static bool line_of(char text[LINE], const images *s, u64 i)
 {
 	char first[SHOWN];
@@ -221,7 +221,7 @@ static void report_images(ts_report *report, const void *user)
 	ts_report_value(report, "first", first);
 }
 
-/* White where the images differ, so that it is a mask of all but that. */
+/* White where the images differ, so that it masks everything else. */
 static ts_status draw(const void *user)
 {
 	const images *s = user;
@@ -230,7 +230,7 @@ static ts_status draw(const void *user)
 	return ts_image_write_png(path, s->marks, s->p[0].width, s->p[0].height, 1, NULL);
 }
 
-/* As a display shows it; a channel or two are grey, and the last of two or four is alpha. */
+/* As a display shows it; one or two channels are grey, and the last of two or four is alpha. */
 static ts_status show_picture(ts_html *page, const picture *p, const char *path)
 {
 	const u32 colours = p->channels < 3 ? 1 : 3;

@@ -1,4 +1,4 @@
-/* Pictures of what differs: white, in rows and columns, and on the faces of cubes. */
+/* Pictures of differences: white, in rows and columns, and on the faces of cubes. */
 #include "compare.h"
 #include <inttypes.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ typedef struct {
 	const ts_compared *compared;
 	const ts_buffer_view *view; /* the reference's */
 	u8 *of;
-	u64 n, every; /* marks; marks a pixel or texel */
+	u64 n, every; /* marks; marks per pixel or texel */
 } marks;
 
 static bool is_marked(const u8 *of, u64 every) { return memchr(of, 1, every) != NULL; }
@@ -34,7 +34,7 @@ static ts_status draw_rows(marks *m)
 	return write_picture(name, m->of, (u32)shape[1], (u32)shape[0]);
 }
 
-/* Six faces of n x n texels, side by side. */
+/* Draws six faces of n x n texels, side by side. */
 static void draw_faces(u8 *picture, u32 width, const u8 *of, u64 every, u32 n)
 {
 	for (u32 f = 0; f < 6; f++) {
@@ -65,7 +65,7 @@ static ts_status draw_cube(const marks *m, u64 cube, const u8 *of, u32 n, bool m
 	return status;
 }
 
-/* Each of n cubes that differs; the levels of cubes follow one another. */
+/* Draws each of n cubes that differs; the levels of cubes follow one another. */
 static ts_status draw_cubes(marks *m, const ts_buffer_view *faces, bool mips)
 {
 	u64 levels = 0;
@@ -84,7 +84,7 @@ static ts_status draw_cubes(marks *m, const ts_buffer_view *faces, bool mips)
 	return TS_OK;
 }
 
-/* Whether the first dimension of the buffer is that. */
+/* Whether the first dimension of the buffer is `what`. */
 static bool counts(const char *buffer, const char *what)
 {
 	const ts_buffer_info *info;
@@ -102,7 +102,7 @@ static ts_status draw_texels(marks *m)
 	return draw_cubes(m, faces, counts(m->view->name, "mip_texels"));
 }
 
-/* Whether its elements are texels of cubes. */
+/* Whether the buffer's elements are texels of cubes. */
 static bool is_of_cubes(const ts_compared *c, const char *buffer)
 {
 	return (counts(buffer, "texels") || counts(buffer, "mip_texels")) && ts_trace_has(c->reference, "cube_size.face");
@@ -119,7 +119,7 @@ static ts_status draw_buffer(const ts_compared *c, const char *buffer)
 	if (m.of == NULL) return TS_ERROR;
 	ts_status status = ts_compare_marks(c->context, m.of, (size_t)m.n, buffer, c->reference, c->candidate, &c->options);
 	if (status == TS_SKIPPED) {
-		status = TS_OK; /* which points are which is not known */
+		status = TS_OK; /* the points are in an unknown order */
 	} else if (status != TS_ERROR) {
 		status = rows ? draw_rows(&m) : draw_texels(&m);
 	}

@@ -37,7 +37,7 @@ void ts_compare_more(ts_report *report, const ts_compared *c, size_t place, cons
 	}
 }
 
-/* What differs, as JSON; its notes as text, too. */
+/* Differences as JSON; their notes as text, too. */
 static void tell_unlike(ts_report *report, const ts_compared *c)
 {
 	const ts_verdict_info *v;
@@ -51,7 +51,7 @@ static void tell_unlike(ts_report *report, const ts_compared *c)
 	json_decref(said);
 }
 
-/* The stage and the buffer of a verdict, as the tables have them; NULL where there is none. */
+/* The stage and the buffer of a verdict, from the tables; NULL: none. */
 static const ts_stage_info *stage_of(const ts_compared *c, const ts_verdict_info *v)
 {
 	const ts_stage_info *stage;
@@ -70,13 +70,13 @@ static const ts_buffer_info *buffer_of(const ts_verdict_info *v)
 	return buffer;
 }
 
-/* The command that explains the first value that differs; of sums, the count before. */
+/* Prints the command that explains the first different value; for sums, the count before. */
 static void advise(ts_report *report, const ts_compared *c, const ts_verdict_info *v)
 {
 	const ts_stage_info *stage = stage_of(c, v);
 	const ts_buffer_info *buffer = buffer_of(v);
 	if (!v->has_first || !c->of->has_params || stage == NULL || !stage->has_kernels) return;
-	if (strcmp(buffer->key, buffer->name) == 0) return; /* sorted: what an item writes stands elsewhere then */
+	if (strcmp(buffer->key, buffer->name) == 0) return; /* sorted: the writer's element has another place */
 	u64 element = v->first_element;
 	if (v->by_counts && element > 0) element--;
 	ts_report_line(report, "how the reference computes it: %s explain %s --stage %s --element %s:%" PRIu64, ts_program,

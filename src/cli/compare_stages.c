@@ -4,20 +4,20 @@
 
 enum { MOST_BUFFERS = 64 };
 
-/* A stage, or first the scene. */
+/* A stage, or the scene, which is first. */
 typedef struct {
 	const ts_compared *of;
-	size_t next; /* step of the method behind it, from 0 */
+	size_t next; /* the next step of the method, from 0 */
 	bool begun;
 	const char *name;
 	u32 number;
-	ts_judgement verdict;          /* of its buffer that differs, else whether any was judged */
-	const char *word;              /* the same */
-	const char *why;               /* of what could not be judged, or is skipped; else "" */
+	ts_judgement verdict;          /* of its first different buffer, otherwise whether any was judged */
+	const char *word;              /* the verdict as a word */
+	const char *why;               /* a buffer is not judged, or is skipped; otherwise "" */
 	const ts_compare_lists *lists; /* NULL: nothing is skipped */
 	size_t unlike[MOST_BUFFERS];   /* places of buffers */
 	u32 n_unlike;
-	double seconds; /* that judging took */
+	double seconds; /* spent on judging */
 } stages;
 
 static void add_buffer(stages *s, const ts_verdict_info *v, size_t place)
@@ -40,7 +40,7 @@ static void add_buffers(stages *s)
 	}
 }
 
-/* Entries of the stage that hold no more; without outcomes they are only counted. */
+/* Entries of the stage that are out of date; without outcomes they are only counted. */
 static u32 put_stale(ts_outcomes *outcomes, const ts_compared *c, const char *stage, const ts_compare_lists *lists)
 {
 	char line[TS_KNOWN_TEXT];
@@ -65,12 +65,12 @@ static bool step(stages *s)
 	s->name = s->begun ? stage->name : "scene";
 	s->number = s->begun ? ts_method_stage_number(of->effect, of->method, s->next++) : 0;
 	add_buffers(s);
-	if (!s->begun && s->verdict < TS_SAME) s->verdict = TS_NOT_JUDGED; /* a port reads ours */
+	if (!s->begun && s->verdict < TS_SAME) s->verdict = TS_NOT_JUDGED; /* a port reads our scene */
 	s->begun = true;
 	return true;
 }
 
-/* The next one that there is a verdict of; false: there is none. */
+/* The next stage with a verdict; false: there is none. */
 static bool next(stages *s)
 {
 	do {
@@ -108,7 +108,7 @@ void ts_compare_stages(ts_report *report, const ts_compared *c)
 	for (stages s = {.of = c}; next(&s);) put_lines(report, &s);
 }
 
-/* Whether all buffers that differ are known; `why` has their reasons. */
+/* Whether all different buffers are known; `why` receives the reasons. */
 static bool are_known(char why[TS_KNOWN_TEXT], const stages *s, const ts_compare_lists *lists)
 {
 	size_t used = 0;
@@ -137,7 +137,7 @@ static void add_case(ts_outcomes *outcomes, const stages *s, const ts_compare_li
 	ts_outcomes_value(outcomes, "number", json_integer(s->number));
 }
 
-/* All that is said of a buffer that is unlike. */
+/* Adds the details of a different buffer. */
 static void add_details(ts_outcomes *outcomes, const stages *s, size_t place)
 {
 	char inner[TS_KNOWN_TEXT + 2];

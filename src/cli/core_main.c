@@ -1,5 +1,5 @@
-/* The command `touchstone-core`: digests and goldens, in C with libc, libgomp and libcrypto, as a static binary; and
- * with TS_REPORTS, which needs jansson, what `golden check` and `merge` report. */
+/* The command `touchstone-core`: digests and goldens, in C with libc, libgomp and libcrypto, as a static binary; with
+ * TS_REPORTS, which needs jansson, also the reports of `golden check` and `merge`. */
 #include "../families/families.h"
 #include "golden.h"
 

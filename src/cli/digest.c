@@ -1,5 +1,5 @@
-/* `digest [SCENE]`: SHA-256 of the file of every buffer of a run, as a trace holds it. Also in the static core binary,
- * so it opens built-in scenes only and needs neither glTF nor JSON. */
+/* `digest [SCENE]`: SHA-256 of the file of every buffer of a run, as in a trace. Also in the static core binary, so it
+ * opens built-in scenes only and needs neither glTF nor JSON. */
 #include <stdio.h>
 #include "../scene/sources.h"
 #include "../trace/sums.h"

@@ -1,4 +1,4 @@
-/* `explain TRACE [OTHER]`: what one item of a stage computes, line by line; of two traces, the first line that
+/* `explain TRACE [OTHER]`: what one item of a stage computes, line by line; for two traces, the first line that
  * differs. */
 #include <string.h>
 #include "../study/table.h"
@@ -39,7 +39,7 @@ static ts_status ask(ts_explain_options *o, char name[NAME], const ts_cli *cli)
 	return take_element(o, name, cli->place.element);
 }
 
-/* How many lines are left out is the one line that begins with a digit. */
+/* Only the number of lines left out begins with a digit. */
 static void tell_line(ts_report *report, const char *line)
 {
 	ts_report_line(report, "%s%s", line, line[0] >= '0' && line[0] <= '9' ? ": --lines" : "");

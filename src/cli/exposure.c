@@ -1,9 +1,9 @@
-/* --exposure auto: of a render, and of all its frames and combinations, from frame 0 by the first method. */
+/* --exposure auto: for a render, and for all its frames and combinations, from frame 0 by the first method. */
 #include <stdlib.h>
 #include "render.h"
 
-#define SHARE 0.95 /* of the pixels that see a surface, no brighter than */
-#define SHOWN 0.8  /* this, of the brightest that can be displayed */
+#define SHARE 0.95 /* of the pixels with a surface, this share is no brighter than */
+#define SHOWN 0.8  /* this part of the brightest value that can be displayed */
 
 static int by_value(const void *a, const void *b)
 {
@@ -25,7 +25,7 @@ static ts_status take_luminance(f32 **luminance, size_t *n, const ts_picture *pi
 	return *luminance != NULL ? TS_OK : TS_ERROR;
 }
 
-/* Three digits, so that the number that is printed is the one that is used. */
+/* Three digits, so that the printed number is the one that is used. */
 static ts_status set_exposure(ts_params *params, f32 bright)
 {
 	char text[32];

@@ -16,7 +16,7 @@ static const struct {
 
 enum { N_ACTIONS = sizeof actions / sizeof *actions };
 
-/* What one action alone has a use for. */
+/* Refuses options that only another action uses. */
 static ts_status check_options(const ts_cli *cli, u32 action)
 {
 	static const struct {
@@ -66,7 +66,7 @@ static ts_status read_lists(ts_goldens *goldens, const ts_cli *cli)
 	return status;
 }
 
-/* Those that a name or a pattern means are marked. */
+/* Marks the cases that a name or a pattern matches. */
 static ts_status mark(bool meant[TS_MAX_CASES], const ts_goldens *goldens, const char *name)
 {
 	bool any = false;

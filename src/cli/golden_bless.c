@@ -1,4 +1,4 @@
-/* `golden bless`: puts what was proposed in the place of a golden, for a reason. */
+/* `golden bless`: puts a proposal in the place of a golden, with a reason. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "../output/folder.h"
 #include "golden.h"
 
-/* Only what a known state of the source computed in C is accepted. */
+/* Accepts only results of C kernels from a known state of the source. */
 static ts_status check_build(const ts_job *job)
 {
 	const char *commit = ts_commit();
@@ -30,7 +30,7 @@ static ts_status check_values(const ts_case *c, const ts_golden *golden)
 	return TS_OK;
 }
 
-/* What was proposed is what this build computes, by the kernels alone. */
+/* The proposal is what this build computes, by the kernels alone. */
 static ts_status check_proposal(const ts_goldens *goldens, const ts_case *c, const ts_golden_dir *dir)
 {
 	ts_golden proposed, computed;
@@ -75,14 +75,14 @@ static bool ends_with(const text *t, const char *line)
 	       (t->bytes == n + 1 || t->data[t->bytes - 2 - n] == '\n');
 }
 
-/* True if a bless that was killed came as far as that. */
+/* True if an interrupted bless wrote this. */
 static bool is_blessed(const text sums[2], const text *changes, const char *reason)
 {
 	bool same = sums[0].bytes > 0 && sums[0].bytes == sums[1].bytes;
 	return same && memcmp(sums[0].data, sums[1].data, sums[0].bytes) == 0 && ends_with(changes, reason);
 }
 
-/* The old lines, and the reason. */
+/* Writes the old lines, then the reason. */
 static ts_status write_changes(const char *reason, const ts_golden_dir *old, const ts_golden_dir *proposed)
 {
 	text changes, sums[2] = {{NULL, 0}, {NULL, 0}};

@@ -1,5 +1,5 @@
-/* reference/goldens/cases.txt: NAME: [EFFECT/]METHOD SCENE [OPTION...] a line; without an effect, reflections; a file's
- * path goes from reference/goldens/. The file is untrusted. */
+/* reference/goldens/cases.txt, one case per line: NAME: [EFFECT/]METHOD SCENE [OPTION...]; without an effect,
+ * reflections. Files are relative to reference/goldens/. The file is untrusted. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100 };
 
-/* A line after its name is a command line of its own. */
+/* The line after a case's name is parsed as a command line. */
 static const ts_command line_command = {
 	"golden",
 	"[EFFECT/]METHOD SCENE [OPTION...]",
@@ -52,7 +52,7 @@ static ts_status find_name(ts_case *c, const ts_goldens *goldens, char *line, ch
 	return TS_OK;
 }
 
-/* Splits at blanks, takes --small out, and parses what is left. */
+/* Splits at blanks, takes --small out, and parses the rest. */
 static ts_status parse_words(ts_cli *cli, bool *small, char *text)
 {
 	char *words[MOST_WORDS + 1] = {"golden"}, *state;
@@ -87,7 +87,7 @@ static ts_status find_method(ts_case *c, ts_cli *cli)
 	return c->pipeline != NULL ? TS_OK : ts_fail("no method \"%.60s\" of %s", method, effect);
 }
 
-/* In the order of the options, so that the order in which they were typed changes nothing. */
+/* In the order of the options, so that the order of typing does not matter. */
 static ts_status take_places(ts_case *c, const ts_cli *cli)
 {
 	ts_status status = TS_OK;

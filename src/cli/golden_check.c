@@ -18,7 +18,7 @@ static ts_case_end of_status(ts_status status)
 	return status == TS_OK ? TS_CASE_SAME : status == TS_DIFFERENT ? TS_CASE_DIFFERENT : TS_CASE_UNUSABLE;
 }
 
-/* Computes the case a second time. If the runs differ, the difference is no known one, and `text` says so. */
+/* Computes the case a second time. If the runs differ, the difference is not a known one, and `text` reports that. */
 static ts_status compute_again(char *text, const ts_goldens *goldens, const ts_case *c, const ts_golden *computed)
 {
 	ts_golden again;
@@ -42,7 +42,7 @@ ts_status ts_case_strays(char *text, const ts_golden *computed)
 	return TS_DIFFERENT;
 }
 
-/* The buffers, then the preview in a program that reads PNG. */
+/* Compares the buffers, then the preview if the program reads PNG. */
 ts_status ts_case_compare(char *text, const ts_case *c, const ts_golden_dir *dir, const ts_golden *stored,
                           const ts_golden *computed)
 {
@@ -70,7 +70,7 @@ static ts_case_end compare(char *text, const ts_goldens *goldens, const ts_case 
 	return of_status(status);
 }
 
-/* The file without which there is no golden; NULL: all are there. */
+/* The first missing file of a golden; NULL: none. */
 static const char *missing_file(const ts_golden_dir *dir, bool small)
 {
 	static const char *const names[] = {TS_GOLDEN_PARAMS, TS_GOLDEN_SUMS, TS_GOLDEN_PREVIEW, TS_GOLDEN_CHANGES};
@@ -95,7 +95,7 @@ static ts_case_end check_case(char *text, const ts_goldens *goldens, const ts_ca
 	return end;
 }
 
-/* What is to be changed where a listed case does not differ first in the buffer of its entry. */
+/* How to correct an entry whose case does not differ first in the listed buffer. */
 static void put_wrong_entry(ts_checked *checked, const ts_baseline *known, const ts_entry *e)
 {
 	char text[TS_CASE_TEXT], where[TS_CASE_TEXT];
@@ -112,7 +112,7 @@ static void put_wrong_entry(ts_checked *checked, const ts_baseline *known, const
 	}
 }
 
-/* A case that the baseline lists differs first where that says, or fails. */
+/* A listed case passes if it differs first where the baseline expects that. */
 static void judge_known(ts_checked *checked, const ts_goldens *goldens)
 {
 	const ts_entry *e = ts_baseline_find(&goldens->known, checked->of->name, NULL);
@@ -144,7 +144,7 @@ static void check(ts_checked *checked, const ts_goldens *goldens, const ts_case 
 	checked->seconds = ts_seconds() - began;
 }
 
-/* What an earlier worker found, and this one has the texts of. */
+/* Adds the texts to an earlier worker's result. */
 static void recall(ts_checked *checked, const ts_goldens *goldens, const ts_case *c)
 {
 	checked->of = c;
@@ -153,7 +153,7 @@ static void recall(ts_checked *checked, const ts_goldens *goldens, const ts_case
 	if (checked->end == TS_CASE_KNOWN) checked->why = ts_baseline_find(&goldens->known, c->name, NULL)->reason;
 }
 
-/* The case that an earlier worker was lost on. */
+/* Records the case that an earlier worker died on. */
 static void lose(ts_checked *checked, const ts_steps *steps, const ts_case *c)
 {
 	*checked = (ts_checked){.of = c, .end = TS_CASE_LOST, .first = TS_N_BUFFERS, .why = ""};
@@ -161,7 +161,7 @@ static void lose(ts_checked *checked, const ts_steps *steps, const ts_case *c)
 	checked->seconds = steps->lost_s;
 }
 
-/* The next case, by this worker, unless it is the one that an earlier worker was lost on. */
+/* Runs the next case, unless an earlier worker died on it. */
 static void take_step(ts_golden_kept *kept, const ts_goldens *goldens, const ts_case *c)
 {
 	ts_steps *steps = &kept->steps;
@@ -186,7 +186,7 @@ static ts_status print_line(const ts_checked *checked, bool quiet)
 	return ts_file_print("", 0);
 }
 
-/* Prints the counts, and says how the command ends. */
+/* Prints the counts, and returns how the command ends. */
 static ts_status sum_up(const ts_cli *cli, const ts_checked *checked, u32 n, bool print)
 {
 	u32 count[TS_N_CASE_ENDS] = {0};

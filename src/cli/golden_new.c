@@ -1,4 +1,4 @@
-/* `golden new`: what is computed now, beside the goldens, which it does not touch. */
+/* `golden new`: proposes current results beside the goldens, which stay. */
 #include <stdio.h>
 #include "../output/file.h"
 #include "../output/folder.h"

@@ -1,4 +1,4 @@
-/* params.txt of a case: what its method and its scene read. */
+/* params.txt of a case: the parameters of its method and its scene. */
 #include <stdio.h>
 #include <string.h>
 #include "../output/file.h"

@@ -18,7 +18,7 @@ static const struct {
 
 static int larger(int a, size_t b) { return a > (int)b ? a : (int)b; }
 
-/* How much of the text fits into so many columns: whole words, and at least one. */
+/* How much of the text fits into `width` columns: whole words, and at least one. */
 static int fitting(const char *text, int width)
 {
 	int fits = 0;
@@ -75,7 +75,7 @@ static u32 rows_of(ts_help_row *rows, const char *command, section of)
 	return n;
 }
 
-/* The cells of an option's row; `what` has the list of its values too. */
+/* The cells of an option's row; `what` also receives the list of its values. */
 static void cells_of(const char **cells, char name[32], char what[256], const ts_option *o)
 {
 	const bool listed = o->list[0] != 0 && ts_cli_find("list") != NULL;

@@ -1,4 +1,4 @@
-/* `info SCENE`: what was loaded, and what in the file was not understood. */
+/* `info SCENE`: what was loaded, and which parts of the file were not understood. */
 #include "../output/file.h"
 #include "client.h"
 

@@ -1,4 +1,4 @@
-/* `list WHAT`: the program's own tables, so never stale; and what they say of one NAME, or of a pattern. */
+/* `list WHAT`: the program's own tables, so never stale; of all rows, of one NAME, or of a pattern. */
 #include <string.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -26,7 +26,7 @@ static const ts_column size_columns[] = {
 static const ts_column param_columns[] = {
 	{"name", "parameter", false},  {"default", "default", false},     {"range", "range", false},
 	{"unit", "unit", false},       {"source", "source", false},       {"doc", "what", false},
-	{"methods", "methods", false}, /* of one parameter alone, as what follows */
+	{"methods", "methods", false}, /* this and what follows: only for a single parameter */
 	{"stages", "stages", false},   {"others", "read also by", false}, {0}};
 static const ts_column method_columns[] = {{"name", "method", false},
                                            {"effect", "effect", false},
@@ -50,7 +50,7 @@ static const ts_column vector_columns[] = {
 	{"name", "vector", false}, {"rule", "rule", false}, {"kind", "kind", false}, {"doc", "what comes out", false}, {0}};
 static const ts_column plain_columns[] = {{"name", "name", false}, {"doc", "what", false}, {0}};
 
-/* The methods whose table it is; none: of all. The name, or the pattern, of the rows; NULL: of all. */
+/* The methods whose table to list; none: all. The name or pattern of the rows; NULL: all. */
 typedef struct {
 	const ts_pipeline *methods[TS_MAX_METHODS];
 	u32 n_methods;
@@ -118,7 +118,7 @@ static ts_table list_sizes(void)
 	return table;
 }
 
-/* One of these methods reads it, or the scene that they show. */
+/* Whether one of these methods, or the scene that they show, reads a parameter. */
 static bool is_read(const ts_listed *of, const char *param)
 {
 	bool read = of->n_methods == 0 || ts_reads_scene(param);
@@ -126,7 +126,7 @@ static bool is_read(const ts_listed *of, const char *param)
 	return read;
 }
 
-/* Which methods read it, of whatever effect; which stages; the scene, and truths. */
+/* Adds a parameter's readers: methods of any effect, stages, the scene, and truths. */
 static void cell_readers(ts_table *table, const char *param)
 {
 	char methods[CELL] = "", stages[CELL] = "", others[CELL] = "";
@@ -265,7 +265,7 @@ static ts_table list_vectors(void)
 static const struct {
 	const char *name;
 	ts_table (*make)(void);
-	ts_table (*make_of)(const ts_listed *of); /* instead: of methods */
+	ts_table (*make_of)(const ts_listed *of); /* instead, where methods matter */
 } lists[] = {
 	{"stages", list_stages, NULL},    {"buffers", list_buffers, NULL},   {"sizes", list_sizes, NULL},
 	{"params", NULL, list_params},    {"methods", list_methods, NULL},   {"truths", list_truths, NULL},
@@ -288,7 +288,7 @@ static ts_status unknown(const char *name)
 	return ts_fail("list: no table \"%s\"%s; there are %s", name, ts_nearest_hint(&nearest, NULL), names);
 }
 
-/* Adds the methods of that name, of whatever effect. */
+/* Adds the methods of that name, of any effect. */
 static ts_status add_methods(ts_listed *of, const char *name)
 {
 	u32 n, before = of->n_methods;
@@ -304,7 +304,7 @@ static ts_status add_methods(ts_listed *of, const char *name)
 	return of->n_methods > before ? TS_OK : ts_fail("list params: no method \"%s\"; see: list methods", name);
 }
 
-/* Methods of the names and the effect that were said; none: of all. */
+/* Finds methods by the given names and effect; none: all. */
 static ts_status find_methods(ts_listed *of, const ts_job *job)
 {
 	char item[32];
@@ -316,14 +316,14 @@ static ts_status find_methods(ts_listed *of, const ts_job *job)
 	return status;
 }
 
-/* The width of the terminal; without one that of `help`. */
+/* The terminal's width, or that of `help` without one. */
 static u32 terminal_width(void)
 {
 	struct winsize size;
 	return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-/* Keeps the rows of a name or a pattern. */
+/* Keeps the rows that match a name or a pattern. */
 static ts_status keep(ts_table *table, const char *name)
 {
 	char all[64];

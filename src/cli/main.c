@@ -6,7 +6,7 @@
 #include "../tools/tools.h"
 #include "cli.h"
 
-/* Without memory jansson drops what it cannot hold, and reads on beyond what it has of a text. */
+/* Without memory jansson drops values that it cannot hold, and reads beyond the end of texts. */
 static void *allocate(size_t bytes)
 {
 	void *memory = malloc(bytes);

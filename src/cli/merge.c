@@ -1,4 +1,4 @@
-/* `merge DIR...`: whether the folders are the shards of one run, each there once. */
+/* `merge DIR...`: checks that the folders are the shards of one run, each given once. */
 #include "merge.h"
 #include <stdlib.h>
 #include <string.h>
@@ -47,7 +47,7 @@ static ts_status check_run(const ts_part *part, const ts_part *first)
 	return ts_fail("%s: has other cases than %s: name shards of one run", part->dir, first->dir);
 }
 
-/* They are sorted. */
+/* The parts are sorted. */
 static ts_status check_whole(const ts_parts *p)
 {
 	char missing[200] = "";
@@ -76,7 +76,7 @@ static ts_status check_whole(const ts_parts *p)
 	               n_missing == 1 ? "is" : "are", missing, n_missing == 1 ? "its folder" : "their folders");
 }
 
-/* An error is worst, then a difference, then that there was no device. */
+/* An error is worst, then a difference, then a missing device. */
 static const ts_part *worst_of(ts_parts *p)
 {
 	static const ts_status order[] = {TS_OK, TS_SKIPPED, TS_DIFFERENT, TS_ERROR};

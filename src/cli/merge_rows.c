@@ -1,4 +1,4 @@
-/* Shards of a command that judges: rows of their reports stand in the order of the cases again. */
+/* Shards of a command that judges: rows of their reports return to the order of the cases. */
 #include "merge.h"
 #include "tell.h"
 #include <string.h>
@@ -7,14 +7,14 @@
 
 enum { MOST_KEYS = 4 };
 
-/* What of a command's report is of cases; all else is the same in each shard. */
+/* The members of a command's report that depend on cases; the others are the same in each shard. */
 typedef struct {
 	const char *command;
 	const char *key;              /* of a case's name in a row */
 	bool all;                     /* each case has a row */
-	const char *rows[MOST_KEYS];  /* arrays; the first has one row of each case that was judged */
+	const char *rows[MOST_KEYS];  /* arrays; the first has one row per judged case */
 	const char *sums[MOST_KEYS];  /* counts */
-	const char *first[MOST_KEYS]; /* of the first case that has them; the last is an object that names the case */
+	const char *first[MOST_KEYS]; /* from the first case that has them; the last is an object that names the case */
 } mergeable;
 
 static const mergeable known[] = {
@@ -41,7 +41,7 @@ static bool is_of_case(const json_t *row, const char *key, const json_t *name)
 	return row != NULL && json_equal(json_object_get(row, key), name);
 }
 
-/* The rows of each case from its shard; with `seconds` how long each took as well. */
+/* The rows of each case from its shard; `seconds` receives how long each took. */
 static json_t *interleave(const merged *m, const char *rows, json_t *seconds)
 {
 	const ts_parts *p = m->parts;
@@ -71,7 +71,7 @@ static json_t *interleave(const merged *m, const char *rows, json_t *seconds)
 	return NULL;
 }
 
-/* The shard whose value is of the first case; NULL: none has one. */
+/* The shard with the first case's value; NULL: none has one. */
 static const ts_part *first_of(const merged *m)
 {
 	const ts_part *found = NULL;
@@ -114,7 +114,7 @@ static json_t *verdict_of(const merged *m)
 	return json_string(order[worst]);
 }
 
-/* What all shards say alike; a new reference. */
+/* The value that all shards share; a new reference. */
 static json_t *common_of(const merged *m, const char *key, const json_t *value)
 {
 	for (u32 i = 0; i < m->parts->n; i++) {
@@ -134,7 +134,7 @@ static json_t *value_of(merged *m, const ts_part *first, const char *key, const 
 	return strcmp(key, "verdict") == 0 ? verdict_of(m) : common_of(m, key, value);
 }
 
-/* In the order of the report of the shard that has the first difference, which has all keys. */
+/* In the order of keys of the report with the first difference, which has all keys. */
 static ts_status merge_reports(merged *m)
 {
 	static const char *const own[MOST_KEYS] = {"shard", "files", "program"};
@@ -164,7 +164,7 @@ static void report_merged(ts_report *report, const void *user)
 	               (unsigned)(all - passed - skipped - known_ones), (unsigned)skipped);
 }
 
-/* The pictures of what differs, which begin with the buffer's name. */
+/* Copies the pictures of differences, whose names begin with the buffer's. */
 static ts_status copy_pictures(const void *user)
 {
 	const merged *m = user;

@@ -1,8 +1,8 @@
-/* Shards of a series: what was typed is done again, but for the renders, which the shards made. */
+/* Shards of a series: the command runs again, except for the renders, which the shards made. */
 #include <stdlib.h>
 #include "merge.h"
 
-/* Parses `render` and the words that were typed. `words` has room for one more. */
+/* Parses `render` and the typed words. `words` has room for one more. */
 static ts_status parse(ts_cli *run, const ts_parts *parts, char **words)
 {
 	const json_t *typed = json_object_get(parts->part[0].shard, "typed");

@@ -152,7 +152,7 @@ static ts_status take_order(void *to, const ts_option *option, const char *text)
 	return ts_fail("--order: no order \"%s\"; there are canonical and arrival", text);
 }
 
-/* Of a value or, for a sweep, of several. */
+/* Takes one value or, for a sweep, several. */
 static ts_status take_assignment(void *to, const ts_option *option, const char *text)
 {
 	(void)option;
@@ -178,7 +178,7 @@ static ts_status take_assignment(void *to, const ts_option *option, const char *
 	                                   : ts_params_set(&job->params, name, equals + 1);
 }
 
-/* Where a field is, if it has that type. */
+/* The offset of a field, if it has that type. */
 #define AT(type, field) (offsetof(ts_cli, field) + 0 * sizeof(&((ts_cli *)0)->field == (type *)0))
 #define NOTHING take_nothing, 0, 0, 0, NULL
 #define FLAG(field) take_flag, AT(bool, field), 0, 0, NULL

@@ -13,7 +13,7 @@ static const char *const words[TS_N_OUTCOMES] = {
 
 static const char *text_of(const json_t *row, const char *key) { return json_string_value(json_object_get(row, key)); }
 
-/* TS_N_OUTCOMES: there is none of that name. */
+/* TS_N_OUTCOMES: no outcome has that name. */
 static ts_outcome outcome_of(const json_t *row)
 {
 	const char *word = text_of(row, "outcome");
@@ -106,7 +106,7 @@ void ts_outcomes_lines(ts_report *report, const ts_outcomes *o)
 	}
 }
 
-/* One line, whatever the texts hold. */
+/* Prints one line, whatever the texts hold. */
 __attribute__((format(printf, 2, 3))) static void put_line(FILE *out, const char *format, ...)
 {
 	char line[LINE];
@@ -169,7 +169,7 @@ void ts_outcomes_junit(const ts_outcomes *o, ts_junit *junit)
 	}
 }
 
-/* No text leaves its cell, or is read as markup. */
+/* Escapes text, so that it stays in its cell and is no markup. */
 static void put_marked(FILE *out, const char *before, const char *text, const char *behind)
 {
 	fputs(before, out);

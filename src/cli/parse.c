@@ -37,7 +37,7 @@ static known known_of(const ts_command *command)
 	return k;
 }
 
-/* The option that getopt_long answered, or complains of; NULL: none of that letter. */
+/* The option that getopt_long returned or complained of; NULL: no such letter. */
 static const ts_option *option_of(int answer)
 {
 	if (answer >= LONG) return &ts_option_table[answer - LONG];
@@ -47,7 +47,7 @@ static const ts_option *option_of(int answer)
 	return NULL;
 }
 
-/* Part of a character of several bytes is no text. */
+/* Bytes of a multi-byte character are not printed. */
 static ts_status refuse_letter(const ts_command *command, u32 letter)
 {
 	char text[8];
@@ -124,7 +124,7 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 	known k = known_of(command);
 	set_defaults(cli);
 	opterr = 0;
-	optind = 0; /* also forgets where in a word an earlier scan stopped */
+	optind = 0; /* also resets getopt_long's place within a word */
 	for (int answer; (answer = getopt_long(argc, argv, k.letters, k.options, NULL)) != -1;) {
 		if (answer == '?' || answer == ':') return refuse(command, &k, answer, argv);
 		const ts_option *o = option_of(answer);

@@ -1,4 +1,4 @@
-/* `probe TRACE`: why a pixel, a texel, a triangle or a point is what it is. One description, printed as text or as
+/* `probe TRACE`: why a pixel, a texel, a triangle or a point is as it is. One description, printed as text or as
  * JSON. */
 #include "client.h"
 #include "../study/table.h"
@@ -10,7 +10,7 @@ static bool is_valued(const json_t *v)
 	return json_object_size(v) == 2 && json_object_get(v, "value") != NULL && json_object_get(v, "bits") != NULL;
 }
 
-/* What fits on a line. */
+/* Values that fit on a line. */
 static bool is_leaf(const json_t *v)
 {
 	if (json_is_object(v)) return is_valued(v);
@@ -40,7 +40,7 @@ static size_t say_bits(char *text, size_t used, const json_t *v)
 	return used + (size_t)snprintf(text + used, ITEM_TEXT - used, ")");
 }
 
-/* Appends a leaf to text of ITEM_TEXT bytes, of which `used` are; long ones are cut. Returns what is used then. */
+/* Appends a leaf to text of ITEM_TEXT bytes, of which `used` are; long ones are cut. Returns the new `used`. */
 static size_t say(char *text, size_t used, const json_t *v)
 {
 	if (used > ITEM_TEXT - 64) return used;
@@ -60,7 +60,7 @@ static size_t say(char *text, size_t used, const json_t *v)
 
 static void print(ts_report *report, json_t *v, int depth, bool item);
 
-/* The leaves of an element of a list, as many a line as fit, behind a dash. */
+/* The leaves of an element of a list, as many per line as fit, behind a dash. */
 static void print_leaves(ts_report *report, json_t *o, int depth)
 {
 	char line[2 * ITEM_TEXT] = "", text[ITEM_TEXT];
@@ -94,7 +94,7 @@ static void print_member(ts_report *report, const char *key, json_t *v, int dept
 	}
 }
 
-/* Members of an object, a line each, or elements of a list; item: its leaves are printed already. */
+/* Members of an object, one per line, or elements of a list; item: its leaves are already printed. */
 static void print(ts_report *report, json_t *v, int depth, bool item)
 {
 	const char *key;
@@ -191,7 +191,7 @@ ts_status ts_probe_command(ts_cli *cli)
 	return status;
 }
 
-/* What each row tells, below how it is asked for. */
+/* What each kind of question reports, below how to ask it. */
 void ts_probe_help(void)
 {
 	const ts_probe_info *row;

@@ -1,5 +1,5 @@
-/* `render EFFECT [SCENE]`: of one frame, whose report is written, and only then printed: a reader that went away costs
- * no picture. */
+/* `render EFFECT [SCENE]` of one frame. The report is printed after the files are written, so that a reader that goes
+ * away costs no picture. */
 #include <stdlib.h>
 #include "cli.h"
 #include "../study/folder.h"
@@ -7,7 +7,7 @@
 #include "../study/reads.h"
 #include "../study/sweep.h"
 
-enum { TRUTH_RAYS = 1 << 25 }; /* of each truth of --truth: about 10 s on two cores */
+enum { TRUTH_RAYS = 1 << 25 }; /* per truth of --truth: about 10 s on two cores */
 
 static ts_status prepare_traces(ts_render *render)
 {
@@ -41,7 +41,7 @@ static ts_status work(ts_render *render, ts_report *report)
 	return status == TS_OK ? ts_results_report(report) : status;
 }
 
-/* A line of each method that has something to say. */
+/* One line per method with a note. */
 static void say_notes(const ts_render *render)
 {
 	for (u32 i = 0; i < render->n_methods; i++) {
@@ -103,8 +103,7 @@ static bool is_read(const ts_job *job, const ts_pipeline *const *methods, u32 n_
 	return read;
 }
 
-/* A line is said for each parameter that was set in vain, behind a render that works: a failure is one
- * line. */
+/* Warns of each parameter that had no effect, after a render that works: a failure is one line. */
 static ts_status say_unread(const ts_job *job)
 {
 	const ts_pipeline *methods[TS_MAX_METHODS];
@@ -127,7 +126,7 @@ static bool is_set(const ts_job *job, const char *param)
 	return job->set[row];
 }
 
-/* Truths without names are of limited work; those of --frames are not, as their flicker is judged. */
+/* Truths that no option names get limited work, except with --frames, where their flicker is judged. */
 static ts_status choose_truths(ts_job *job)
 {
 	if (!job->judged) return TS_OK;

@@ -1,4 +1,4 @@
-/* The page of a render, made of the folder that it wrote. */
+/* The page of a render, made from the output folder. */
 #include "client.h"
 #include "render.h"
 

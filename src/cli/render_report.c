@@ -1,4 +1,4 @@
-/* What a render prints: times, counters, memory, metrics and what the pictures show. */
+/* The report of a render: times, counters, memory, metrics and what the pictures show. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 
 enum { NOMINAL_POINT = 80, NOMINAL_CUBE = 6 * 512 * 512 * 8, NOMINAL_TEXELS = 6 * 512 * 512, SAMPLES = 25 };
 
-/* Columns of a table with one figure a method. */
+/* Columns of a table with one figure per method. */
 typedef struct {
 	ts_column column[TS_MAX_COLUMNS];
 	u32 n_methods;
@@ -37,7 +37,7 @@ static u64 n_reflective(const ts_render *render) { return render->mirrors != NUL
 
 static bool has_shadows(const ts_render *render) { return render->pictures[0].n_samples > 0; }
 
-/* What of the file the pictures do not show as it is written there. */
+/* Reports where pictures deviate from the scene's file. */
 static void report_notes(const ts_scene *scene, ts_report *report)
 {
 	json_t *notes = json_array();
@@ -112,7 +112,7 @@ static void report_times(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
-/* Of a truth without rays that are counted there is none. */
+/* Empty for a truth without counted rays. */
 static void truth_cost_cells(ts_table *table, const ts_picture *truth)
 {
 	double rays = truth->cost.rays > 0 ? (double)truth->cost.rays : NAN;
@@ -184,7 +184,7 @@ static void report_counters(const ts_render *render, ts_report *report)
 	}
 }
 
-/* None if no method has any. */
+/* Omitted if no method has any. */
 static void bytes_row(const ts_render *render, const method_columns *columns, ts_table *table, const char *name,
                       u64 (*bytes)(const ts_measure *m))
 {
@@ -240,7 +240,7 @@ static void report_memory(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
-/* Of the first method that makes the buffer. */
+/* The measure of the first method that makes the buffer. */
 static const ts_measure *find_measure(const ts_render *render, ts_buffer_id id)
 {
 	for (u32 i = 0; i < render->n_methods; i++) {
@@ -249,7 +249,7 @@ static const ts_measure *find_measure(const ts_render *render, ts_buffer_id id)
 	return NULL;
 }
 
-/* The paper's measure of work: shading operations of MVR over those of EPR, counted and foretold. */
+/* The paper's measure of work: shading operations of MVR divided by those of EPR, counted and predicted. */
 static void report_ratio(const ts_render *render, ts_report *report)
 {
 	static const ts_column columns[] = {{"figure", "figure", false}, {"value", "value", true}, {0}};
@@ -307,7 +307,7 @@ static void report_shadows(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
-/* Beside a reference without light an error is no number; nor has a part of a truth an SSIM. */
+/* Next to a reference without light an error is no number; a partial truth has no SSIM. */
 static void error_cell(ts_table *table, double error, int decimals)
 {
 	if (isfinite(error)) {
@@ -347,7 +347,7 @@ static void report_missed(const ts_render *render, ts_report *report)
 	}
 }
 
-/* Which part of a truth was asked. */
+/* Reports which part of a truth was traced. */
 static void report_parts(const ts_render *render, ts_report *report)
 {
 	static const ts_column columns[] = {{"truth", "truth", false},
@@ -424,7 +424,7 @@ static void report_metrics(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
-/* Relative RMSEs are by the mean of the reference over the same pixels. */
+/* Relative RMSEs are divided by the mean of the reference over the same pixels. */
 static void report_light(const ts_render *render, ts_report *report)
 {
 	static const ts_column columns[] = {{"image", "image", false},

@@ -1,4 +1,4 @@
-/* One render: runs its methods and truths, and compares what came of them. */
+/* One render: runs its methods and truths, and compares the results. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -93,15 +93,15 @@ static const f32 *radiance_of(const ts_picture *picture)
 	return picture->chosen != NULL ? picture->all_radiance : picture->radiance;
 }
 
-/* The chosen pixels of two pictures: the smaller chance chose them for both. */
+/* The chosen pixels of two pictures: the smaller chance chose from both. */
 static const u8 *chosen_of(const ts_picture *a, const ts_picture *b)
 {
 	if (a->chosen == NULL || b->chosen == NULL) return a->chosen != NULL ? a->chosen : b->chosen;
 	return a->sampling.chance < b->sampling.chance ? a->chosen : b->chosen;
 }
 
-/* Errors over a mask. Estimates are those over its chosen pixels, which are marked in `room`. A relative RMSE hangs on
- * the few brightest pixels, which a draw misses or not: there is no estimate of one. */
+/* Errors over a mask. Estimates use its chosen pixels, which are marked in `room`. A relative RMSE depends on a few
+ * very bright pixels, which a draw may miss, so it is not estimated. */
 static ts_light_metrics light_of(const ts_pair *pair, const u8 *mask, u8 *room, const ts_params *p)
 {
 	const f32 *a = radiance_of(pair->reference), *b = radiance_of(pair->image);
@@ -163,7 +163,7 @@ static ts_status compare(ts_render *render, const ts_picture *reference, const t
 	return compare_light(pair, p);
 }
 
-/* The truth of that name; NULL: it was not made, or "" names none. */
+/* The truth of that name; NULL: not made, or the name is "". */
 static const ts_picture *truth_named(const ts_render *render, const char *name)
 {
 	u32 t = 0;

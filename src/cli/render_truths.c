@@ -1,7 +1,7 @@
 /* The truths of a render. */
 #include "render.h"
 
-/* Whether the truth at that row was asked for and is not made yet. */
+/* Whether the truth at that row is asked for and not yet made. */
 static bool lacks(const ts_render *render, u32 truth)
 {
 	return (render->job->truths & 1u << truth) != 0 && render->truths[truth].srgb == NULL;
@@ -45,7 +45,7 @@ static bool exists(const ts_render *render, const ts_truth_kind *kind)
 	return does;
 }
 
-/* Its work is more than params.truth_rays, and no part of it can be made. */
+/* The truth needs more than params.truth_rays, and cannot be made in part. */
 static bool is_left_out(const ts_render *render, const ts_truth_kind *kind)
 {
 	u64 rays = 0, most = 0;

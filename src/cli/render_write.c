@@ -24,7 +24,7 @@ static ts_status write_png(const ts_render *render, const char *stem, const u8 *
 	return png != NULL ? ts_image_write_png(png, rgb, width, height, 3, about.texts) : TS_ERROR;
 }
 
-/* Of the eye's size. */
+/* Writes a picture of the eye's size. */
 static ts_status write_pair(const ts_render *render, const char *stem, const u8 *srgb, const f32 *radiance)
 {
 	ts_about about;

@@ -1,5 +1,5 @@
-/* `replay TRACE`: one stage again, or every stage, from the buffers of a trace or of a port, judged by what they
- * hold. */
+/* `replay TRACE`: runs one stage again, or every stage, from the buffers of a trace or of a port, and judges the
+ * results. */
 #include <stdio.h>
 #include <string.h>
 #include "replay_report.h"
@@ -19,7 +19,7 @@ static bool is_judged(const ts_verdicts *verdicts)
 	return any;
 }
 
-/* What the stage makes of its inputs, and how that compares. `error` is set if it cannot run. */
+/* Runs the stage on its inputs and compares the results. `error` is set if it cannot run. */
 static void replay(ts_replayed *r, const work *w)
 {
 	const ts_compare_options options = {.bytes = sizeof options, .lent = 1};
@@ -53,7 +53,7 @@ static ts_status replay_one(work *w, const char *name)
 	ts_replayed r;
 	for (size_t i = 0; stage_at(w, &r, i) != NULL && strcmp(r.stage, name) != 0; i++) {
 	}
-	if (r.stage == NULL) r.stage = name; /* is none, which ts_replay says */
+	if (r.stage == NULL) r.stage = name; /* not a stage, which ts_replay reports */
 	replay(&r, w);
 	ts_status status = r.status;
 	if (status != TS_ERROR && w->cli->job.output.dir != NULL && write_outputs(w, name) != TS_OK) status = TS_ERROR;

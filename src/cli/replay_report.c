@@ -16,7 +16,7 @@ void ts_replay_report_begin(ts_report *report, ts_trace *reference, ts_trace *ca
 	ts_report_value(report, "stages", json_array());
 }
 
-/* Nobody has a file of it. */
+/* Neither side has a file of it. */
 static bool is_absent(const ts_verdict_info *v) { return v->judgement == TS_MISSING; }
 static bool differs(const ts_verdict_info *v) { return v->why[0] != 0 || v->n_different > 0; }
 

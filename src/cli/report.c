@@ -1,11 +1,11 @@
-/* `report DIR...`: a page of what folders hold. */
+/* `report DIR...`: a page about folders. */
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include "../image/flip.h"
 #include "compare.h"
 
-enum { FIRSTS = 10, PATH_BYTES = 4352 }; /* differences that are shown of each buffer */
+enum { FIRSTS = 10, PATH_BYTES = 4352 }; /* FIRSTS: differences shown per buffer */
 
 typedef struct {
 	ts_context *context;
@@ -14,7 +14,7 @@ typedef struct {
 	u32 n_traces;
 } contents;
 
-/* The first trace of the last one's method; NULL: that is the first. */
+/* The first trace with the last one's method; NULL: that is the first. */
 static ts_trace *reference_of(const contents *c)
 {
 	const ts_trace_info *last = ts_trace_about(c->trace[c->n_traces - 1]);

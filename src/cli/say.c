@@ -1,10 +1,10 @@
-/* What is said beside results and failures, on standard error: lines, and progress as one line that rewrites itself, on
- * a terminal only. */
+/* Messages beside results and failures, on standard error: lines, and progress as one line that rewrites itself, on a
+ * terminal only. */
 #include <stdio.h>
 #include <unistd.h>
 #include "cli.h"
 
-/* Ten times a second is enough for an eye. */
+/* Ten times per second is enough for an eye. */
 static const double interval = 0.1;
 
 static _Thread_local double last;

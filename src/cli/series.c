@@ -10,7 +10,7 @@ enum { CONTACT_COLUMNS = 10 };
 
 static u32 count_all(const ts_job *job) { return ts_sweep_count(&job->sweep) * ts_frames_count(&job->frames); }
 
-/* "cube.px=64,lookup.bounces=2", and behind it the frame. */
+/* "cube.px=64,lookup.bounces=2", followed by the frame. */
 static void name_folder(ts_series *series)
 {
 	const ts_job *job = series->job;
@@ -29,7 +29,7 @@ static void name_folder(ts_series *series)
 	series->render->folder = series->folder;
 }
 
-/* The mirrors' pixels that were mirrors' in the frame before, and then those of this one. */
+/* Marks the reflective pixels that were reflective in the frame before, then keeps this frame's. */
 static ts_status mark_still(ts_series *series)
 {
 	const ts_picture *mirrors = series->render->mirrors;
@@ -69,7 +69,7 @@ static ts_status keep_before(ts_series *series)
 	return TS_OK;
 }
 
-/* No frame came before: of a new combination. */
+/* A new combination has no frame before. */
 static void forget_before(ts_series *series)
 {
 	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
@@ -87,7 +87,7 @@ static void forget_before(ts_series *series)
 	}
 }
 
-/* A parameter that the scene depends on has another value than in the combination before. */
+/* Whether a parameter that the scene depends on differs from the combination before. */
 static bool is_other_scene(const ts_series *series, const ts_params *before)
 {
 	const ts_job *job = series->job;
@@ -195,7 +195,7 @@ static ts_status tell(ts_series *series)
 	return series->fetched == NULL ? ts_render_write(series->render) : ts_series_copy(series);
 }
 
-/* The pictures of the job's parameters as they are. */
+/* Makes the pictures with the job's current parameters. */
 static ts_status make_pictures(ts_series *series)
 {
 	name_folder(series);
@@ -218,7 +218,7 @@ static ts_status make(ts_series *series)
 	return status;
 }
 
-/* The frame before the shard's first one, for what changed since. */
+/* Makes the frame before the shard's first one, to measure changes. */
 static ts_status make_before(ts_series *series)
 {
 	ts_status status = make_pictures(series);
@@ -269,7 +269,8 @@ static ts_status make_combination(ts_series *series)
 	return status == TS_OK ? ts_series_plot_combination(series) : status;
 }
 
-/* Of a picture's frames in this combination, if it was made there. *why is not "" where videos cannot be made. */
+/* Writes the video of a picture in this combination, if it was made there. *why is not "" where videos cannot be
+ * made. */
 static ts_status write_video(ts_series *series, u32 shown, char *why, size_t why_bytes)
 {
 	char image[24], name[TS_SERIES_NAME + 48], pattern[TS_SERIES_NAME + 48];
@@ -312,7 +313,7 @@ static void row(ts_table *table, const char *name, const char *shows)
 	ts_table_text(table, shows);
 }
 
-/* What stands in every folder, and beside them. */
+/* Files of every folder, and those beside the folders. */
 static void report_pictures(ts_series *series)
 {
 	static const ts_column columns[] = {{"name", "picture", false}, {"shows", "shows", false}, {0}};
@@ -343,7 +344,7 @@ static void report_pictures(ts_series *series)
 	ts_report_table(&series->report, &table);
 }
 
-/* What is of all renders. */
+/* Writes what belongs to all renders. */
 static ts_status write_whole(ts_series *series)
 {
 	ts_status status = ts_contact_write(&series->contact, "contact-sheet.png");
@@ -374,7 +375,7 @@ static ts_status make_all(ts_series *series)
 		for (u32 k = 0; k < n_frames; k++) series->n_all += ts_series_has(series, c, k);
 	}
 	for (u32 c = 0; c < n && status == TS_OK; c++) {
-		bool whole = series->job->sweep.n == 0 && series->n_all > 0; /* of frames a part */
+		bool whole = series->job->sweep.n == 0 && series->n_all > 0; /* a shard of the frames */
 		series->combination = c;
 		if (whole || ts_series_has(series, c, 0)) status = make_combination(series);
 	}

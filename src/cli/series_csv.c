@@ -32,7 +32,7 @@ static void put_line(const ts_series *series, FILE *out, u32 shown, bool timed)
 	fputc('\n', out);
 }
 
-/* Of methods, and of truths too where there are frames: how these change. */
+/* For methods, and with frames for truths too, as their change is measured. */
 static void put_lines(const ts_series *series, FILE *out, bool timed)
 {
 	u32 n = series->job->frames.step > 0 ? TS_MAX_SHOWN : TS_MAX_METHODS;

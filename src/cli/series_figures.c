@@ -1,4 +1,4 @@
-/* Figures of pictures: what is told of each frame, and of each combination of a sweep. */
+/* Figures of pictures, per frame and per combination of a sweep. */
 #include <math.h>
 #include "series.h"
 
@@ -34,7 +34,7 @@ static void put(ts_figures *figures, const char *name, const char *against, doub
 	for (char *at = figure->name; *at != 0; at++) *at = *at == ' ' ? '_' : *at;
 }
 
-/* Those that a method does not count are 0; truths count nothing. */
+/* Counters that a method lacks are 0; truths have none. */
 static void put_counters(ts_figures *figures, const ts_render *render, u32 shown)
 {
 	for (u32 i = 0; counters[i] != NULL; i++) {
@@ -60,7 +60,7 @@ static bool is_swept(const ts_sweep *sweep, const char *param)
 	return k < sweep->n;
 }
 
-/* Beside a truth that was asked for, whether the scene has it or not. */
+/* Errors to a requested truth, whether or not the scene has it. */
 static void put_errors(ts_figures *figures, const ts_render *render, u32 truth, const ts_picture *image)
 {
 	char name[24];

@@ -5,8 +5,8 @@
 
 struct ts_kept {
 	ts_kept *next;
-	u32 shown, combination, frame; /* of which it is a picture; parameters that it does not depend on at their first */
-	ts_measure measure;            /* of a method, as stages */
+	u32 shown, combination, frame; /* what it is a picture of; unread parameters have their first value */
+	ts_measure measure;            /* of a method, like the stages */
 	ts_stage_pictures stages;
 	ts_picture picture; /* without pixels while a render has it */
 };
@@ -18,16 +18,16 @@ static bool truth_reads(const ts_render *render, const ts_truth_kind *kind, cons
 	       (method != NULL && ts_reads_making(method, kind->needs, param));
 }
 
-/* Whether the shown picture depends on the parameter. What a method reads with any parameters counts. */
+/* Whether the shown picture depends on the parameter: a method's reads with any parameters count. */
 static bool depends(const ts_render *render, u32 shown, const char *param)
 {
 	if (ts_render_scene_reads(render->job, param)) return true;
-	if (render->job->truths != 0 && strcmp(param, "truth.rays") == 0) return true; /* texels beside rays */
+	if (render->job->truths != 0 && strcmp(param, "truth.rays") == 0) return true; /* texels besides rays */
 	return shown < TS_MAX_METHODS ? ts_reads_method(render->methods[shown], NULL, param)
 	                              : truth_reads(render, ts_truths()[shown - TS_MAX_METHODS], param);
 }
 
-/* The combination with the first value of every parameter that the picture does not depend on. */
+/* The combination with the first value of each parameter that the picture does not depend on. */
 static u32 combination_of(const ts_series *series, u32 shown)
 {
 	const ts_sweep *sweep = &series->job->sweep;
@@ -50,7 +50,7 @@ static ts_kept *find(const ts_series *series, u32 shown)
 	return kept;
 }
 
-/* Between what is kept and the render; where it came from, nothing is left. */
+/* Moves a picture to the render, if `give`, or from it. */
 static void move(ts_render *render, ts_kept *kept, bool give)
 {
 	ts_picture *picture = ts_render_picture(render, kept->shown);
@@ -74,7 +74,7 @@ void ts_keep_give(ts_series *series)
 	}
 }
 
-/* Of its pictures: three bytes and three floats a pixel, and marks; twice, of a truth in part. */
+/* Bytes of its pictures: three bytes and three floats per pixel, and marks; twice for a partial truth. */
 static u64 bytes_of(const ts_series *series, u32 shown)
 {
 	u64 bytes = (u64)TS_PARAM(&series->job->params, width) * TS_PARAM(&series->job->params, height) * 20;

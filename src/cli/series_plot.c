@@ -7,7 +7,7 @@
 #include "../study/folder.h"
 #include "series.h"
 
-/* What is plotted: the first figure of each picture whose name begins so. */
+/* The plotted figures: of each picture, the first whose name begins with this. */
 static const struct {
 	const char *begins, *file, *axis;
 } plotted[] = {{"rmse_", "rmse", "RMSE, grey levels"},
@@ -26,7 +26,7 @@ static ts_status add(ts_series *series, ts_datum datum)
 	return TS_OK;
 }
 
-/* Of every picture, at x: its value in this frame, or its mean over the combination. */
+/* Adds every picture's value at x: in this frame, or its mean over the combination. */
 static ts_status add_all(ts_series *series, u32 along, double x)
 {
 	ts_status status = TS_OK;
@@ -65,7 +65,7 @@ ts_status ts_series_plot_combination(ts_series *series)
 	return status;
 }
 
-/* Those of one axis and figure, by curves. Whether they make a plot: at least two are of one curve. */
+/* Collects the points of one axis and figure, by curves. True if a curve has at least two. */
 static bool collect(const ts_series *series, ts_plot *plot, ts_plot_point *points, char (*names)[24], u32 along,
                     u32 figure)
 {

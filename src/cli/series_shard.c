@@ -1,4 +1,4 @@
-/* Series in shards: what a shard leaves of each render, and how merge takes it up. */
+/* Series in shards: a shard's record of each render, and how merge uses it. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

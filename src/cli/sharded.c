@@ -6,7 +6,7 @@
 #include "../scene/print.h"
 #include "../study/folder.h"
 
-/* They change no result. */
+/* Whether an option only affects where and how results are written. */
 static bool says_where(u32 option)
 {
 	static const bool where[TS_N_OPTIONS] = {
@@ -18,8 +18,8 @@ static bool says_where(u32 option)
 	return where[option];
 }
 
-/* The typed options that change results: not those on speed, on the part, or on output. A new reference, or NULL
- * without memory. */
+/* The typed options that change results: not those about speed, shards, or output. A new reference, or NULL without
+ * memory. */
 static json_t *typed_of(const ts_cli *cli)
 {
 	json_t *words = json_array();
@@ -72,7 +72,7 @@ static ts_status put_sum(FILE *out, const char *name)
 	return TS_OK;
 }
 
-/* Its own name is among those that the report lists. */
+/* The report lists this file, too. */
 static ts_status write_sums(const char *path)
 {
 	ts_file_text text;
@@ -80,7 +80,7 @@ static ts_status write_sums(const char *path)
 	ts_status status = ts_file_text_begin(&text, path);
 	if (status != TS_OK) return status;
 	for (size_t i = 0; status == TS_OK && (name = ts_folder_name(i)) != NULL; i++) {
-		bool times = strcmp(name, "times.json") == 0; /* two equal runs write the same bytes but for that */
+		bool times = strcmp(name, "times.json") == 0; /* only this file differs between equal runs */
 		if (!times && strcmp(name, TS_SHARDED_SUMS) != 0) status = put_sum(text.out, name);
 	}
 	if (status == TS_OK) return ts_file_text_write(&text, path);

@@ -1,4 +1,4 @@
-/* What was judged, in the forms that were asked for. */
+/* Outcomes in the requested formats. */
 #include "tell.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* `vectors -o DIR`: writes inputs and outputs of every primitive, or of those that are named. `vectors --check DIR`:
- * judges a port's outputs. */
+/* `vectors -o DIR`: writes inputs and outputs of every primitive, or of the named ones. `vectors --check DIR`: judges a
+ * port's outputs. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,7 +42,7 @@ static ts_status write_file(const char *name, const char *descr, u32 n_dims, con
 	return path != NULL ? ts_npy_write(path, header, header_bytes, data, bytes) : TS_ERROR;
 }
 
-/* The dtype of a record is the text of a list of fields, that of a number its name alone. */
+/* The dtype of a record is a list of fields as text, that of a number its name alone. */
 static json_t *describe_out(const ts_vector_info *v, const char *file)
 {
 	json_t *shape = json_array();
@@ -103,7 +103,7 @@ static ts_status require_names(const ts_cli *cli)
 	return TS_OK;
 }
 
-/* "program" and "files" are what a later --force goes by. */
+/* A later --force checks "program" and "files". */
 static ts_status write_index(json_t *list, u32 n)
 {
 	const char *path = ts_folder_file("vectors.json");
@@ -119,7 +119,7 @@ static ts_status write_index(json_t *list, u32 n)
 	return status;
 }
 
-/* *n: the primitives that are written. */
+/* *n: the number of primitives that are written. */
 static ts_status write_all(u32 *n, const ts_cli *cli, ts_context *context)
 {
 	const ts_vector_info *v;

@@ -1,4 +1,4 @@
-/* The verdict on a port's outputs: a table of the primitives, and of each wrong one the first wrong item. */
+/* The verdict on a port's outputs: a table of the primitives, and the first wrong item of each wrong one. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ typedef struct {
 	ts_report report;
 	ts_table table;
 	json_t *first_wrong;
-	ts_file_text details; /* what stands below the table */
+	ts_file_text details; /* printed below the table */
 	u32 n_right, n_wrong;
 } check;
 
@@ -21,7 +21,7 @@ static const ts_column columns[] = {
 	{"fault", "explained by", false},  {"explained", "items", true}, {NULL, NULL, false},
 };
 
-/* A line below the table. */
+/* Adds a line below the table. */
 __attribute__((format(printf, 2, 3))) static void tell(check *c, const char *format, ...)
 {
 	va_list arguments;
@@ -31,7 +31,7 @@ __attribute__((format(printf, 2, 3))) static void tell(check *c, const char *for
 	fputc('\n', c->details.out);
 }
 
-/* Decimal, hexadecimal of floats, and bits. */
+/* Decimal, hexadecimal for floats, and bits. */
 typedef struct {
 	char decimal[40], hex[40], bits[24];
 } value_text;
@@ -59,7 +59,7 @@ static value_text print_value(ts_vector_type type, const u32 *row)
 	return r;
 }
 
-/* One line of text and an array of values, for the elements of a column; `row` is its first word. */
+/* One line of text and an array of values, for the elements of a column; `row` points to its first word. */
 static json_t *tell_values(check *c, const char *name, const ts_vector_column_info *of, const u32 *row)
 {
 	FILE *out = c->details.out;
@@ -88,7 +88,7 @@ static json_t *tell_columns(check *c, const char *before, const ts_vector_column
 	return all;
 }
 
-/* Of records an object of the columns, else the array. */
+/* For records an object of the columns, otherwise the array. */
 static json_t *tell_outputs(check *c, const ts_vector_info *v, const char *what, const u32 *row)
 {
 	char before[40];
@@ -97,7 +97,7 @@ static json_t *tell_outputs(check *c, const ts_vector_info *v, const char *what,
 	return tell_columns(c, before, v->outputs, v->n_outputs, row);
 }
 
-/* " in arrives", " in element 1 of l", " in element 2"; nothing where there is but one. */
+/* " in arrives", " in element 1 of l", " in element 2"; empty if there is only one. */
 static void name_place(char *text, size_t bytes, const ts_vector_column_info *column, u32 element)
 {
 	size_t used = 0;
@@ -106,7 +106,7 @@ static void name_place(char *text, size_t bytes, const ts_vector_column_info *co
 	if (column->name[0] != 0) snprintf(text + used, bytes - used, "%s%s", used > 0 ? " of " : " in ", column->name);
 }
 
-/* How far the first wrong value is off. */
+/* The distance of the first wrong value. */
 static json_t *tell_distance(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
 {
 	char where[80];
@@ -159,7 +159,7 @@ static ts_status tell_first(check *c, const ts_vector_info *v, const ts_vector_j
 	return TS_OK;
 }
 
-/* judged NULL: its outputs are not there. */
+/* judged NULL: there are no outputs. */
 static void tell_row(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
 {
 	ts_table_text(&c->table, v->name);

@@ -11,7 +11,7 @@
 
 enum { PATH_BYTES = 4096 + 300, MAX_INDEX_BYTES = 1 << 24 };
 
-/* Opens a regular file; -1 with the message set. What is no file, a pipe for instance, is not waited for. */
+/* Opens a regular file; -1 with the message set. Does not wait for other files, such as pipes. */
 static int open_regular(const char *path, u64 *bytes)
 {
 	struct stat info;

@@ -14,18 +14,18 @@
 #include "../output/left.h"
 #include "cli.h"
 
-/* Whoever sends one of these means the command; it dies of them. */
+/* Signals meant for the command, which dies of them. */
 static const int passed_on[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 enum { N_PASSED_ON = sizeof passed_on / sizeof *passed_on };
 
-/* What the worker says of its end, in memory that both see. */
+/* How the worker ended, in shared memory. */
 typedef struct {
 	volatile bool ended;
 	volatile int code;
 } word;
 
 typedef struct {
-	int status; /* as waitpid tells it */
+	int status; /* from waitpid */
 	bool late;
 } end;
 
@@ -46,7 +46,7 @@ static sigset_t awaited(void)
 	return set;
 }
 
-/* The set is blocked. */
+/* `set` must be blocked. */
 static end wait_for(pid_t worker, const sigset_t *set, const ts_steps *steps, uint32_t seconds)
 {
 	end e = {.late = false};
@@ -90,7 +90,7 @@ static void find_why(char *why, size_t room, end e, const word *said, uint32_t s
 	}
 }
 
-/* The worker's exit code, or the signal that it died of. */
+/* The worker's exit code, or the signal that killed it. */
 static int conclude(end e, const word *said)
 {
 	if (WIFEXITED(e.status)) return said->code;
