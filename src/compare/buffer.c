@@ -22,19 +22,19 @@ typedef struct {
 	bool ignored[TS_MAX_FIELDS];
 	u32 float_at[MAX_FLOATS], n_floats; /* offsets of the floats that are judged */
 	const ts_order *order;
-	ts_dim points; /* what stands in that order */
+	ts_dim points; /* the elements with that order */
 	const ts_relaxations *relaxations;
 	const ts_tie_rule *tie;
-	void *ties; /* NULL: the candidate has no freedom here */
+	void *ties; /* NULL: no ties */
 	ts_decided decided;
 	ts_reader *ref, *cand;
-	ts_gather *gather;     /* of a set in order of arrival; NULL: elements stand as they are */
-	u32 mask_every;        /* elements a pixel that the mask speaks of; 0: it does not */
+	ts_gather *gather;     /* for a set in order of arrival; NULL: elements are in place */
+	u32 mask_every;        /* elements per pixel of the mask; 0: no mask applies */
 	bool sums;             /* judged by their counts */
-	i64 ref_sum, cand_sum; /* the last ones that were seen */
+	i64 ref_sum, cand_sum; /* the last ones read */
 } judge;
 
-/* True of a field of points' indices, where points stand in another order. */
+/* True for a field of points' indices, where the order of points differs. */
 static bool is_mapped(const judge *j, const ts_field *field)
 {
 	return j->order->given && ts_field_names(field, j->points);
@@ -53,14 +53,14 @@ static const u8 *mapped(const judge *j, const u8 *cand, u64 n, u8 *scratch)
 	return from;
 }
 
-/* Whether one of n floats, so many bytes apart, is a NaN. */
+/* Whether one of n floats, `apart` bytes apart, is a NaN. */
 static bool has_nan(const u8 *at, u64 n, size_t apart)
 {
 	u32 found = 0;
 	for (u64 i = 0; i < n; i++) {
 		u32 word;
 		memcpy(&word, at + i * apart, sizeof word);
-		found |= 0x7f800000u - (word & 0x7fffffffu); /* less than nothing of a NaN alone */
+		found |= 0x7f800000u - (word & 0x7fffffffu); /* negative only for a NaN */
 	}
 	return found >> 31 != 0;
 }
@@ -76,8 +76,7 @@ static bool is_clean(const judge *j, const u8 *ref, const u8 *cand, u64 n)
 	return true;
 }
 
-/* The floats of two values: their own, or depths: of maps, and of keys that name the same thing. False: there are
- * none. */
+/* The floats of two values: their own, or the depths of maps and of keys with equal names. False: there are none. */
 static bool floats_of(const judge *j, const ts_difference *d, u64 *ref, u64 *cand)
 {
 	const ts_field *field = &j->fields.field[d->field];
@@ -99,7 +98,7 @@ static void note_worst(judge *j, const ts_difference *d, u64 ref, u64 cand)
 
 typedef enum { EQUAL, RELAXED, DIFFERENT } outcome;
 
-/* One component. TS_ERROR only if a file could not be read. */
+/* Judges one component. TS_ERROR only if a file could not be read. */
 static ts_status judge_value(judge *j, const ts_difference *d, outcome *result)
 {
 	const ts_field *field = &j->fields.field[d->field];
@@ -117,7 +116,7 @@ static ts_status judge_value(judge *j, const ts_difference *d, outcome *result)
 	return TS_OK;
 }
 
-/* Counts an element by what is worst in it. first: its first difference; unlike: a bit for each field that differs. */
+/* Counts an element by its worst outcome. first: its first difference; unlike: one bit per different field. */
 static ts_status count_element(judge *j, outcome worst, const ts_difference *first, u32 unlike)
 {
 	bool decided = true;
@@ -152,7 +151,7 @@ static ts_status judge_element(judge *j, u64 element, const void *ref, const voi
 	return count_element(j, worst, &first, unlike);
 }
 
-/* Up to RUN sums of both, by the difference of each from the sum before it. */
+/* Judges up to RUN sums of both, by the difference of each from the sum before it. */
 static ts_status judge_sums(judge *j, u64 first, u64 n, const u8 *ref, const u8 *cand)
 {
 	const ts_field *field = &j->fields.field[0];
@@ -174,7 +173,7 @@ static bool is_masked(const judge *j, u64 element)
 	return j->mask_every != 0 && r->mask[element / j->mask_every % ((u64)r->mask_width * r->mask_height)] == 0;
 }
 
-/* Up to RUN elements of both, of which those that are equal are passed over at once. */
+/* Judges up to RUN elements of both; equal ones are skipped together. */
 static ts_status judge_run(judge *j, u64 first, u64 n, const u8 *ref, const u8 *cand)
 {
 	u8 scratch[RUN * MAX_ELEMENT];
@@ -209,7 +208,7 @@ static ts_status judge_elements(judge *j, u64 n)
 	return TS_OK;
 }
 
-/* Records that find each other by their keys, which need not be looked at again. */
+/* Judges records that are matched by their keys, which are therefore equal. */
 static ts_status judge_set(judge *j, const ts_trace *candidate)
 {
 	const ts_order *order = j->order;
@@ -242,7 +241,7 @@ static void find_fields(judge *j)
 	}
 }
 
-/* Elements a pixel, or a sample of it; 0: no mask speaks of the buffer. */
+/* Elements per pixel, or per sample of one; 0: no mask applies to the buffer. */
 static u32 elements_a_pixel(ts_buffer_id id, const ts_trace_item *item, const ts_relaxations *r)
 {
 	if (r->mask == NULL || !ts_shape_is_image(ts_buffer_shape(id))) return 0;

@@ -40,7 +40,7 @@ static void count(ts_comparison *c, ts_buffer_id id)
 	if (judgement == TS_UNLIKE && c->first == TS_N_BUFFERS) c->first = id;
 }
 
-/* Sets of another key than the points' have an order of their own. */
+/* Sets with a key other than the points' have their own order. */
 static ts_status judge_given(ts_verdict *verdict, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
                              const ts_order *points, const ts_relaxations *relaxations)
 {

@@ -7,7 +7,7 @@ static const ts_margin_rule *const *lists;
 
 void ts_decided_use(const ts_margin_rule *const *rules) { lists = rules; }
 
-/* True if runs of the method have these margins; of a file alone that is not known. */
+/* True if the method's runs have these margins; unknown for a single file. */
 static bool is_measured(const ts_trace *reference, const ts_margin_rule *rule)
 {
 	if (reference->pipeline == NULL) return !rule->rare;
@@ -27,7 +27,7 @@ static const ts_margin_rule *find(const ts_trace *reference, ts_buffer_id id)
 
 static size_t element_bytes(const ts_margin_rule *rule) { return ts_buffer_table[rule->margin].element_bytes; }
 
-/* Elements of the margin at a place. */
+/* Elements of the margin per place. */
 static u64 every(const ts_margin_rule *rule) { return element_bytes(rule) == sizeof(u64) ? 2 : 1; }
 
 ts_status ts_decided_open(ts_decided *decided, const ts_trace *reference, ts_buffer_id id)
@@ -53,7 +53,7 @@ static bool is_decided(const ts_margin_rule *rule, const void *first, const void
 	if (element_bytes(rule) == sizeof(u8)) return *(const u8 *)first == 0;
 	if (element_bytes(rule) == sizeof(f32)) {
 		memcpy(&number, first, sizeof number);
-		return !(number <= rule->steps); /* all ones are none */
+		return !(number <= rule->steps); /* all ones: none */
 	}
 	memcpy(&edge, first, sizeof edge);
 	memcpy(&depth, second, sizeof depth);

@@ -10,7 +10,7 @@ struct ts_gather {
 	ts_reader *reader;
 	const ts_order *order;
 	size_t element_bytes;
-	u64 first, n, most; /* of the window, in the reference's order; n 0: nothing is held */
+	u64 first, n, most; /* of the window, in the reference's order; n 0: empty */
 	u8 *window;
 };
 
@@ -29,7 +29,7 @@ ts_gather *ts_gather_open(const ts_trace_item *item, ts_buffer_id id, const ts_o
 	return NULL;
 }
 
-/* Records of the candidate lie in parts of its file; those without one in the window are not read. */
+/* Parts of the candidate's file hold its records; those without one in the window are not read. */
 static ts_status fill(ts_gather *g)
 {
 	const ts_order *order = g->order;

@@ -5,13 +5,13 @@
 #include "../trace/emit.h"
 #include "line.h"
 
-/* Of sums the thing whose count it is; -1: there is none, where they begin. */
+/* For sums the counted element; -1: none, at their beginning. */
 static json_int_t element_of(ts_buffer_id id, const ts_difference *d)
 {
 	return (json_int_t)d->element - (ts_sum_of(id) != NULL);
 }
 
-/* Hexadecimal, as wide as the field; of a count, which no field holds, null. */
+/* Hexadecimal, as wide as the field; null for a count, which no field holds. */
 static json_t *bits_json(ts_buffer_id id, const ts_difference *d, u64 bits)
 {
 	const ts_fields fields = ts_fields_of(id);
@@ -36,7 +36,7 @@ static json_t *difference_json(ts_buffer_id id, const ts_named *named)
 	                 apart);
 }
 
-/* A buffer that is unlike. NULL without memory. */
+/* A buffer that differs. NULL without memory. */
 static json_t *buffer_json(const ts_comparison *c, const ts_trace *reference, ts_buffer_id id)
 {
 	char line[TS_LINE_TEXT];
@@ -77,7 +77,7 @@ static json_t *all_json(const ts_comparison *c, const ts_trace *reference)
 	return NULL;
 }
 
-/* The first difference of all, in fields. */
+/* The first difference of all, as members. */
 static json_t *divergence_json(const ts_comparison *c, const ts_trace *reference)
 {
 	char inputs[TS_INPUTS_TEXT];

@@ -10,7 +10,7 @@ static const ts_stage *stage_of(const ts_trace *reference, ts_buffer_id id)
 	return step != NULL ? ts_stage_find(step->stage) : NULL;
 }
 
-/* The scene need not be given: a port reads ours. */
+/* The scene may be missing: a port reads ours. */
 void ts_compare_inputs(char text[TS_INPUTS_TEXT], const ts_comparison *c, const ts_trace *reference, ts_buffer_id of)
 {
 	const ts_stage *stage = stage_of(reference, of);

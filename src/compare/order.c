@@ -1,4 +1,4 @@
-/* Finding a candidate's keys among the reference's. 16 bytes a record at most. */
+/* Finds a candidate's keys among the reference's. 16 bytes per record at most. */
 #include "order.h"
 #include <stdlib.h>
 #include "../kernels/base/num.h"
@@ -6,7 +6,7 @@
 
 enum { MOST_SLICES = 1 << 20, AHEAD = 32 };
 
-/* The reference's keys, and where those begin that share the upper bits; slices[n_slices] ends the last. */
+/* The reference's keys, and where each value of the upper bits begins; slices[n_slices] ends the last. */
 typedef struct {
 	u64 *keys;
 	u32 *slices, n_slices;
@@ -116,7 +116,7 @@ static u32 find(const key_index *index, u64 key)
 	return low < end && index->keys[low] == key ? low : TS_NONE;
 }
 
-/* Has what the keys behind this one need fetched from memory. */
+/* Prefetches what later keys need. */
 static void fetch_ahead(const key_index *index, const u32 *cand_of_ref, const u64 *keys, u64 n)
 {
 	u64 far = n > AHEAD ? keys[AHEAD] >> index->shift : 0, near = n > AHEAD / 2 ? keys[AHEAD / 2] >> index->shift : 0;
@@ -191,12 +191,12 @@ void ts_order_free(ts_order *order)
 	*order = (ts_order){.key = order->key};
 }
 
-/* Puts it at its place among those from `first` on, which have ascending keys; the last one may fall out. */
+/* Inserts a difference among those from `first` on, whose keys ascend; the last one may drop out. */
 static void insert(ts_differences *list, u32 first, const ts_difference *d, const ts_trace *reference, ts_buffer_id id)
 {
 	if (list->n == list->most && list->items[list->n - 1].difference.cand <= d->cand) return;
 	list->n -= list->n == list->most;
-	(void)ts_differences_add(list, reference, id, d); /* by its key */
+	(void)ts_differences_add(list, reference, id, d); /* moved to its place below */
 	for (u32 at = list->n - 1; at > first && list->items[at - 1].difference.cand > d->cand; at--) {
 		ts_named greater = list->items[at - 1];
 		list->items[at - 1] = list->items[at];

@@ -4,7 +4,7 @@
 #include "../trace/emit.h"
 #include "digests.h"
 
-/* The first n bytes of `text` are that name. */
+/* Whether the first n bytes of `text` are that name. */
 static bool is_name(const char *name, const char *text, size_t n)
 {
 	return strlen(name) == n && memcmp(name, text, n) == 0;

@@ -19,7 +19,7 @@ static const char *next_of(const char *list)
 	return comma != NULL ? comma + 1 : NULL;
 }
 
-/* The first n bytes of `text` are `name`. */
+/* Whether the first n bytes of `text` are `name`. */
 static bool is_name(const char *text, size_t n, const char *name)
 {
 	return strlen(name) == n && strncmp(text, name, n) == 0;

@@ -1,4 +1,4 @@
-/* The rules that families have handed in: see tie.h. */
+/* The rules that families have registered: see tie.h. */
 #include "tie.h"
 #include <assert.h>
 

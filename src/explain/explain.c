@@ -1,4 +1,4 @@
-/* The C backend as explanations need it: the items of each launch in their order, on one thread. */
+/* A C backend for explanations: the items of each launch in order, on one thread. */
 #include "explain.h"
 #include <assert.h>
 #include <inttypes.h>
@@ -8,12 +8,12 @@
 
 enum { MOST_BYTES = 256 };
 
-/* A run either finds the item that gives an element its value, or lets items tell. */
+/* A run either finds the item that gives an element its value, or records what items compute. */
 typedef struct {
 	ts_explanation *explanation;
 	const ts_question *question;
 	bool seeks;
-	bool there;                  /* the buffer, while items ran */
+	bool there;                  /* the buffer exists while items run */
 	size_t launch, found_launch; /* found_launch: SIZE_MAX: none yet */
 	u64 found_item;
 } explainer;
@@ -28,7 +28,7 @@ static ts_explained_launch *add(ts_explanation *e, ts_kernel kernel, u64 n)
 	return &e->launch[e->n_launches++];
 }
 
-/* The item of this launch that tells; n: none. */
+/* The item of this launch to record; n: none. */
 static u64 asked(const explainer *x, ts_kernel kernel, u64 n)
 {
 	const ts_question *q = x->question;
@@ -37,7 +37,7 @@ static u64 asked(const explainer *x, ts_kernel kernel, u64 n)
 	return q->subject == TS_EXPLAIN_ELEMENT && x->launch == x->found_launch ? x->found_item : n;
 }
 
-/* Notices what is stored to the element that is asked about, if there is one. */
+/* Watches for stores to the element in question, if there is one. */
 static void watch(explainer *x, const ts_frame *frame)
 {
 	const ts_question *q = x->question;
@@ -50,7 +50,7 @@ static void watch(explainer *x, const ts_frame *frame)
 	x->there |= buffer != NULL && buffer->made;
 }
 
-/* Whoever changes the element last gave it its value; or who wrote it first, if nothing changes. */
+/* The item that changes the element last gave it its value; if none changes it, the one that wrote it first. */
 static void seek(explainer *x, ts_kernel kernel, const void *args, u64 n)
 {
 	ts_telling *t = &x->explanation->telling;
@@ -117,7 +117,7 @@ static ts_status run(explainer *x, const ts_stage *stage, bool seeks)
 	return ts_replay_stage(run, stage);
 }
 
-/* What the stage launches, for the message. */
+/* Refuses an item, and names what the stage launches. */
 static ts_status refuse_item(const ts_explanation *e, const ts_stage *stage, const ts_question *q)
 {
 	char text[512] = "";

@@ -1,4 +1,4 @@
-/* The kernels as C that tells what it computes, which scripts/explained writes; `make DEVICES=` leaves them out. */
+/* The kernels as C that reports what it computes, written by scripts/explained; `make DEVICES=` leaves them out. */
 #include "told.h"
 #ifdef TS_LEFT_OUT
 const bool ts_told_here = false;

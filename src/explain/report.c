@@ -1,4 +1,4 @@
-/* Lines of explanations, and the same as objects. */
+/* Explanations as lines and as objects. */
 #include "report.h"
 #include <inttypes.h>
 #include <stdarg.h>
@@ -30,7 +30,7 @@ static void show_where(char text[PLACE], const ts_told_line *line)
 	snprintf(text, PLACE, "%s:%u", line->site->file, (unsigned)line->site->line);
 }
 
-/* mark: which of two traces says so, or a blank; other: as ts_explain_text. */
+/* mark: which of two traces has the line, or a blank; other: as in ts_explain_text. */
 static void print_line(report *to, char mark, const ts_explanation *e, size_t number, const ts_explanation *other)
 {
 	char text[TS_TOLD_TEXT], where[PLACE];
@@ -58,7 +58,7 @@ static void print_stores(report *to, const ts_told_what *what)
 	say(to, "line %zu stores %s:%" PRIu64, what->a->telling.stores + 1, ts_buffer_table[q->buffer].name, q->element);
 }
 
-/* Launches that have an item; all if none was asked about. */
+/* Prints launches that have an item; all if no question names one. */
 static void print_one(report *to, const ts_explanation *e)
 {
 	for (size_t i = 0; i < e->n_launches; i++) {
@@ -69,7 +69,7 @@ static void print_one(report *to, const ts_explanation *e)
 	}
 }
 
-/* A line that both have at the same place: once, or what differs. */
+/* Prints a line that both have at the same place once, or both lines. */
 static void print_beside(report *to, const ts_told_what *what, size_t number)
 {
 	if (ts_explain_is_same(what->a, what->b, number)) {
@@ -118,7 +118,7 @@ static json_t *scalar_json(const ts_told_leaf *leaf, const u8 *at)
 	                 json_sprintf("%08" PRIx32, word));
 }
 
-/* The value if no part of it failed; else NULL, and the value is released. */
+/* The value, unless a part of it failed; then NULL, and the value is released. */
 static json_t *whole(json_t *value, int failed)
 {
 	if (failed == 0) return value;

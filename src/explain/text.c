@@ -1,4 +1,4 @@
-/* What was told, in words. */
+/* Recorded lines, in words. */
 #include <inttypes.h>
 #include <stdio.h>
 #include "../kernels/base/compat.h"
@@ -10,7 +10,7 @@ static bool is_counter(const ts_frame *frame, const void *at)
 	return (const u8 *)at >= begin && (const u8 *)at < begin + sizeof frame->tally;
 }
 
-/* The element that an address is to: "points.piece:3"; or what else it is. */
+/* The element at an address: "points.piece:3"; or what else it is. */
 static void show_place(char text[TS_VALUE_TEXT], const ts_frame *frame, const void *at)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
@@ -73,7 +73,7 @@ void ts_explain_place(char text[TS_VALUE_TEXT], const ts_explanation *explanatio
 	if (line->site->how == TS_TOLD_STORE) show_place(text, &explanation->load->run.frame, line->at);
 }
 
-/* The line of that number, or an earlier one that told the same long value. */
+/* The line of that number, or an earlier one with the same long value. */
 static size_t earlier(const ts_explanation *e, size_t number)
 {
 	enum { SHORT = 4, LINES_BACK = 1000 };
@@ -84,7 +84,7 @@ static size_t earlier(const ts_explanation *e, size_t number)
 		const ts_told_line *before = &e->telling.lines[i];
 		const u8 *bytes = e->telling.bytes;
 		bool same = before->site->type == type && memcmp(bytes + before->value, bytes + line->value, type->bytes) == 0;
-		if (same) return i; /* the line itself at last */
+		if (same) return i; /* at the latest, the line itself */
 	}
 }
 

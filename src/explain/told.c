@@ -1,4 +1,4 @@
-/* Keeps what is told. */
+/* Records lines. */
 #include "told.h"
 #include <string.h>
 #include "../model/core.h"
@@ -7,7 +7,7 @@ static ts_telling *telling;
 
 void ts_told_to(ts_telling *to) { telling = to; }
 
-/* Functions that are no kernel's own: ts_dot, not ts_k_splat. */
+/* Functions of no single kernel: ts_dot, not ts_k_splat. */
 static bool is_primitive(const ts_told_site *call) { return strncmp(call->text, "ts_k_", 5) != 0; }
 
 static bool is_heard(ts_told_how how)
@@ -15,7 +15,7 @@ static bool is_heard(ts_told_how how)
 	return telling->listens && !telling->failed && (telling->hidden == 0 || how == TS_TOLD_STORE);
 }
 
-/* A line, of which the caller sets the rest; NULL: it is not kept. */
+/* A line, whose other members the caller sets; NULL: it is not kept. */
 static ts_told_line *add(const ts_told_site *site)
 {
 	ts_telling *t = telling;

@@ -1,4 +1,4 @@
-/* What the families bring, in their order. */
+/* The families' tables, in the order of families. */
 #include "families.h"
 #include <pthread.h>
 #include "../methods/registry.h"
@@ -18,7 +18,7 @@ static const ts_vector_set *const vectors[] = {
 #undef VECTORS
 #undef FAMILY
 
-/* STAGE(name): ts_stage_<name>, which says in the file of its code what it launches and makes. */
+/* STAGE(name): ts_stage_<name>; the file of its code declares its launches and buffers. */
 #define FAMILY(name) FAMILY_FILE(methods, name, stages.def)
 #define STAGE(name) extern const ts_stage ts_stage_##name;
 #include "../families.def"
@@ -62,7 +62,7 @@ static ts_size_answer *const sizes[TS_N_DIMS] = {
 #include <touchstone/records.def>
 };
 
-/* The same, those of an effect beside each other. */
+/* The same, grouped by effect. */
 static const ts_pipeline *by_effect[sizeof pipelines / sizeof *pipelines];
 
 static void group(void)

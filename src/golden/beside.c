@@ -1,4 +1,4 @@
-/* What a golden has beside its buffers: a picture to look at, and the reasons for which it was blessed. */
+/* A golden's other files: a preview, and the reasons for which it was blessed. */
 #include "beside.h"
 #include <stdio.h>
 #include <stdlib.h>

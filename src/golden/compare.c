@@ -15,7 +15,7 @@ static void add(char *text, size_t text_bytes, const char *format, ...)
 	va_end(arguments);
 }
 
-/* Floats exactly, with their bits, also of NaNs. */
+/* Floats exactly, with their bits, also for NaNs. */
 static void add_value(char *text, size_t text_bytes, const char *type, const char *at)
 {
 	u64 u = ts_order_read(at, ts_type_bytes(type));
@@ -45,7 +45,7 @@ static void add_place(char *text, size_t text_bytes, const ts_npy *npy, u64 elem
 	add_dims(text, text_bytes, npy->n_dims, place);
 }
 
-/* The field of byte `at` of an element: its type, and where its value begins. Adds its name if it has one. */
+/* The field at byte `at` of an element: its type, and where its value begins. Adds its name if it has one. */
 static const char *add_field(char *text, size_t text_bytes, ts_buffer_id id, size_t *at)
 {
 	const char *element = ts_buffer_table[id].element;
@@ -94,7 +94,7 @@ void ts_golden_first(char *text, size_t text_bytes, ts_buffer_id id, const ts_go
 	add_value(text, text_bytes, type, b + element * bytes + at);
 }
 
-/* One file; as ts_golden_compare. */
+/* Compares one file; like ts_golden_compare. */
 static ts_status compare(char *text, size_t text_bytes, ts_buffer_id id, const ts_golden *stored,
                          const ts_golden *computed)
 {

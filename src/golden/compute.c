@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include "golden.h"
 
-/* Memory for the file, with its header, if it is to be kept. */
+/* Allocates the file, with its header, if it is to be kept. */
 static ts_status begin_file(ts_golden *golden, const ts_chunk *chunk)
 {
 	char header[TS_NPY_HEADER], descr[TS_NPY_DESCR];

@@ -1,4 +1,4 @@
-/* params.txt of a golden: what was rendered. */
+/* params.txt of a golden: the rendered scene and parameters. */
 #include "params.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -80,7 +80,7 @@ ts_status ts_golden_bound(const ts_golden_said *s)
 	               TS_PARAM(p, height), TS_PARAM(p, frame), TS_GOLDEN_PIXELS, TS_GOLDEN_FRAME);
 }
 
-/* The texts stay in `lines`, which this cuts. */
+/* The texts point into `lines`, which this splits. */
 static ts_status set_places(ts_places *places, char *lines)
 {
 	*places = (ts_places){.options.bytes = sizeof places->options};

@@ -26,7 +26,7 @@ static bool is_float(ts_buffer_id id, size_t at)
 	return false;
 }
 
-/* A key of another buffer is never one; an axial depth is before the near plane if it is 0. */
+/* A key's high half is a distance; an axial one of 0 is before the near plane. */
 static bool is_stray_key(ts_buffer_id id, u64 key)
 {
 	u32 distance = (u32)(key >> 32);
