@@ -1,5 +1,5 @@
-/* LDR-FLIP (flip.h). All filters are products of one along rows and one along columns; beyond the border stand the
- * pixels of the border. */
+/* LDR-FLIP (flip.h). All filters are products of one along rows and one along columns; the border's pixels are repeated
+ * beyond it. */
 #include "flip.h"
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 enum { MOST_REACH = 136, N_PLANES = 13 };
 
 static const double pi = 3.14159265358979323846;
-/* The paper's: exponent of colour differences, and where they bend; width of edges in degrees, and their exponent. */
+/* The paper's constants: exponent and bend of colour differences; width of edges in degrees, and their exponent. */
 static const double q_c = 0.7, p_c = 0.4, p_t = 0.95, edge_width = 0.082, q_f = 0.5;
 /* Linear sRGB to XYZ, from the primaries and the white of IEC 61966-2-1, and back; the white is the sum of a row. */
 static const double xyz_of_rgb[3][3] = {
@@ -30,19 +30,19 @@ typedef struct {
 typedef struct {
 	uint32_t width, height;
 	filter achromatic, red_green, blue_yellow[2]; /* contrast sensitivity */
-	double share[2];                              /* of the two of blue-yellow */
+	double share[2];                              /* of the two blue-yellow filters */
 	filter smooth, edge, point;                   /* features */
 	double *work[3];
 } lens;
 
-/* Planes of an image: YCxCz, later what an observer sees of it in L*a*b*; and the strength of features. */
+/* Planes of an image: YCxCz, later L*a*b* as an observer sees it; and the strength of features. */
 typedef struct {
 	double *colour[3], *edge, *point;
 } seen;
 
 /* ---- filters ---- */
 
-/* exp(-rate x^2), of sum 1; returns the sum before. */
+/* exp(-rate x^2), scaled to a sum of 1; returns the sum before. */
 static double make_gaussian(filter *f, int reach, double rate)
 {
 	double sum = 0;
@@ -154,7 +154,7 @@ static void opponent_of_linear(double to[3], const double rgb[3])
 	to[2] = 200 * (xyz[1] - xyz[2]);
 }
 
-/* Within the sRGB cube, as a display shows it. */
+/* Clamped to the sRGB cube, as on a display. */
 static void linear_of_opponent(double rgb[3], const double from[3])
 {
 	double y = (from[0] + 16) / 116;
@@ -169,7 +169,7 @@ static double lab_root(double t)
 	return t > delta * delta * delta ? cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
 }
 
-/* L*a*b* of linear sRGB, its colours weaker where it is dark (Hunt). */
+/* L*a*b* of linear sRGB, with weaker colours where it is dark (Hunt). */
 static void lab_of_linear(double lab[3], const double rgb[3])
 {
 	double xyz[3];
@@ -186,7 +186,7 @@ static double apart(const double a[3], const double b[3])
 	return pow(fabs(a[0] - b[0]) + hypot(a[1] - b[1], a[2] - b[2]), q_c);
 }
 
-/* The greatest of all: of green and blue. */
+/* The greatest distance: from green to blue. */
 static double most_apart(void)
 {
 	static const double green[3] = {0, 1, 0}, blue[3] = {0, 0, 1};
@@ -196,7 +196,7 @@ static double most_apart(void)
 	return apart(a, b);
 }
 
-/* Onto 0 to 1: distances below p_c of the greatest fill p_t of the range. */
+/* Maps to 0 to 1: distances below p_c of the greatest fill p_t of the range. */
 static double spread(double distance, double most)
 {
 	double bend = p_c * most;

@@ -1,4 +1,4 @@
-/* Which kind of image file this is: the first bytes that its standard gives. */
+/* The kind of an image file, by the first bytes that its standard gives. */
 #include "format.h"
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* Image files. Input is untrusted: the size in the header is read and judged here before the module sees the file, and
- * of a PNG it sees a checked copy. */
+/* Image files. Input is untrusted: the header's size is checked here before the module sees the file, and of a PNG it
+ * sees a checked copy. */
 #include <dlfcn.h>
 #include <errno.h>
 #include <pthread.h>
@@ -15,7 +15,7 @@
 #include "optional.h"
 #include "png.h"
 
-enum { MOST_PIXELS = 1 << 28 }; /* of a picture that is written, as of one that is read */
+enum { MOST_PIXELS = 1 << 28 }; /* for reading and writing */
 
 static const ts_image_codec *codec;
 static char missing[512];
@@ -38,7 +38,7 @@ static ts_status require_codec(const char *what)
 	                  missing);
 }
 
-/* The module keeps messages of its own. */
+/* Fetches the module's own message. */
 static ts_status said(ts_status status)
 {
 	return status == TS_OK ? TS_OK : ts_fail_as(codec->kind(), "%s", codec->message());

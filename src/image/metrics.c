@@ -1,7 +1,7 @@
 /* How far apart two images are (METHODS 17): RMSE and PSNR over 8-bit values, SSIM of Wang et al. 2004 ("Image quality
- * assessment: from error visibility to structural similarity") with its 11 by 11 Gaussian of sigma 1.5 over luma; and
- * of light the RMSE by the mean, and crumbs along edges; of frames their flicker. Sums run left to right, top to
- * bottom. */
+ * assessment: from error visibility to structural similarity") with its 11 by 11 Gaussian of sigma 1.5 over luma. For
+ * light: the RMSE divided by the mean, and crumbs along edges. For frames: their flicker. Sums run left to right, top
+ * to bottom. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -76,7 +76,7 @@ static void add_block(const pair *p, uint32_t first, uint32_t y, bool whole, dou
 	}
 }
 
-/* Mean over the judged centres: of the windows that fit into the image if `whole`, else of all, cut at the border. */
+/* Mean over the judged centres: of windows within the image if `whole`, otherwise of all, cut at the border. */
 static bool mean_similarity(const pair *p, bool whole, double *mean)
 {
 	double sum = 0;
@@ -131,7 +131,7 @@ static double squares_of(const uint8_t *a, const uint8_t *b)
 	return sum;
 }
 
-/* Sums over pixels of squared differences: x everywhere, and x and the better ones, y, at the chosen pixels. */
+/* Sums over pixels of squared differences: x of all; x, and y of the better picture, of the chosen pixels. */
 typedef struct {
 	double n_all, x_all, xx_all, n, x, y, xx, xy, yy;
 } pairs;
@@ -153,9 +153,9 @@ static void add_chosen(pairs *p, double x, double y)
 	p->yy += y * y;
 }
 
-/* The regression estimator of the mean of y (Cochran 1977, Sampling Techniques, 7.1): what the chosen pixels have,
- * moved along y = b x to the mean of x over all. Its error is what is left beside the line, with that of b. Where x
- * varies less among the chosen pixels than among all, y will as well: the error grows by as much. */
+/* The regression estimator of the mean of y (Cochran 1977, Sampling Techniques, 7.1): the chosen pixels' mean, moved
+ * along y = b x to the mean of x over all. Its error is the residual from the line, with the error of b. Where x varies
+ * less among the chosen pixels than among all, y will as well, and the error grows in proportion. */
 static double regression(const pairs *p, double *error)
 {
 	*error = NAN;
@@ -224,7 +224,7 @@ static float error_of(const float *reference, const float *image)
 	return apart > 0 ? (float)(apart / light) : 0;
 }
 
-/* Errors are at least 0, so that their bits are in their order: the bits of the median are found 8 at a time. */
+/* Errors are at least 0, so their bits sort like them: the bits of the median are found 8 at a time. */
 static double median_error(const float *reference, const float *image, const uint8_t *mask, size_t end, uint64_t n)
 {
 	uint64_t rank = (n + 1) / 2;
@@ -291,7 +291,7 @@ ts_light_metrics ts_metrics_light(const float *reference, const float *image, co
 	return m;
 }
 
-/* Beyond what the reference has in a channel at the pixel and beside it. */
+/* Beyond the reference's range in a channel at the pixel and its neighbours. */
 static bool is_beyond(const float *reference, const float *image, uint32_t x, uint32_t y, int c, uint32_t width,
                       uint32_t height)
 {

@@ -1,4 +1,4 @@
-/* PNG files from strangers: every chunk that pixels depend on is checked and copied (PNG 1.2, sections 3 to 5). */
+/* Untrusted PNG files: every chunk that pixels depend on is checked and copied (PNG 1.2, sections 3 to 5). */
 #include "png.h"
 #include "../model/core.h"
 #include <stdlib.h>
@@ -18,11 +18,11 @@ typedef struct {
 	const char *what;
 } png;
 
-/* The rows that a stream of pixels consists of. */
+/* The rows of a stream of pixels. */
 typedef struct {
 	uint32_t pass;
-	uint64_t rows, row_bytes; /* left in this pass; of one row with its filter byte */
-	uint64_t left;            /* bytes of this row */
+	uint64_t rows, row_bytes; /* left in this pass; per row, with its filter byte */
+	uint64_t left;            /* of this row */
 } rows;
 
 static uint32_t number(const uint8_t *p) { return (uint32_t)p[0] << 24 | (uint32_t)p[1] << 16 | p[2] << 8 | p[3]; }
@@ -120,7 +120,7 @@ static ts_status take_chunks(png *image, const uint8_t *file, size_t file_bytes)
 	return damaged(image, "it is cut short");
 }
 
-/* Opens the next pass with pixels in it; false after the last. */
+/* Opens the next pass that has pixels; false after the last. */
 static bool next_pass(rows *r, const png *image)
 {
 	static const uint8_t x0[7] = {0, 4, 0, 2, 0, 1, 0}, y0[7] = {0, 0, 4, 0, 2, 0, 1};
@@ -136,7 +136,7 @@ static bool next_pass(rows *r, const png *image)
 	return false;
 }
 
-/* Follows n bytes of pixels. */
+/* Takes n bytes of pixels. */
 static ts_status follow(rows *r, const png *image, const uint8_t *p, size_t n)
 {
 	while (n > 0) {
@@ -154,7 +154,7 @@ static ts_status follow(rows *r, const png *image, const uint8_t *p, size_t n)
 	return TS_OK;
 }
 
-/* Inflates all of the data to see that it is whole; n_data becomes what the stream really takes. */
+/* Inflates all of the data to check that it is complete; n_data becomes the stream's true size. */
 static ts_status check_data(png *image)
 {
 	uint8_t pixels[16384];
