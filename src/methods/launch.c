@@ -1,4 +1,5 @@
-/* Arguments of launches, from what kernels and stages declare: buffers are made by their shapes, pointers are set. */
+/* Arguments of launches, from declarations of kernels and stages: buffers are made by their shapes, pointers are
+ * set. */
 #include <assert.h>
 #include "stage.h"
 
@@ -13,7 +14,7 @@ static bool is_batched(ts_buffer_id id)
 	return false;
 }
 
-/* Its dimensions now. */
+/* The buffer's current dimensions. */
 static ts_status shape_now(const ts_run *run, ts_buffer_id id, u32 more, u64 dims[TS_MAX_DIMS])
 {
 	ts_sizes sizes;
@@ -27,7 +28,7 @@ static ts_status shape_now(const ts_run *run, ts_buffer_id id, u32 more, u64 dim
 	return TS_OK;
 }
 
-/* What no batch changes is made by the first. */
+/* Only the first batch makes buffers that no batch changes. */
 static ts_status make(ts_run *run, ts_buffer_id id, ts_role role, u32 more)
 {
 	u64 dims[TS_MAX_DIMS];
@@ -98,7 +99,7 @@ static bool has_tallies(const ts_launch *launch, const ts_pointers *p)
 	return false;
 }
 
-/* Memory that the stage lends stays where the stage says. */
+/* Memory that the stage lends stays where it is. */
 static ts_status set(ts_run *run, const ts_bound *bound, i64 *tallies, u8 *at)
 {
 	void *to = NULL;
@@ -127,7 +128,7 @@ ts_status ts_launch_fill(ts_run *run, const ts_launch *launch, void *args, size_
 	return TS_OK;
 }
 
-/* What is written stays away. */
+/* Leaves out buffers that the launch writes. */
 ts_status ts_launch_ask(const ts_run *run, const ts_launch *launch, void *args, size_t bytes)
 {
 	const ts_pointers *p = ts_kernel_pointers(launch->kernel);

@@ -1,4 +1,4 @@
-/* Running the steps of a pipeline, in batches where it says so, and forgetting what nobody reads any more. */
+/* Running the steps of a pipeline, in its batches, and freeing buffers after their last reader. */
 #include <assert.h>
 #include <stdio.h>
 #include "pipeline.h"
@@ -36,7 +36,7 @@ bool ts_pipeline_reads(const ts_pipeline *pipeline, ts_buffer_id id)
 	return step->stage != NULL;
 }
 
-/* True if some step reads it, and none from `next` on: an answer that no stage reads stays. */
+/* True if some step reads the buffer, and none from `next` on; buffers that no stage reads stay. */
 static bool is_over(const ts_pipeline *pipeline, const ts_step *next, const ts_params *params, ts_buffer_id id)
 {
 	return is_read_from(ts_pipeline_steps(pipeline), params, id) && !is_read_from(next, params, id);
@@ -53,7 +53,7 @@ static void forget(const ts_pipeline *pipeline, const ts_step *next, ts_run *run
 	}
 }
 
-/* Progress up to a step, and so many thousandths of a step more. */
+/* Reports progress up to a step, plus thousandths of the step. */
 static void show(const ts_run *run, const ts_step *step, u64 thousandths)
 {
 	char label[64];
@@ -77,7 +77,7 @@ static ts_status run_steps(const ts_step *step, const ts_step *end, ts_run *run)
 	return TS_OK;
 }
 
-/* Batch after batch; a scene without reflectors is one empty batch. */
+/* Runs batch after batch; a scene without reflectors is one empty batch. */
 static ts_status run_batches(const ts_step *step, const ts_step *end, ts_run *run)
 {
 	u32 n = run->plan.units;
@@ -155,7 +155,7 @@ u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes)
 
 static u64 add(u64 a, u64 b) { return a > UINT64_MAX - b ? UINT64_MAX : a + b; }
 
-/* Bytes of what is alive while `step` runs. */
+/* Bytes of live buffers while `step` runs. */
 static u64 bytes_at(const ts_pipeline *pipeline, const ts_step *step, const ts_params *params, const ts_sizes *sizes,
                     bool lean)
 {

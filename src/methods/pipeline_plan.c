@@ -12,7 +12,7 @@ ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed
 	return params;
 }
 
-/* Units that are there already, as a trace may have others than its parameters say. */
+/* Existing units, as a trace may have others than its parameters imply. */
 static void count_units(ts_plan *plan, const ts_pipeline *pipeline, const ts_counts *counts)
 {
 	bool cubeless = ts_pipeline_maker(pipeline, TS_B_cube_size_face) == NULL;

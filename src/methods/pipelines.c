@@ -1,4 +1,4 @@
-/* Pipelines by name, and by what they make. */
+/* Pipelines by name, and by their buffers. */
 #include "pipeline.h"
 
 const ts_pipeline *ts_pipeline_find(const char *effect, const char *name)

@@ -1,4 +1,4 @@
-/* Plans that no method has made its own, and the table of their members. */
+/* The default plan of methods, and the table of members. */
 #include "plan.h"
 #include <assert.h>
 #include <string.h>

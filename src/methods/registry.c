@@ -1,4 +1,4 @@
-/* What has been handed in. */
+/* The registered tables. */
 #include "registry.h"
 #include <assert.h>
 

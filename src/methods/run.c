@@ -58,7 +58,7 @@ static void add_timing(ts_run *run, const char *stage, double seconds)
 	run->timings[run->n_timings++] = (ts_timing){.stage = stage, .seconds = seconds};
 }
 
-/* What failed on the device is why what came after it failed, if it did. */
+/* A failure on the device takes precedence, as it causes later ones. */
 static ts_status finish(ts_run *run, ts_status status)
 {
 	ts_status finished = ts_run_backend_of(run)->finish(ts_run_backend_of(run));

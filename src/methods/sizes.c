@@ -1,4 +1,4 @@
-/* The sizes of records.def: those of the scene and what stages counted, and those that are computed. */
+/* The sizes of records.def: those of the scene, those that stages counted, and computed ones. */
 #include "registry.h"
 #include <assert.h>
 
@@ -10,7 +10,7 @@ bool ts_is_made(const ts_size_question *q, ts_buffer_id id) { return q->run->fra
 
 static ts_size_answer *answer(ts_dim dim) { return ts_registered()->sizes[dim]; }
 
-/* TS_UNKNOWN: it is not computed. */
+/* TS_UNKNOWN: the size is not computed. */
 static u64 computed(ts_dim dim, const ts_size_question *q)
 {
 	u64 n = TS_UNKNOWN;

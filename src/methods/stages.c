@@ -1,4 +1,4 @@
-/* Stages by name, and what each reads and writes. */
+/* Stages by name, with the buffers that each reads and writes. */
 #include "stage.h"
 #include <assert.h>
 #include <pthread.h>
@@ -25,7 +25,7 @@ const ts_stage *ts_stage_margin(const ts_stage *stage)
 	return NULL;
 }
 
-/* Appends what is not in the list yet. */
+/* Appends a buffer that is not yet in the list. */
 static void put(ts_buffer_id ids[LIST], ts_buffer_id id)
 {
 	u32 n = 0;
@@ -56,7 +56,7 @@ static bool is_in(const ts_buffer_id *ids, ts_buffer_id id)
 	return *ids == id;
 }
 
-/* What is read and not made, in the order of records.def; what is made, in that of the launches. */
+/* Buffers read and not made, in the order of records.def; buffers made, in that of the launches. */
 static void fill(void)
 {
 	for (u32 i = 0; ts_stages()[i] != NULL; i++) {

@@ -1,4 +1,4 @@
-/* The steps of all methods, flattened once: runs of steps in their place, margins behind their stages. */
+/* The steps of all methods, flattened once: runs of steps in place, margins after their stages. */
 #include <assert.h>
 #include <pthread.h>
 #include "pipeline.h"

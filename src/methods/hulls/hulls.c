@@ -2,25 +2,23 @@
  * Meder and Bruederlin, "Screen Space Approximate Gaussian Hulls" (2018).
  *
  * Each texel of a reflective shadow map becomes a triangle of light. The screen's depth is down-sampled and segmented
- * in blocks; at the corners of each segment's box the light of all triangles is gathered as spherical Gaussians, one a
- * channel. Each pixel interpolates those of its segment and integrates them with the cosine of its own normal.
- * `direct`, the paper's ground truth, gathers at every pixel instead. Neither asks whether something stands between
- * triangle and receiver. Effect `area-light` is the same of the lamps themselves, as triangles: any source of light
- * will do (sections 3 and 5).
+ * in blocks; at the corners of each segment's box the light of all triangles is gathered as spherical Gaussians, one
+ * per channel. Each pixel interpolates those of its segment and integrates them with the cosine of its own normal.
+ * `direct`, the paper's ground truth, gathers at every pixel instead. Both ignore occluders between triangle and
+ * receiver. Effect `area-light` applies the same to lamps as triangles, since any source of light will do (sections 3
+ * and 5).
  *
  * Deviations:
- * - what the paper leaves open is in METHODS 11: triangles are equilateral and as large as what their texel sees, the
- *   threshold of segments is a fiftieth of the depth, the box of a pixel is the thinnest that holds it;
- * - the far plane is at infinity, so that thresholds and interpolation know the depth's reciprocal exactly
- *   (gbuffer.h);
- * - a pixel that no segment holds takes the nearest; hull.surface=paper leaves it dark;
- * - a corner faces a triangle of light the more, the higher it is above its plane, and not at all on it, however
- *   rounding falls (corner.h); corner.facing=paper is the paper;
+ * - details missing in the paper are in METHODS 11: triangles are equilateral and as large as their texel's footprint,
+ *   the threshold of segments is a fiftieth of the depth, the box of a pixel is the thinnest that holds it;
+ * - the far plane is at infinity, so that the depth's reciprocal is exact in thresholds and interpolation (gbuffer.h);
+ * - a pixel outside all segments takes the nearest; hull.surface=paper leaves it dark;
+ * - a corner receives more of a triangle of light the higher it is above the triangle's plane, and none on the plane,
+ *   however rounding falls (corner.h); corner.facing=paper is the paper;
  * - corners of a box gather at pixels within the box; hull.corners=rectangle is the paper;
- * - a corner without light, or with the same from all sides, has no direction, and gives none to those that it is
- *   blended with;
- * - the picture is of indirect light alone, or of that of the lamps alone; gloss.lobe adds their specular reflection,
- *   for which the paper names lobes and no formula (gloss.h). */
+ * - a corner without light, or with equal light from all sides, has no direction, and does not affect the blended one;
+ * - the picture shows only indirect light, or only that of the lamps; gloss.lobe adds their specular reflection, for
+ *   which the paper names lobes and no formula (gloss.h). */
 #include "gloss.h"
 #include "../raster/pipelines.h"
 

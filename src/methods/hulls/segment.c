@@ -12,7 +12,7 @@ static const ts_launch extent = TS_LAUNCH(segment_extent, TS_ALL);
 static const ts_launch counted = TS_LAUNCH(segment_box_count, TS_BUT(boxes));
 static const ts_launch written = TS_LAUNCH(segment_box, TS_IN(offset, segment_box_offset), TS_BUT(n_labels));
 
-#define NO_STEP 1e30f /* parts nothing, and every test is as far from it as can be */
+#define NO_STEP 1e30f /* larger than any step: parts nothing, with the greatest margin */
 
 static u64 n_texels(const ts_run *run)
 {

@@ -1,4 +1,4 @@
-/* Primitives of light that is gathered (kernels/hulls/gaussian.h, form_factor.h). */
+/* Primitives of gathered light (kernels/hulls/gaussian.h, form_factor.h). */
 #include "../../kernels/hulls/vectors.h"
 #include "../../vectors/row.h"
 
@@ -12,14 +12,14 @@ static void bring_near(u32 *words, u32 n)
 	}
 }
 
-/* Three times in four near each other; now and then the point is a corner. */
+/* Three times in four close together; now and then the point is a corner. */
 static void relate_point(u32 *in, u32 random)
 {
 	if ((random & 3) != 0) bring_near(in, 12);
 	if ((random & 63) == 1) memcpy(in + P, in + 9, 3 * sizeof *in);
 }
 
-/* And n is a unit vector. */
+/* Also makes n a unit vector. */
 static void relate_surface(u32 *in, u32 random)
 {
 	ts_v3 n = ts_v3_make((f32)(random >> 8 & 255) - 128, (f32)(random >> 16 & 255) - 128, (f32)(random >> 24) - 127.5f);
@@ -34,7 +34,7 @@ static ts_v3 unit_of(u32 random)
 	return ts_normalize(d);
 }
 
-/* Directions are unit vectors, now and then the same, and opposite. */
+/* Directions are unit vectors, now and then equal or opposite. */
 static void relate_lobes(u32 *in, u32 random)
 {
 	ts_v3 phi = unit_of(random);

@@ -4,7 +4,7 @@
 
 enum { EYE = 0, CENTRE = 3, RADIUS = 6, CORNER = 7 };
 
-/* The eye in the ball, a triangle that goes through it or has no area. */
+/* The eye in the ball, a triangle that intersects it or has no area. */
 static void relate_path(u32 *in, u32 random)
 {
 	ts_relate_triangle(in + CORNER, in + CORNER + 3, in + CORNER + 6, &random);
@@ -15,7 +15,7 @@ static void relate_path(u32 *in, u32 random)
 	if (k == 3) in[RADIUS] = 0;
 }
 
-/* The radius of a ball, which is not 0, and as often as not small. */
+/* The radius of a ball, not 0, and often small. */
 static void relate_ball(u32 *in, u32 random)
 {
 	if (in[0] == 0) ts_relate_f32(in, 1);
@@ -34,7 +34,7 @@ static void relate_eye_density(u32 *in, u32 random)
 	if (ts_once_in(&random, 16)) memcpy(in, in + DENSITY_CORNER, 3 * sizeof *in);
 }
 
-/* Behind the view to before it. */
+/* Moves a point from behind the view to its front. */
 static void turn_to_front(u32 *p, const ts_camera_k *view)
 {
 	f32 z = ts_k_to_view(view, ts_row_v3(p, 0)).z;
@@ -69,7 +69,7 @@ static void relate_cull(u32 *in, u32 random)
 
 enum { SPLAT_C = 16, SPLAT_U = 19, SPLAT_V = 22 };
 
-/* A square before the view, as a rule. */
+/* A square in front of the view, as a rule. */
 static void relate_splat(u32 *in, u32 random)
 {
 	ts_view of;
@@ -118,7 +118,7 @@ static void relate_bounce(u32 *in, u32 random)
 	if (ts_once_in(&random, 16)) memcpy(in + BOUNCE_FROM, in, 3 * sizeof *in);
 }
 
-/* As many doublings of the nearest as are told apart, and less. */
+/* As many doublings of the near depth as codes distinguish, and fewer. */
 static void relate_depth(u32 *in, u32 random)
 {
 	if (in[1] == 0) ts_relate_f32(in + 1, 1);

@@ -1,4 +1,4 @@
-/* MVR: every triangle into the faces of the batch's cubes. */
+/* MVR: draws every triangle into the faces of the batch's cubes. */
 #include "../../kernels/raster/cube_face.h"
 #include "../stages.h"
 

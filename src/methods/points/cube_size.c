@@ -1,6 +1,6 @@
-/* Boxes, balls and cube sizes of the reflectors. Sizes depend on those of the frame before, because of cube.hysteresis,
- * the one state between frames (METHODS 2): the frames before are replayed, but for those that a sequence has just run
- * and for turns that bring nothing new. A few items a frame, so the C backend does it whatever the others run on. */
+/* Boxes, balls and cube sizes of the reflectors. With cube.hysteresis, the only state between frames (METHODS 2), sizes
+ * depend on those of the frame before. The frames before are replayed, except those that a sequence has just run and
+ * turns that change nothing. There are few items per frame, so the C backend always runs them. */
 #include <stdlib.h>
 #include "../../scene/view.h"
 #include "../../kernels/points/cube_size.h"
@@ -10,8 +10,8 @@ typedef struct {
 	ts_run *run;
 	ts_cube_size_args args;
 	u32 n;
-	u32 turn;  /* frames after which all that moves is where it was; 0: more than there are */
-	u32 *then; /* the sizes when the turn before ended */
+	u32 turn;  /* frames after which all motion repeats; 0: more than there are */
+	u32 *then; /* the sizes at the end of the turn before */
 } replay;
 
 static u32 common_turn(const ts_run *run)
@@ -43,7 +43,7 @@ static ts_status resize(replay *r, u32 frame)
 	return c->launch(c, &r->run->frame, &launch, &r->args, r->n);
 }
 
-/* Whether the turn that ends here has left the sizes as the one before did: so will all that follow. */
+/* Whether this turn ends with the sizes of the one before: so will all that follow. */
 static bool turns_alike(replay *r)
 {
 	bool alike = true;
@@ -54,7 +54,7 @@ static bool turns_alike(replay *r)
 	return alike;
 }
 
-/* The first frame that is to be run for this one, with the sizes before it. */
+/* The first frame to replay for this one, with the sizes before it. */
 static u32 begin(const replay *r)
 {
 	const ts_history *history = r->run->history;

@@ -1,4 +1,4 @@
-/* MVR: every triangle into every view of the batch. */
+/* MVR: draws every triangle into every view of the batch. */
 #include "../../kernels/raster/depth_map.h"
 #include "../stages.h"
 

@@ -1,8 +1,8 @@
 /* Eye-based point rendering of cube-mapped reflections.
  * Paper: "Eye-Based Point Rendering for Dynamic Multiview Effects" (2022), sections 3 and 4.
  *
- * Once a frame the triangles become points, no denser than the eye can tell in any mirror (section 4.1.1); the points
- * are splatted into cube maps sized for the eye, which store indices, not colours (3.5); and the eye's reflective
+ * Once per frame the triangles become points, no denser than the eye can distinguish in any mirror (section 4.1.1). The
+ * points are splatted into cube maps sized for the eye, which store indices, not colours (3.5). The eye's reflective
  * pixels shade just the points they see, recursively where those lie on mirrors (4.1.2 to 4.1.4).
  *
  * Deviations, each with the switch that restores the paper:
@@ -18,27 +18,27 @@
  * - points lie in the order of the pieces, so that two runs have the same bytes (--order arrival);
  * - one bounce by default, so that MVR and truth C show the same thing (lookup.bounces=2, lookup.bounces=3).
  *
- * Two variants that the paper speaks of and does not follow, with all of the above:
- * - epr-bufferless (3.4) stores no points. The paper does not say what its texels hold; ours hold the index that the
- *   point would have, so that the picture is EPR's to the bit, and bounces work;
- * - epr-forward (3.5) has cubes of colours. The paper does not say how light that depends on the viewer is computed
- *   "once per point": ours is lit for the mirror by which its way to the eye is the shortest, eq. 2, or for the eye
- *   (forward.viewer=eye); nor of which format colours are: ours share an exponent. One bounce, whatever the parameter
- *   says, for colours on mirrors are not followed.
+ * Two variants that the paper mentions and does not follow, with all of the above:
+ * - epr-bufferless (3.4) stores no points. The paper does not define its texels; ours hold the index that the point
+ *   would have, so that the picture equals EPR's to the bit, and bounces work;
+ * - epr-forward (3.5) has cubes of colours. The paper does not define how view-dependent light is computed "once per
+ *   point": ours is lit for the mirror with the shortest path to the eye, eq. 2, or for the eye (forward.viewer=eye).
+ *   Nor does it name the format of colours: ours share an exponent. There is always one bounce, for colours on mirrors
+ *   are not followed.
  *
- * Omnidirectional soft shadows (section 5): points no denser than the eye can tell in any shadow are written or
+ * Omnidirectional soft shadows (section 5): points no denser than the eye can distinguish in any shadow are written or
  * splatted into the cubes of a light's samples, which are resolved as iVIR's. Deviations:
- * - eq. 5 sets a ratio of distances against a scale; by default the rate is a bound on what the eye can tell, with the
- *   magnification from occluder to receiver, and at most iVIR's (shadow_splat.rate=paper: the ratio is a share of
- *   iVIR's scale, of the light sample where it is largest; shadow_splat.rate=unit: pixels a unit for distances);
- * - iVIR's scale is the one that gives each texel a sample, as there (density.rate=paper), and of one light sample, not
- *   of all;
- * - splats have the depth of the triangle's plane in each texel: one a splat shadows its own surface
+ * - eq. 5 compares a ratio of distances with a scale; by default the rate is a bound on what the eye can distinguish,
+ *   with the magnification from occluder to receiver, and at most iVIR's (shadow_splat.rate=paper: the ratio is a share
+ *   of iVIR's scale, at the light sample where it is largest; shadow_splat.rate=unit: pixels per unit of distance);
+ * - iVIR's scale is the one that gives each texel a sample, as there (density.rate=paper), for one light sample, not
+ *   all;
+ * - splats have the depth of the triangle's plane in each texel: one depth per splat shadows its own surface
  *   (shadow_splat.depth=point);
- * - eq. 6 takes the distances from triangles, not from pixels, and one resolution serves all cubes, as printed; instead
- *   of a cube.hysteresis, which needs the G-buffers of all frames before, it is a multiple of 32 (cube.hysteresis);
- * - points are made for every eight views, not kept (points.buffered=on); what is counted is one pass over the
- *   geometry a batch. */
+ * - eq. 6 takes the distances from triangles, not from pixels, and one resolution serves all cubes, as printed. It is a
+ *   multiple of 32 (cube.hysteresis), as hysteresis would need the G-buffers of all frames before;
+ * - points are made for every eight views, not kept (points.buffered=on); what is counted is one pass over the geometry
+ *   per batch. */
 #include "../../kernels/points/samples.h"
 #include "../stages.h"
 #include "pipelines.h"
@@ -61,7 +61,7 @@ static const ts_step point_run[] = {
 	{0},
 };
 
-/* Stages of look-ups read points.offset for epr-bufferless. EPR stores its points, so that its counts may go early. */
+/* Stages of look-ups read points.offset only for epr-bufferless: EPR stores its points and frees the offsets early. */
 static bool stores(const ts_params *params)
 {
 	(void)params;
@@ -75,18 +75,18 @@ static const ts_step epr_steps[] = {
 	{.run = point_run},
 	{.stage = "splat"}, /* 3.5: indexed G-buffer cubes */
 	{.stage = "splat.tie", .only_traced = true},
-	{.stage = "lookup"},                                    /* 4.1.3: 25 samples a reflective pixel */
+	{.stage = "lookup"},                                    /* 4.1.3: 25 samples per reflective pixel */
 	{.stage = "lookup.second", .least_bounces = 2, STORED}, /* 4.1.4: points on mirrors look up again */
 	{.stage = "lookup.third", .least_bounces = 3, STORED},
-	{.stage = "shade.third", .least_bounces = 3, STORED}, /* 4.1.2: only what was looked up is shaded */
+	{.stage = "shade.third", .least_bounces = 3, STORED}, /* 4.1.2: only points that were looked up are shaded */
 	{.stage = "shade.second", .least_bounces = 2, STORED},
 	{.stage = "shade", STORED},
 	{.stage = "image"},
 	{0},
 };
 
-/* 3.4: "a bufferless implementation in which the fragment shader splatted points directly". Texels hold what EPR's
- * hold, and whoever is given an index makes its point again, from the counts of points. */
+/* 3.4: "a bufferless implementation in which the fragment shader splatted points directly". Texels are EPR's, and
+ * readers of an index make its point again, from the counts of points. */
 static const ts_step bufferless_steps[] = {
 	{.run = ts_frame_run},
 	{.run = piece_run},
@@ -130,7 +130,7 @@ static const ts_step epr_omni_steps[] = {
 	{0},
 };
 
-/* Points: two for each small triangle, and as many as the cubes' texels can hold or the eye's pixels tell apart. */
+/* Points: two for each small triangle, and as many as the cubes' texels can hold or the eye's pixels distinguish. */
 static void epr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 triangles = scene->n_triangles;

@@ -1,24 +1,23 @@
 /* Improved view-independent rendering of cube-mapped reflections and of shadows.
  * Paper: "Improving View Independent Rendering for Multiview Effects" (2022), sections 3 to 6.
  *
- * Once a frame each triangle becomes points, as dense as the most demanding off-screen view asks for (section 3.1),
+ * Once per frame each triangle becomes points, as dense as the most demanding off-screen view requires (section 3.1),
  * which are scattered to all views that may see it: no view needs another pass over the geometry. Depth maps take a
  * point's depth, environment maps 13 bits of depth and 19 of colour, and are copied into mip maps (5).
  *
  * Deviations, each with the switch that restores the paper:
- * - the rate gives each texel that sees a triangle one of its samples; the paper's leaves holes
- *   (density.rate=paper), and has no bound where a triangle is closest beside a view's image: there it counts as in the
- *   corner;
- * - a sample beside its triangle moves to the triangle's border (points.snap=off), so that it shows what it stands for;
+ * - the rate gives each texel that sees a triangle one of its samples; the paper's leaves holes (density.rate=paper),
+ *   and is unbounded where a triangle is closest beside a view's image: there it takes the rate of the corner;
+ * - a sample beside its triangle moves to the triangle's border (points.snap=off), so that it lies on its triangle;
  * - triangles of more than 2^16 samples, and those that need far more of them at one end, are bisected
  *   (points.split=off);
  * - visibility clears a bit only if all corners lie outside one plane (visibility.test=vertex);
  * - the points serve all views at once; without storing them (points.buffered=off) they are made once for every 32
- *   depth maps (lamp.views_a_pass=32), with a density that is still that of all;
+ *   depth maps (lamp.views_a_pass=32), still with the density of all;
  * - the depth code of environment maps is logarithmic, 2^20 from the nearest to the farthest, and their colours are
  *   stored as square roots: the paper names the bits only;
- * - the greatest code of a colour stands for twice what a display shows white, because the mirror's tint still
- *   multiplies what was stored; the paper does not say what it stands for (scatter.headroom=1: display white). */
+ * - the greatest code of a colour stands for twice display white, because the mirror's tint still multiplies the stored
+ *   colour; the paper does not define it (scatter.headroom=1: display white). */
 #include "../../kernels/raster/mip.h"
 #include "../../kernels/points/view_density.h"
 #include "pipelines.h"
@@ -35,7 +34,7 @@ static const ts_step shadow_run[] = {
 	{.run = point_run},
 	{.stage = "points.count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
 	{.stage = "points", .stored = TS_STORED_IF_ASKED},
-	{.stage = "scatter", .each_batch = true}, /* 4: 32 depth maps a pass */
+	{.stage = "scatter", .each_batch = true}, /* 4: 32 depth maps per pass */
 	{.run = ts_resolve_run},
 	{0},
 };

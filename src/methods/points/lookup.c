@@ -2,13 +2,13 @@
 #include <inttypes.h>
 #include "lookup.h"
 
-/* Mirrors tell which pixel sees which point, or which colour, and nothing of points. */
+/* The first look-up finds a point or a colour per sample, and reads no points. */
 static const ts_launch first =
 	TS_LAUNCH(lookup, TS_WITH(view), TS_WITH(texels), TS_OUT(found, lookup_point), TS_BUT(from));
 static const ts_launch first_colours =
 	TS_LAUNCH(lookup, TS_WITH(view), TS_IN(texels, splat_depth_colour), TS_OUT(found, lookup_colour), TS_BUT(from));
-/* A later bounce: samples of the one before that see a mirror are counted and queued, then look up; with points that
- * are stored, or made again. */
+/* A later bounce: counts and queues samples of the bounce before that see a mirror, then looks up, with points that are
+ * stored or made again. */
 typedef struct {
 	ts_launch count, queue, look_up;
 } later;
@@ -76,7 +76,7 @@ static ts_status lookup_colour(ts_run *run)
 	return TS_OK;
 }
 
-/* The queue of a bounce: the samples of the one before that see a mirror. */
+/* The queue of a bounce: the samples of the bounce before that see a mirror. */
 static ts_status make_queue(ts_run *run, const later *own, u32 bounce)
 {
 	ts_lookup_args before = ts_lookup_values(run, bounce - 1);

@@ -4,7 +4,7 @@
  * is made, and the eye's reflective pixels look it up. For shadows the scene is rasterized into every depth map.
  *
  * Deviations: deferred shading by the same kernels as EPR's, so that only the method differs; one reflector at a time,
- * so that memory does not grow with their number. One bounce, whatever the parameter says. */
+ * so that memory does not grow with their number; always one bounce. */
 #include "../../kernels/raster/mip.h"
 #include "pipelines.h"
 

@@ -1,16 +1,16 @@
 /* Percentage-closer soft shadows: the single-view baseline of iVIR section 4 (PCSS; METHODS 10).
  * Fernando, "Percentage-Closer Soft Shadows" (SIGGRAPH 2005 sketches).
  *
- * The scene is rasterized into one depth map a light, from its middle. About each receiver 32 taps look for what comes
- * between; their mean depth tells how wide the penumbra is, over which 64 more are filtered.
+ * The scene is rasterized into one depth map per light, from its middle. About each receiver 32 taps search for
+ * blockers; their mean depth gives the width of the penumbra, over which 64 more are filtered.
  *
  * Deviations:
  * - the search needs a plane that the light is projected onto, which the sketch calls the light's near plane. The depth
- *   maps' own is so near that the width on it is many maps; a plane at half the receiver's depth finds all blockers in
- *   the farther half of the way, and of nearer ones those that reach into it (pcss.near);
+ *   maps' own is so near that the width on it is many maps. A plane at half the receiver's depth finds all blockers in
+ *   the farther half of the way, and those nearer ones that reach into it (pcss.near);
  * - a tap is compared with the depth of the receiver's plane at the tap, not of the receiver, so that a slanted surface
  *   does not block itself; the bias beyond that is the one of all methods;
- * - lights are discs, not squares, and the taps the seeds of a sunflower;
+ * - lights are discs, not squares, and the taps a sunflower's seeds;
  * - parallel light needs no projection: its widths grow with the distance from the receiver. */
 #include "../../kernels/points/pcss.h"
 #include "pipelines.h"

@@ -1,4 +1,4 @@
-/* How many taps about a pixel, in the one depth map of each light, let light through. */
+/* Taps about a pixel, in the one depth map of each light, that let light through. */
 #include "../../kernels/points/pcss.h"
 #include "../raster/eye.h"
 #include "../raster/shadow_test.h"

@@ -1,4 +1,4 @@
-/* Points: counted, then written where the prefix sums say. */
+/* Points: counted, then written at their prefix sums. */
 #include "../../kernels/points/points.h"
 #include "../../kernels/points/view_density.h"
 #include "points.h"
@@ -33,7 +33,7 @@ static ts_status points_count(ts_run *run)
 	return TS_OK;
 }
 
-/* As the papers' GPUs do it, without a count: buffers that are too small are made larger, and all is appended again. */
+/* Like the papers' GPUs, without a count: buffers that are too small are made larger, and all is appended again. */
 static ts_status append(ts_run *run, ts_points_args *args, u64 n)
 {
 	u64 total = 2 * n;

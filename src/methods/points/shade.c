@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include "lookup.h"
 
-/* With what the next bounce answered, or without. */
+/* With and without the next bounce's radiance. */
 typedef struct {
 	ts_launch last, followed;
 } launches;
@@ -30,7 +30,7 @@ typedef struct {
 static const launches of_pixels[] = {OF_PIXELS(STORED), OF_PIXELS(AGAIN)};
 static const launches of_second[] = {OF_SECOND(STORED), OF_SECOND(AGAIN)};
 static const ts_launch of_third[] = {OF_THIRD(STORED), OF_THIRD(AGAIN)};
-/* With colours, and no points. */
+/* With colours instead of points. */
 static const ts_launch of_colours =
 	TS_LAUNCH(shade, TS_BUT(from), TS_IN(found, lookup_colour), TS_OUT(radiance, shade_radiance), TS_WITH(used));
 

@@ -7,7 +7,7 @@ static const ts_scatters splats = {
 	TS_LAUNCH(shadow_splat_pieces, TS_WITH(of.depths)),
 };
 
-/* EPR: points smaller than a texel as they are, larger ones as squares. */
+/* EPR: scatters points smaller than a texel, and splats larger ones as squares. */
 static ts_status shadow_splat(ts_run *run)
 {
 	ts_shadow_splat_args args = {

@@ -1,8 +1,7 @@
-/* What all methods of soft and omnidirectional shadows share: batches of depth maps, and how large they are likely to
- * be. */
+/* Shared by all methods of soft and omnidirectional shadows: batches of depth maps, and their expected sizes. */
 #include "pipelines.h"
 
-/* A view a sample, of all lights together. */
+/* One view per sample, for all lights together. */
 void ts_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	ts_plan_lights(plan, params);
@@ -27,7 +26,7 @@ void ts_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *count
 	plan->offscreen.side = TS_PARAM(params, depth_map_px);
 }
 
-/* Two points for each small triangle, and four for each texel of the few views that a triangle's density comes from. */
+/* Two points for each small triangle, and four for each texel of the few views that determine a triangle's density. */
 void ts_expect_points(ts_expected *expected, const ts_scene *scene, u64 texels)
 {
 	u64 *n = expected->sizes.n, triangles = scene->n_triangles;

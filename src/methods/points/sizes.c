@@ -1,4 +1,4 @@
-/* Sizes of the methods by points that are computed. */
+/* Computed sizes of the methods by points. */
 #include "../../kernels/points/samples.h"
 #include "../registry.h"
 

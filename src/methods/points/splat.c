@@ -3,7 +3,7 @@
 #include "../stages.h"
 #include "points.h"
 
-/* Points that stand by piece, or as they arrived; and again into texels that are there, to find ties. */
+/* Points in order of pieces, or of arrival; and again into finished texels, to find ties. */
 #define STORED TS_BUT(from.scene), TS_IN(from.points, points_record)
 static const ts_launch in_order = TS_LAUNCH(splat, STORED, TS_COUNTED_POINTS(from));
 static const ts_launch arrived = TS_LAUNCH(splat, STORED);
@@ -11,10 +11,10 @@ static const ts_launch arrived = TS_LAUNCH(splat, STORED);
 static const ts_launch asked = TS_LAUNCH(splat, STORED, TS_COUNTED_POINTS(from), TS_WITH(pixels), TS_WITH(view));
 #define TIES TS_IN(texels, splat_depth_index), TS_WITH(tie)
 static const ts_launch ties = TS_LAUNCH(splat, STORED, TIES);
-/* The same of points that are made on the spot. */
+/* Launches for points that are made on the spot. */
 static const ts_launch direct = TS_LAUNCH(splat_fragments, TS_COUNTED_POINTS(from));
 static const ts_launch direct_ties = TS_LAUNCH(splat_fragments, TS_COUNTED_POINTS(from), TIES);
-/* Colours in the place of indices. */
+/* Colours instead of indices. */
 #define COLOURS TS_MIN(texels, splat_depth_colour), TS_WITH(colours)
 static const ts_launch coloured_in_order = TS_LAUNCH(splat, STORED, TS_COUNTED_POINTS(from), COLOURS);
 static const ts_launch coloured_arrived = TS_LAUNCH(splat, STORED, COLOURS);
@@ -44,7 +44,7 @@ static ts_status put(ts_run *run, const ts_launch *launch, ts_splat_args *args, 
 	return TS_OK;
 }
 
-/* The look-ups of the first bounce alone read the texels, and only the fast path leaves any out. */
+/* Only look-ups of the first bounce read the texels, and only the fast path leaves any out. */
 static bool leaves_out(const ts_run *run)
 {
 	bool fast = run->backend == NULL && !run->c.no_fast_paths && !run->arrival;

@@ -2,8 +2,7 @@
 #include "../../kernels/points/split.h"
 #include "points.h"
 
-/* Counted, then written: for the eye, as it sees cubes; for off-screen views; for the eye through the shadows in
- * them. */
+/* Counts, then writes: for the eye through cubes; for off-screen views; for the eye through shadows. */
 typedef struct {
 	ts_launch count, write;
 } launches;
@@ -51,7 +50,7 @@ static ts_status split(ts_run *run)
 	return divide(run, &of_eye, args);
 }
 
-/* iVIR's density; EPR's shadows need less where the eye sees less. */
+/* iVIR's density, or less for EPR's shadows where the eye sees less. */
 static ts_status divide_for_views(ts_run *run, u32 shadow)
 {
 	const ts_density_args args = {

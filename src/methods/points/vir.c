@@ -1,8 +1,8 @@
-/* View-independent rendering: the method that iVIR improves on, as iVIR's sections 3 to 6 compare with it (VIR;
- * METHODS 9). Marrs, Watson and Healey, "Real-Time View Independent Rasterization for Multi-View Rendering" (2017).
+/* View-independent rendering: the method that iVIR improves on, as iVIR's sections 3 to 6 compare with it (VIR; METHODS
+ * 9). Marrs, Watson and Healey, "Real-Time View Independent Rasterization for Multi-View Rendering" (2017).
  *
- * The stages are iVIR's, with a rate by distance alone: pixels a world unit at the least depth that the nearest point
- * may have in half the field of view, whatever way the triangle faces; and off-screen buffers keep their largest size.
+ * The stages are iVIR's, with a rate by distance alone: pixels per world unit at the least depth that the nearest point
+ * may have in half the field of view, for any orientation of the triangle; off-screen buffers keep their largest size.
  *
  * Deviations: the rate is a reconstruction, the reading of iVIR 3.1 that iVIR's own table 3 allows (METHODS 9): the
  * paper of VIR was not at hand. */
@@ -28,7 +28,7 @@ static void vir_omni_plan(ts_plan *plan, const ts_params *params, const ts_count
 	ts_omni_plan(plan, params, counts, request);
 }
 
-/* Two points a texel: the rate at a face's border, the root of 2, squared. */
+/* Two points per texel: the rate at a face's border, the root of 2, squared. */
 static void vir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 face = TS_PARAM(params, cube_px) != 0 ? TS_PARAM(params, cube_px) : TS_PARAM(params, cube_max_px);

@@ -3,7 +3,7 @@
 #include "../../kernels/raster/indirect.h"
 #include "eye.h"
 
-/* A picture, and its samples, which are resolved. */
+/* For a picture without multisampling, and for samples that are resolved. */
 typedef struct {
 	ts_launch whole, samples;
 } launches;
@@ -19,7 +19,7 @@ static const launches of_glossy = {TS_LAUNCH(image_indirect, TS_WITH(specular), 
                                    TS_LAUNCH(image_indirect, TS_WITH(specular), SAMPLED)};
 static const ts_launch resolved = TS_LAUNCH(image_resolve, TS_ALL);
 
-/* Display values but the sky's are times `gain`. */
+/* Display values, except the sky's, are multiplied by `gain`. */
 static ts_status make(ts_run *run, const launches *own, void *args, size_t bytes, f32 gain)
 {
 	bool several = ts_eye_samples(&run->params) > 1;
@@ -43,7 +43,7 @@ static ts_status image(ts_run *run)
 	return make(run, &with_mirrors, &args, sizeof args, 1.0f);
 }
 
-/* In the light of the lamps, as far as it reaches. */
+/* Lit by the lamps, with shadows. */
 static ts_status image_shadow(ts_run *run)
 {
 	ts_image_args args = values(run);
@@ -53,7 +53,7 @@ static ts_status image_shadow(ts_run *run)
 
 f32 ts_image_gain(const ts_run *run) { return run->plan.lights.straight ? 1.0f : TS_BOUNCE_GAIN; }
 
-/* In the light that was gathered alone. */
+/* Lit by gathered light alone. */
 static ts_status image_indirect(ts_run *run)
 {
 	ts_indirect_args args = {.exposure = TS_PARAM(&run->params, image_exposure), .gain = ts_image_gain(run)};

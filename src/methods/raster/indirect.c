@@ -1,4 +1,4 @@
-/* What methods of indirect light share: a reflective shadow map of each light, or of the lamp. */
+/* Shared by methods of indirect light: a reflective shadow map per light, or for the lamp. */
 #include "../stages.h"
 #include "pipelines.h"
 

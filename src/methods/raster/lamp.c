@@ -1,4 +1,4 @@
-/* The lights whose shadows are soft, and the views from their samples. A few items a frame, made on the host. */
+/* The lights with soft shadows, and the views from their samples. There are few per frame, so the host makes them. */
 #include "../../kernels/base/shade.h"
 #include "../../scene/lamp.h"
 #include <inttypes.h>
@@ -23,7 +23,7 @@ static void set_shape(ts_lamp *lamp, const ts_run *run, const ts_light *light, u
 	*lamp = (ts_lamp){.radius = radius, .samples = samples, .first = first};
 }
 
-/* The views are shared out evenly; the first lights get what is over. One view with taps serves a light alone. */
+/* The lights share the views evenly; the first lights get the remainder. One view with taps serves a light alone. */
 static ts_status lamp(ts_run *run)
 {
 	ts_light *lights;

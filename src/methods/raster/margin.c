@@ -1,4 +1,4 @@
-/* How near coverage and depths of triangles were to another answer. */
+/* Margins of coverage and depths of triangles. */
 #include "../../kernels/raster/margin.h"
 #include "eye.h"
 

@@ -21,7 +21,7 @@ void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32
 	view->light = light;
 }
 
-/* Six a cube: they are a few, and the host makes them. */
+/* Six per cube: they are few, and the host makes them. */
 static ts_status offscreen(ts_run *run)
 {
 	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);

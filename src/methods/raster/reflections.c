@@ -1,4 +1,4 @@
-/* What all methods of reflections share: how much of the eye and of the cubes mirrors are likely to fill. */
+/* Shared by all methods of reflections: how much of the eye's image and of the cubes mirrors are likely to fill. */
 #include "../stages.h"
 #include "eye.h"
 #include "pipelines.h"

@@ -1,4 +1,4 @@
-/* Shadows from depth maps: how many samples of each light reach a pixel, and how near the comparisons were. */
+/* Shadows from depth maps: how many samples of each light reach a pixel, and the comparisons' margins. */
 #include "../../kernels/raster/shadow_test_margin.h"
 #include "eye.h"
 #include "shadow_test.h"

@@ -1,4 +1,4 @@
-/* Sizes of rasterization that are computed. */
+/* Computed sizes of rasterization. */
 #include "../../kernels/raster/mip.h"
 #include "eye.h"
 #include "../registry.h"
@@ -20,7 +20,7 @@ u64 ts_size_view_words(const ts_size_question *q)
 	return views != TS_UNKNOWN ? views / 64 + (views % 64 != 0) : TS_UNKNOWN;
 }
 
-/* The units that are asked about: cubes, or views. */
+/* The units in question: cubes or views. */
 static u32 units(const ts_size_question *q, u32 *first)
 {
 	ts_buffer_id id = ts_run_has_cubes(q->run) ? TS_B_cube_size_face : TS_B_offscreen_view;

@@ -4,7 +4,7 @@
 
 enum { SURFEL = 24, SURFEL_U = 27, SURFEL_V = 30, SURFEL_COLOUR = 33 };
 
-/* At that depth, in the image or a little beside it. */
+/* A place at depth z, in the image or slightly beside it. */
 static ts_v3 place_in(const ts_camera_k *view, f32 z, u32 *random)
 {
 	f32 pixel = view->orthographic != 0 ? 1 / view->focal : z / view->focal;
@@ -13,7 +13,7 @@ static ts_v3 place_in(const ts_camera_k *view, f32 z, u32 *random)
 	return ts_mad(ts_mad(ts_mad(view->eye, view->back, -z), view->right, x), view->up, y);
 }
 
-/* Ellipses before the view, as a rule; seen from the side, across the near plane, from behind. */
+/* Ellipses in front of the view, as a rule; also seen from the side, across the near plane, from behind. */
 static void relate_disc(u32 *in, u32 random)
 {
 	ts_view of;
@@ -67,7 +67,7 @@ static void relate_fragment(u32 *in, u32 random)
 
 enum { LIT_SHARE = 16, LIT_P = 18, LIT_N = 21, LIT_V = 24, ALBEDO = 27 };
 
-/* Some of it in the middle of the highlight. */
+/* Some of the light in the middle of the highlight. */
 static void relate_light(u32 *in, u32 random)
 {
 	ts_relate_light(in, ts_row_v3(in, LIT_P), &random);

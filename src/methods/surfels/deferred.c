@@ -1,4 +1,4 @@
-/* Deferred shading of a G-buffer, with the shadows of its lights, and how near their decisions were. */
+/* Deferred shading of a G-buffer, with the shadows of its lights, and the margins of its decisions. */
 #include "../../kernels/surfels/deferred_margin.h"
 #include "surfel.h"
 

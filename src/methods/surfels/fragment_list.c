@@ -3,7 +3,7 @@
 #include "../../kernels/base/sort.h"
 #include "surfel.h"
 
-/* Where a pixel's list begins stands one later until it is written. */
+/* Until it is written, the start of a pixel's list stands in the entry after its own. */
 static const ts_launch counted = TS_LAUNCH(fragment_list, TS_ALL);
 static const ts_launch listed = TS_LAUNCH(fragment_list, TS_WITH(surfels));
 static const ts_launch sorted =

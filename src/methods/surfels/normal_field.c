@@ -1,4 +1,4 @@
-/* Linear fields of normals, which static surfels can have. */
+/* Linear fields of normals, optional for static surfels. */
 #include "../../kernels/surfels/normal_field.h"
 #include "surfel.h"
 

@@ -7,7 +7,7 @@ static const ts_launch in_order = TS_LAUNCH(surfel_blend_order, TS_ALL);
 static const ts_launch shaded_once = TS_LAUNCH(surfel_shade, TS_ALL);
 static const ts_launch shaded_each = TS_LAUNCH(surfel_shade, TS_WITH(slopes));
 
-/* CONTRACT rule 30: as many terms as there can be surfels, each the largest that ts_fix gives. */
+/* CONTRACT rule 30: at most one term per surfel, each at most the largest of ts_fix. */
 _Static_assert((u64)TS_NONE *INT32_MAX <= (u64)INT64_MAX, "sums of surfels may overflow");
 
 static ts_status blend_in_order(ts_run *run)

@@ -1,4 +1,4 @@
-/* The G-buffer of surfels: sums by their weights. */
+/* The G-buffer of surfels: sums divided by their weights. */
 #include "../../kernels/surfels/surfel_blend_mean.h"
 #include "../stages.h"
 

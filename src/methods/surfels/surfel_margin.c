@@ -1,4 +1,4 @@
-/* How near the decisions about surfels were. */
+/* Margins of the decisions about surfels. */
 #include "../../kernels/surfels/surfel_shade_margin.h"
 #include "surfel.h"
 
@@ -6,7 +6,7 @@ static const ts_launch of_depths = TS_LAUNCH(surfel_depth_margin, TS_MIN(margin,
 static const ts_launch of_fragments =
 	TS_LAUNCH(surfel_blend_margin, TS_WITH(heaviest), TS_MIN(margin, surfel_blend_margin), TS_BUT(epsilon));
 
-/* Of methods that shade before they blend: a second launch judges the shading. */
+/* For methods that shade before they blend: a second launch judges the shading. */
 #define SHADED \
 	TS_BUT(of.of.view), TS_BUT(of.of.discs), TS_BUT(of.of.keys), TS_BUT(of.of.sums), TS_BUT(of.of.heaviest), \
 		TS_BUT(by.epsilon), TS_MIN(by.margin, surfel_blend_margin)

@@ -1,4 +1,4 @@
-/* Surfels in the eye's view, and how far behind the nearest others are blended with it. */
+/* Surfels in the eye's view, and the depth range behind the nearest within which others are blended. */
 #include "../../kernels/surfels/surfel_setup.h"
 #include "../../scene/surfel.h"
 #include "surfel.h"

@@ -1,4 +1,4 @@
-/* How surfels are shaded before they are blended, and the picture of that. */
+/* Shading of surfels before they are blended, and its picture. */
 #include "surfel.h"
 
 static const ts_launch launch = TS_LAUNCH(surfel_shade_image, TS_ALL);

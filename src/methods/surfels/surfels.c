@@ -4,10 +4,10 @@
  * Zwicker, Pfister, van Baar and Gross, "EWA Splatting" (2001/2002).
  *
  * Surfels are elliptical discs, perspective-correct by casting the ray of each pixel into their plane. The first pass
- * finds what is nearest, the second blends colours and normals of all that is no more than epsilon behind, the third
- * divides by the sum of weights and shades, once a pixel. The filter is the lesser of the radii of an object-space and
- * a screen-space kernel. `ewa` weighs by the convolution of both instead. `flat`, `gouraud` and `phong` shade in the
- * second pass, surfels or their fragments, and blend shaded colours.
+ * finds the nearest; the second blends colours and normals of all surfels that are no more than epsilon behind; the
+ * third divides by the sum of weights and shades, once per pixel. The filter is the lesser of the radii of an
+ * object-space and a screen-space kernel. `ewa` weighs by the convolution of both instead. `flat`, `gouraud` and
+ * `phong` shade in the second pass, surfels or their fragments, and blend shaded colours.
  *
  * Deviations:
  * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (surfel_blend.h);
@@ -16,19 +16,20 @@
  * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it;
  *   surfel_setup.bounds=botsch is the paper;
  * - epsilon, ewa.sigma_k and the shaders are not given: epsilon is the median radius, ewa.sigma_k a half;
- * - surfels that cross the near plane are drawn as far as they are behind it, but by exact EWA and the screen filter
- *   alone, which need an image of their centre, only if that is;
- * - a fragment of the screen filter alone has the depth of the centre, for planes seen from the side are anywhere;
- * - the slides do not say how normal fields are made: ours fit the 8 nearest surfels (normal_field.h);
- * - lights are the scene's, each of them a point or a sun with one depth map, or for points without a direction a cube
- *   of six. */
+ * - surfels that cross the near plane are clipped to the part beyond it; exact EWA and the screen filter alone, which
+ *   need an image of their centre, draw them only if the centre is beyond the plane;
+ * - a fragment of the screen filter alone has the depth of the centre, as planes seen from the side may be at any
+ *   depth;
+ * - the slides do not define how normal fields are made: ours fit the 8 nearest surfels (normal_field.h);
+ * - lights are the scene's, each of them a point or a sun with one depth map, or, for points without a direction, with
+ *   a cube of six. */
 #include "surfel.h"
 #include "../stages.h"
 #include "../pipeline.h"
 
-#define FRAGMENTS 30u      /* of a pixel, on the slides */
-#define SPLAT 4u           /* fragments of a surfel below a pixel's size */
-enum { FIELD_BYTES = 40 }; /* the tree that finds the nearest of a surfel, and its centre */
+#define FRAGMENTS 30u      /* per pixel, on the slides */
+#define SPLAT 4u           /* fragments of a surfel smaller than a pixel */
+enum { FIELD_BYTES = 40 }; /* the tree that finds the nearest neighbours, and the centre, per surfel */
 
 static const ts_step surfels_steps[] = {
 	{.stage = "eye.view"},
@@ -57,7 +58,7 @@ static const ts_step shaded_steps[] = {
 static const ts_step phong_steps[] = {
 	{.stage = "eye.view"},
 	{.stage = "lamp"},
-	{.stage = "surfel_near"}, /* of static surfels, once and for all */
+	{.stage = "surfel_near"}, /* static surfels only need it once */
 	{.stage = "normal_field"},
 	{.stage = "surfel_setup"},
 	{.stage = "surfel_depth"},

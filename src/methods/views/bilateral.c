@@ -1,4 +1,4 @@
-/* Gathered light, filtered. */
+/* Filters the gathered light. */
 #include "../../kernels/views/bilateral.h"
 #include "../raster/eye.h"
 

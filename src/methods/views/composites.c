@@ -18,7 +18,7 @@ static void relate_texel(u32 *in, u32 random)
 	in[0] %= 2 * in[1] * in[1];
 }
 
-/* Of angles, and of balls that just leave the eye outside. */
+/* A cosine, and balls that barely exclude the eye. */
 static void relate_size(u32 *in, u32 random)
 {
 	for (u32 k = 0; k < 2; k++) ts_relate_f32(in + k, ts_min(ts_row_f32(in, k), 1));
@@ -35,7 +35,7 @@ static void relate_node(u32 *node, u32 *random)
 	if (ts_once_in(random, 3)) node[NODE_CHILDREN] = 0;
 }
 
-/* Nodes beside each other, in each other, and on the border of the cone. */
+/* Nodes side by side, one inside the other, and on the border of the cone. */
 static void relate_pair(u32 *in, u32 random)
 {
 	relate_node(in, &random);
@@ -66,7 +66,7 @@ static void relate_cap(u32 *in, u32 random)
 
 enum { LAST = 9, VOXEL = 10 };
 
-/* The greatest voxel in any of the octrees' levels, and voxels in the triangle or beside it. */
+/* The greatest voxel of any of the octrees' levels, and voxels in the triangle or beside it. */
 static void relate_voxel(u32 *in, u32 random)
 {
 	in[LAST] = (1u << (1 + (random >> 8) % 11)) - 1;

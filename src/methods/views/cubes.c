@@ -2,14 +2,14 @@
  * cube maps"; METHODS 14), beside those of EPR and MVR.
  *
  * The middle of each reflector's cube is a view to all sides. Octrees, traversal and maps are those of lights
- * (megaviews.c). The nodes that whole maps show are shaded, as MVR shades triangles, and the maps become the mip chains
- * of cubes, which the eye's reflective pixels look up as MVR's.
+ * (megaviews.c). The nodes that whole maps show are shaded, as MVR shades triangles. The maps become the mip chains of
+ * cubes, which the eye's reflective pixels look up as they do MVR's.
  *
  * Deviations:
  * - the paper's maps are of points in one colour each: a node's mean material is shaded in full light for each view;
- * - a view leaves out its own reflector, as every method's cubes do: nodes that are of the reflector alone, and its
- *   triangles in leaves that it shares with others;
- * - a node has no back: a mean normal turns to the viewer, and surfaces seen from behind are there, which MVR drops;
+ * - a view leaves out its own reflector, as every method's cubes do: nodes of the reflector alone, and its triangles in
+ *   leaves that it shares with others;
+ * - a node has no back: a mean normal turns to the viewer, and surfaces seen from behind, which MVR drops, are shown;
  * - views of a leaf share its map, and so mirrors whose middles are in one leaf show the same. */
 #include <math.h>
 #include "../../kernels/raster/mip.h"

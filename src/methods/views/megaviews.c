@@ -1,31 +1,31 @@
-/* MegaViews: indirect light by instant radiosity with a small map of what is around each of many lights.
+/* MegaViews: indirect light by instant radiosity, with a small map of the surroundings of each of many lights.
  * Kol, Bauszat, Lee and Eisemann, "MegaViews: Scalable Many-View Rendering with Concurrent Scene-View Hierarchy
- * Traversal" (2019). And ManyLoDs, what the paper compares itself to: Hollaender, Ritschel, Eisemann and Boubekeur
+ * Traversal" (2019). And ManyLoDs, to which the paper compares itself: Hollaender, Ritschel, Eisemann and Boubekeur
  * (2011).
  *
  * Texels of reflective shadow maps become virtual point lights, each of them a view (section 3.1). Pairs of a node of
  * the scene's octree and one of the views' are culled, rendered or split (section 3.2), and fused into whole maps.
  * Pixels gather the light of a few of the views that the same culling leaves them, and a cross-bilateral filter makes
  * that smooth (section 5.1). ManyLoDs has no octree of views: each is rendered by itself, and pixels draw from all of
- * them. Brute force has no use for the scene's inner nodes either: every leaf is rendered for every view.
+ * them. Brute force does not use the scene's inner nodes either: every leaf is rendered for every view.
  *
  * Deviations:
  * - culling, equivalence and subdivision are reconstructed, for the text of figures 4, 6 and 8 is lost (METHODS 13);
- * - queues that are longer than their memory are carried on piece by piece, not by children of the root;
- * - lights stand half a leaf's side above their surface, and leaves near theirs are not rendered, for else they would
- *   be in their own shadow, of which the paper does not speak; view_map.apart=0 is the paper;
- * - a leaf that is wider than a texel fills the texels that a ball in its cube covers, where the paper leaves open what
- *   a node projects to: its bounding sphere, view_map.fill=1, throws too much shadow;
- * - nor does it of near lights and of a bias: distances are at least vpl_gather.near leaves' sides, and what lies
- *   behind what a map shows is lit up to vpl_gather.bias leaves' diagonals and bias texels' widths, and farther if that
- *   node is no more than vpl_gather.bias_plane of its radii above the place's tangent plane, for which maps tell the
- *   node, not its distance alone; vpl_gather.test=distance does without, where depth_map.bias_slope keeps surfaces out
- *   of their own shadow and lets light through walls;
- * - lists end at the nodes of vpl_gather.level, where the paper leaves open whether leaves of views are culled one by
+ * - queues that are longer than their memory continue piece by piece, not by children of the root;
+ * - lights stand half a leaf's side above their surface, and leaves near theirs are not rendered, because they would
+ *   otherwise shadow themselves, which the paper does not mention; view_map.apart=0 is the paper;
+ * - a leaf that is wider than a texel fills the texels that a ball in its cube covers, as the paper does not define a
+ *   node's projection: its bounding sphere, view_map.fill=1, throws too much shadow;
+ * - the paper mentions neither near lights nor a bias: distances are at least vpl_gather.near leaves' sides. Places are
+ *   lit up to vpl_gather.bias leaves' diagonals and bias texels' widths behind the map's depth, and farther if the
+ *   map's node is no more than vpl_gather.bias_plane of its radii above the place's tangent plane, for which maps store
+ *   the node, not its distance alone. vpl_gather.test=distance does without, where depth_map.bias_slope keeps surfaces
+ *   out of their own shadow and lets light through walls;
+ * - lists end at the nodes of vpl_gather.level, as the paper does not say whether leaves of views are culled one by
  *   one;
- * - brute force renders leaves, where the paper rasterizes triangles: what differs from ManyLoDs is then the
- *   hierarchy's;
- * - the picture is of indirect light alone. */
+ * - brute force renders leaves, where the paper rasterizes triangles: it then differs from ManyLoDs only by the
+ *   hierarchy;
+ * - the picture shows only indirect light. */
 #include <math.h>
 #include "../../scene/lamp.h"
 #include "../stages.h"
@@ -68,7 +68,7 @@ void ts_views_plan(ts_plan *plan, const ts_params *params, const ts_counts *coun
 
 #define SLANT 3 /* area of the surfaces in the lamp's cone, which are slanted, and some farther away */
 
-/* What the lamp's cone cuts out of them, of which a plane across would be where its irradiance is light_irradiance. */
+/* The area of surfaces in the lamp's cone, from a plane across it where the irradiance is light_irradiance. */
 static double lamp_area(const ts_scene *scene, const ts_params *params)
 {
 	ts_light lamp;
@@ -78,8 +78,7 @@ static double lamp_area(const ts_scene *scene, const ts_params *params)
 	return SLANT * 3.14159265 * square * (1 / (cosine * cosine) - 1);
 }
 
-/* Paths begin at the lit texels of the maps, and there several of them may: their first lights are in the same
- * places. */
+/* Paths begin at the lit texels of the maps. Several may begin at one texel: their first lights have the same place. */
 static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
 {
 	ts_indirect_expect(expected, scene, params);

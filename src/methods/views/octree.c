@@ -1,4 +1,4 @@
-/* Octrees: masks, nodes and the lists of the leaves; that of the scene. */
+/* Octrees: masks, nodes and the lists of the leaves; also the scene's octree. */
 #include "octree.h"
 #include "../../kernels/views/octree_surface.h"
 

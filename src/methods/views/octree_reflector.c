@@ -1,4 +1,4 @@
-/* The reflectors that nodes of the scene's octree are pieces of. */
+/* The reflectors that nodes of the scene's octree belong to. */
 #include "../../kernels/views/octree_reflector.h"
 #include "octree.h"
 

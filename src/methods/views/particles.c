@@ -1,19 +1,19 @@
-/* Glowing particles, whose light all surfaces cast shadows in, by MegaViews, ManyLoDs and brute force (see megaviews.c,
+/* Glowing particles, with shadows cast by all surfaces, by MegaViews, ManyLoDs and brute force (see megaviews.c,
  * section 5.2).
  *
- * Particles are lights in the hall's air, each of them a view of all directions, so that nothing is culled. What
- * follows is what follows the virtual point lights of indirect light: the same octree of views, traversal, maps and
+ * Particles are lights in the hall's air, each of them a view of all directions, so that nothing is culled. The later
+ * steps are those of the virtual point lights of indirect light: the same octree of views, traversal, maps and
  * gathering.
  *
  * Deviations, beside those of megaviews.c:
  * - the paper does not say where particles are and how they move: they are on ellipses about the middle of the hall;
- * - as nothing is culled, pixels draw from all particles, unless cutoff leaves those that are far away;
- * - the picture is of the light of particles alone, and particles themselves are not seen. */
+ * - as nothing is culled, pixels draw from all particles, unless cutoff excludes those that are far away;
+ * - the picture shows only the light of particles, not the particles. */
 #include <math.h>
 #include "../stages.h"
 #include "pipelines.h"
 
-/* What the eye sees, particles, and the octree of the scene. */
+/* The eye's view, particles, and the octree of the scene. */
 static const ts_step particle_run[] = {
 	{.run = ts_frame_run},
 	{.run = ts_gbuffer_run},

@@ -30,7 +30,7 @@ const ts_step ts_all_maps_run[] = {
 };
 
 const ts_step ts_gather_run[] = {
-	{.stage = "vpl_gather.pairs"}, /* the traversal again: which views may light what */
+	{.stage = "vpl_gather.pairs"}, /* the traversal again: which views may light which nodes */
 	{.stage = "vpl_gather", .spares = ts_gather_asks_fused, .spared = TS_B_view_map_depth_node},
 	{.stage = "bilateral"},
 	{.stage = "image.indirect"},

@@ -1,4 +1,4 @@
-/* Sizes of many views that are computed. */
+/* Computed sizes of many views. */
 #include "../../kernels/views/view_map.h"
 #include "../registry.h"
 #include "octree.h"
@@ -10,7 +10,7 @@ u64 ts_size_mask_words(const ts_size_question *q)
 	return ts_k_mask_first(TS_PARAM(&q->run->params, octree_levels) + 1);
 }
 
-/* The levels of an octree are there, and as many as they should be. */
+/* Whether an octree's levels are there, and complete. */
 static bool has_levels(const ts_size_question *q, ts_buffer_id level)
 {
 	return ts_is_made(q, level) && ts_frame_n(&q->run->frame, level) == TS_PARAM(&q->run->params, octree_levels) + 2;

@@ -1,5 +1,5 @@
-/* The traversal of two octrees at once: a queue of pairs a step, carried to its end in pieces where it is longer
- * than its memory. */
+/* The traversal of two octrees at once: one queue of pairs per step, processed in pieces where it is longer than its
+ * memory. */
 #include "../../kernels/base/scan.h"
 #include "octree.h"
 #include "traverse.h"
@@ -18,12 +18,12 @@ typedef struct {
 	ts_traverse_sink *sink;
 	void *user;
 	ts_traverse_piece piece;
-	u64 room;   /* pairs of a step; no less than the children of one */
+	u64 room;   /* pairs per step; at least the children of one */
 	u64 *queue; /* room for each step */
 	struct {
 		u64 at, end;
-	} waiting[TS_STEPS + 1]; /* of each step's queue; behind the last nothing ever does */
-	u64 steps[TS_STEPS];     /* pairs of each step, of all pieces of its queue */
+	} waiting[TS_STEPS + 1]; /* per step; the last is always empty */
+	u64 steps[TS_STEPS];     /* pairs per step, over all pieces of its queue */
 } traversal;
 
 const ts_launch ts_traverse_launches[] = {
@@ -91,7 +91,7 @@ static ts_status launch(traversal *t, u32 which, u64 n)
 	return ts_launch_items(t->run, &ts_traverse_launches[which], &t->piece.args, n);
 }
 
-/* Decides the piece, or so much of it that its children have room. */
+/* Decides the piece, or the part of it whose children have room. */
 static ts_status decide(traversal *t, u64 *children)
 {
 	ts_traverse_piece *piece = &t->piece;
@@ -122,7 +122,7 @@ static ts_status take_piece(traversal *t, u32 step)
 	return t->sink(t->run, piece, t->user);
 }
 
-/* What waits, later steps first: a queue is empty when the next piece of the one before it is taken. */
+/* Takes waiting pieces, later steps first: a queue is empty when the next piece of the one before it is taken. */
 static ts_status carry(traversal *t)
 {
 	for (u32 step = 0;;) {
@@ -221,7 +221,7 @@ static int ascending(const void *a, const void *b)
 	return x < y ? -1 : x > y;
 }
 
-/* Pieces come in another order where queues have less memory. */
+/* Queues with less memory have their pieces in another order. */
 static ts_status keep_sorted(ts_run *run, const ts_traverse_args *how, u64 *pairs, u64 n)
 {
 	u64 *next = pairs;

@@ -15,7 +15,7 @@ ts_status ts_view_map_check(const ts_run *run)
 	               "view_map.texel=point would be right");
 }
 
-/* In maps of 16 x 16 hardly a leaf is wider than a texel (MegaViews section 4). */
+/* In maps of 16 x 16 hardly any leaf is wider than a texel (MegaViews section 4). */
 enum { WITHOUT_FILLING = 16 };
 
 ts_pyramid ts_view_pyramid(const ts_params *params, const ts_plan *plan)
@@ -29,8 +29,7 @@ ts_pyramid ts_view_pyramid(const ts_params *params, const ts_plan *plan)
 	return r;
 }
 
-/* Pairs that were kept, or all as the traversal comes by them; by brute force every leaf of the scene for every
- * view. */
+/* Pairs that were kept, or all pairs during the traversal; for brute force every leaf of the scene with every view. */
 static const ts_launch of_kept = TS_LAUNCH(view_map, TS_ALL);
 static const ts_launch of_piece = TS_LAUNCH(view_map, TS_WORK(pairs, queue));
 static const ts_launch of_kept_but_own = TS_LAUNCH(view_map, TS_WITH(own));

@@ -1,4 +1,4 @@
-/* How near what maps of views show was to another answer. */
+/* Margins of the maps of views. */
 #include "../../kernels/views/view_map_margin.h"
 #include "octree.h"
 #include "traverse.h"
@@ -15,7 +15,7 @@ static ts_status begin(ts_run *run, ts_view_map_margin_args *args)
 	return TS_FILL(run, launch_of(run), args);
 }
 
-/* Pairs before they are decided: the children of those of a piece. */
+/* Undecided pairs: the children of those of a piece. */
 static ts_status take_children(ts_run *run, ts_traverse_piece *piece, void *user)
 {
 	ts_view_map_margin_args *args = user;
@@ -35,7 +35,7 @@ static ts_status view_map_margin(ts_run *run)
 	return ts_traverse(run, &args.of, take_children, &args);
 }
 
-/* By brute force: every leaf of the scene for every view. */
+/* For brute force: every leaf of the scene with every view. */
 static ts_status view_map_all_margin(ts_run *run)
 {
 	ts_view_map_margin_args args;

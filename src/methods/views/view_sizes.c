@@ -1,6 +1,5 @@
-/* How large octrees, maps and lists of many views are likely to be, from the area of the scene's surfaces. The shares
- * were measured on the built-in scenes and two models at all levels; scripts/memory compares estimates with what runs
- * take. */
+/* Expected sizes of octrees, maps and lists of many views, from the area of the scene's surfaces. The shares were
+ * measured on the built-in scenes and two models at all levels; scripts/memory compares estimates with actual runs. */
 #include <math.h>
 #include "../../kernels/base/vec.h"
 #include "traverse.h"
@@ -8,13 +7,13 @@
 #include "pipelines.h"
 
 #define FILLED 0.25    /* of all voxels at most, as surfaces stand close to each other */
-#define TRIANGLES 2    /* in a leaf, beside one leaf of each triangle */
+#define TRIANGLES 2    /* per leaf, besides one leaf per triangle */
 #define PAIRS 5        /* per node of views and texel of its map that the traversal decides */
-#define PAIRS_ALONE 20 /* the same of a view without a hierarchy */
-#define REACH 4.0      /* area of surfaces within a distance, in squares of it: more than the disc of one */
+#define PAIRS_ALONE 20 /* the same for a view without a hierarchy */
+#define REACH 4.0      /* area of surfaces within a distance, divided by its square: more than a disc's */
 #define PAIRS_A_VIEW 1024
-#define NODE_BYTES 26 /* of a node of the scene, where the C backend maps pairs at once: without queues */
-#define VIEW_BYTES 50 /* the same of a node of views */
+#define NODE_BYTES 26 /* per node of the scene, where the C backend maps pairs at once, without queues */
+#define VIEW_BYTES 50 /* per node of views */
 
 static double least(double a, double b) { return a < b ? a : b; }
 
@@ -40,7 +39,7 @@ static surfaces measure(const ts_scene *scene)
 	return r;
 }
 
-/* Of n voxels those that things are in, wherever they are: nearly as many as are few things, nearly all with many. */
+/* How many of n voxels contain things at random places: nearly the number of things if few, nearly all if many. */
 static double occupied(double things, double n) { return things > 0 ? things * n / (things + n) : 0; }
 
 /* An area in squares as wide as the voxels of a level. */
@@ -55,22 +54,22 @@ static double nodes_at(const surfaces *s, u32 level)
 	return occupied(squares(s, s->area, level), FILLED * (double)(1ull << 3 * level)) + 1;
 }
 
-/* Nodes of a level of the views' octree, some of those of the surfaces that the lights are on. */
+/* Nodes of a level of the views' octree: some nodes of the surfaces that the lights are on. */
 static double views_at(const surfaces *s, const ts_expected_lights *lights, u32 level)
 {
 	return occupied((double)lights->n_places, least(squares(s, lights->area, level) + 1, nodes_at(s, level)));
 }
 
-/* Pairs of two levels that culling leaves to gathering: of lights that see all, or half of a hall whose surfaces they
- * are on, all that the cutoff does not drop. */
+/* Share of the pairs of two levels that culling leaves to gathering. The lights see everything, or half of a hall whose
+ * surfaces they are on, so all pairs within the cut-off stay. */
 static double share_in_reach(const surfaces *s, const ts_params *params, u32 level)
 {
 	double distance = (double)TS_PARAM(params, vpl_gather_cutoff) + 2 * s->side / (double)(1u << level);
 	return TS_PARAM(params, vpl_gather_cutoff) > 0 && s->area > 0 ? least(REACH * distance * distance / s->area, 1) : 1;
 }
 
-/* What queues take of their memory for so many pairs, half of them in the last step, and in each step half of those of
- * the next; all of it where that is more than a run may have, which is refused. */
+/* Memory of queues for this many pairs: half of them in the last step, and each step has half the pairs of the next.
+ * All of their memory where that exceeds a run's limit, so that the run is refused. */
 static u64 queue_bytes(double pairs, const ts_params *params)
 {
 	u64 bytes = 0, room = ts_traverse_room(params), all = (u64)TS_PARAM(params, traverse_queue_mb) << 20;

@@ -1,4 +1,4 @@
-/* Voxels that triangles touch: leaves of the scene's octree to be. */
+/* Voxels that triangles touch: future leaves of the scene's octree. */
 #include "octree.h"
 
 static const ts_launch marked =

@@ -2,7 +2,7 @@
 #include "../../kernels/views/vpl.h"
 #include "octree.h"
 
-/* Texels that send light on; lights of each path; the lights; of paths that begin at random. */
+/* Texels that reflect light; lights of each path; the lights; and those for paths with random beginnings. */
 static const ts_launch lit = TS_LAUNCH(vpl_count, TS_BUT(paths), TS_BUT(lights));
 static const ts_launch counted = TS_LAUNCH(vpl_path, TS_IN(offset, vpl_offset), TS_BUT(lights));
 static const ts_launch written = TS_LAUNCH(vpl, TS_IN(offset, vpl_offset), TS_IN(paths, vpl_path));
@@ -15,7 +15,7 @@ static const ts_launch measured = TS_LAUNCH(vpl_area, TS_BUT_SURFACES, TS_BUT(sc
 
 bool ts_vpl_at_random(const ts_params *params) { return TS_PARAM(params, vpl_place) == TS_VPL_AT_RANDOM; }
 
-/* Leaf sides are those of both octrees. */
+/* Sides of leaves are the same in both octrees. */
 static ts_cast_args cast(const ts_run *run)
 {
 	const ts_root *root = ts_frame_data(&run->frame, TS_B_octree_root);

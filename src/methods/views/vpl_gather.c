@@ -1,4 +1,4 @@
-/* Light from virtual point lights: which nodes of views may light which nodes of the scene, and what pixels gather. */
+/* Light from virtual point lights: which nodes of views may light which nodes of the scene, and gathering by pixels. */
 #include "../../kernels/views/vpl_gather_margin.h"
 #include "../../kernels/views/vpl_gather_pairs.h"
 #include "../raster/eye.h"
@@ -14,7 +14,7 @@ static const ts_launch sorted =
 	TS_LAUNCH(leaf_sort, TS_IN(offset, vpl_gather_pair_offset), TS_OUT(entries, vpl_gather_pair_node));
 static const ts_launch summed = TS_LAUNCH(vpl_gather_pairs_sum, TS_BUT(pairs));
 
-/* By whole maps, and by those of the nodes from the root down. */
+/* By whole maps, or by maps of the nodes from the root down. */
 static const ts_launch gathered[] = {
 	[TS_QUERY_FUSED] = TS_LAUNCH(vpl_gather, TS_BUT(unfused)),
 	[TS_QUERY_DESCEND] =
@@ -73,7 +73,7 @@ static ts_status list_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 	return ts_launch_items(run, &listed, args, piece->n);
 }
 
-/* All pairs that the traversal leaves, if need be by that. */
+/* Visits all pairs that culling leaves, by the traversal if need be. */
 static ts_status over_pairs(ts_run *run, const ts_launch *launch, ts_traverse_sink *sink,
                             ts_vpl_gather_pairs_args *args)
 {
@@ -88,7 +88,7 @@ static u64 nodes_of(const ts_run *run, const ts_octree *octree, u32 level)
 	return ts_octree_first(run, octree, level + 1) - ts_octree_first(run, octree, level);
 }
 
-/* Where lists begin stands one later while they are written, as in octrees. */
+/* Until it is written, the start of a list stands in the entry after its own, as in octrees. */
 static ts_status make_lists(ts_run *run, ts_vpl_gather_pairs_args *args, u64 *n)
 {
 	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK || TS_FILL(run, &counted, args) != TS_OK) return TS_ERROR;
@@ -142,7 +142,7 @@ ts_status ts_vpl_gather_ask(const ts_run *run, ts_vpl_gather_args *args)
 	return TS_ASK(run, &gathered[TS_PARAM(&run->params, vpl_gather_query)], args);
 }
 
-/* Texels that are read where a map is asked: of a whole one, or of all levels of those from the root down. */
+/* Texels read per look-up: one of a whole map, or all levels of the maps from the root down. */
 static u32 texels_asked(const ts_run *run, u32 query, const ts_pyramid *pyramid)
 {
 	u32 n_nodes = are_alone(run) ? 1 : TS_PARAM(&run->params, octree_levels) + 1;

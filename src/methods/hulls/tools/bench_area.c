@@ -1,6 +1,7 @@
-/* Figures 3 and 4 of the SSAGH paper: a broad lamp by hulls, by the paper's integral of lobe and cosine and by another,
- * beside light that every pixel gathers itself. Eq. 7, the constant cosine of figure 3, leaves black what the lobe's
- * middle is behind; eq. 8, the Gaussian cosine of figure 4, shines on what is turned away. */
+/* Figures 3 and 4 of the SSAGH paper: a broad lamp with hulls, by the paper's integral of lobe and cosine and by
+ * another, compared with light that every pixel gathers itself. Eq. 7, the constant cosine of figure 3, leaves black
+ * the surfaces that the lobe's middle is behind; eq. 8, the Gaussian cosine of figure 4, lights surfaces that are
+ * turned away. */
 #include "benches.h"
 
 enum { M_DIRECT, M_OURS, M_OTHER };

@@ -1,5 +1,5 @@
-/* `bench ssagh-borders`: what the choices that are not the paper's do to the borders of blocks: a ramp for light that
- * grazes its own surface, and corners at pixels within their boxes (METHODS 11). */
+/* `bench ssagh-borders`: how our deviations from the paper affect the borders of blocks: a ramp for light that grazes
+ * its own surface, and corners at pixels within their boxes (METHODS 11). */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,14 +19,14 @@ static const struct {
 	[RECTANGLE] = {"hull.corners=rectangle", "hull.corners=rectangle"},
 };
 
-/* Of one scene by one choice. */
+/* For one scene and choice. */
 typedef struct {
 	double relative; /* RMSE in radiance */
 	ts_borders borders;
 	ts_facing_pairs pairs;
 } seams;
 
-/* The least over scenes of the other choice's figure by ours. */
+/* The least ratio over scenes of the other choice's figure to ours. */
 typedef struct {
 	double facing_across, facing_relative, rectangle_across;
 } least;
@@ -46,7 +46,7 @@ static const ts_column columns[] = { { "scene", "scene", false }, { "choice", "c
 
 static double percent(u64 part, u64 all) { return all > 0 ? 100 * (double)part / (double)all : NAN; }
 
-/* The pairs that the ramp leaves out or dims are those of the choice that has it and the default corners. */
+/* Only the choice with the ramp and the default corners counts the pairs that the ramp leaves out or dims. */
 static void add_row(ts_table *table, const char *scene, u32 choice, const seams *s)
 {
 	bool counted = choice == OURS;
@@ -60,7 +60,7 @@ static void add_row(ts_table *table, const char *scene, u32 choice, const seams 
 	ts_table_say(table);
 }
 
-/* Ended by ts_run_end, also on failure. */
+/* To be ended by ts_run_end, also on failure. */
 static ts_status run_begin(ts_run *run, const work *w, const ts_scene *scene, const ts_params *params,
                            const char *method)
 {

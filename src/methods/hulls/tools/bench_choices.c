@@ -1,5 +1,5 @@
-/* The pictures of SSAGH's figures 2 to 4: a grid without segments, a constant cosine and one that is a Gaussian, each
- * beside the method as it is; and the convolution by quadrature in place of the closed form. */
+/* The pictures of SSAGH's figures 2 to 4: a grid without segments, a constant cosine and a Gaussian one, each beside
+ * the default method; and the convolution by quadrature in place of the closed form. */
 #include "benches.h"
 
 enum { OURS, GRID, CONSTANT, GAUSSIAN, QUADRATURE, METHODS, DIRECT = METHODS };
@@ -63,7 +63,7 @@ static const ts_paper_part parts[] = {
 
 #define ALL TS_NO_FIGURE, 0, 0
 
-/* A picture by another choice, and its error, beside ours. */
+/* A picture with another choice, and its error, beside ours. */
 #define WORSE(id, what, because, cause) \
 	{ what ": dB that ours brings", MORE_##id, TS_AT_LEAST, 0, 0, ALL, because, cause }, \
 	{ what ": RMSE elsewhere, by ours", ERROR_##id, TS_AT_LEAST, 1, 0, ALL, because, cause }

@@ -1,6 +1,6 @@
 /* `bench ssagh-7`: the error of each way to integrate a spherical Gaussian with the cosine, over all angles between the
- * two; SSAGH's figure 7. Quadrature and methods are the kernels', in single precision: errors below 1e-6 are its
- * rounding. */
+ * two; SSAGH's figure 7. Quadrature and methods are the kernels', in single precision, whose rounding errors are below
+ * 1e-6. */
 #include <math.h>
 #include "../../../kernels/hulls/gaussian.h"
 #include "benches.h"
@@ -15,13 +15,13 @@ static const char *const methods[N_METHODS] = {
 };
 /* clang-format on */
 
-/* Of one sharpness: the root of the mean squared error, of all angles alike and by solid angle. */
+/* For one sharpness: the root mean square error, over all angles equally and weighted by solid angle. */
 typedef struct {
 	f32 lambda;
 	double alike[N_METHODS], solid[N_METHODS];
 } errors;
 
-/* What a greatest error must be within 2 %: in double precision, apart from this program; and in the paper. */
+/* Expected greatest errors, within 2 %: computed independently in double precision; and the paper's. */
 typedef struct {
 	u32 method;
 	bool solid;

@@ -1,6 +1,6 @@
-/* `bench ssagh-5`: the curves c and s of SSAGH's figure 5, out of quadrature and in closed form. c is A_h brought to
- * [0, 1] by A_b and A_u, s what is left of it between the clamped cosine and that over the whole sphere (eqs 15 and
- * 16). */
+/* `bench ssagh-5`: the curves c and s of SSAGH's figure 5, from quadrature and in closed form. c is A_h scaled to [0,
+ * 1] by A_b and A_u, s the remaining interpolation between the clamped cosine and that over the whole sphere (eqs 15
+ * and 16). */
 #include <math.h>
 #include "../../../kernels/hulls/gaussian.h"
 #include "benches.h"
@@ -27,7 +27,7 @@ static const ts_column c_columns[] = COLUMNS("c"), s_columns[] = COLUMNS("s");
 
 static double degrees(u32 angle) { return 180.0 * angle / (N_ANGLES - 1); }
 
-/* Where the two cosines meet there is no s by quadrature. */
+/* Where the two cosines are equal, quadrature gives no s. */
 static void sample(figure *f, u32 sharp, u32 angle)
 {
 	f32 lambda = sharpness[sharp], cosine = ts_cos_turn((f32)angle / (2 * (N_ANGLES - 1)));
@@ -48,7 +48,7 @@ static void cell(ts_table *t, double x)
 	}
 }
 
-/* Says a curve as it comes. */
+/* Prints a curve when it is computed. */
 static void sample_curve(figure *f, u32 sharp)
 {
 	double c = 0;
@@ -83,8 +83,8 @@ static double most_apart(value rows[N_SHARP][N_ANGLES])
 	return most;
 }
 
-/* Curves at an angle that are above the one of less sharpness, or below the clamped cosine, by more than single
- * precision leaves. */
+/* Counts curves at an angle that are above the one of less sharpness, or below the clamped cosine, by more than single
+ * precision explains. */
 static u32 out_of_order(const figure *f)
 {
 	const double rounding = 1e-5;

@@ -1,5 +1,5 @@
-/* Specular reflection by lobes (SSAGH eq. 6), beside the BRDF itself in double precision: of the lobes of hulls, and of
- * every triangle of light; and the picture without. The paper has no figure of it. */
+/* Specular reflection by lobes (SSAGH eq. 6), compared with the BRDF itself in double precision: for the lobes of
+ * hulls, and for every triangle of light; and the picture without. The paper has no figure of it. */
 #include "benches.h"
 
 enum { M_HULLS, M_DIRECT, M_WITHOUT };

@@ -1,6 +1,6 @@
-/* `bench ssagh-6`: the steepness t of the logistic curve that is nearest to s (eq 17), for each sharpness, beside that
- * of eq 18; SSAGH's figure 6, and the errors of the fits. In double precision. The Gaussian is integrated less that of
- * sharpness 0, so that nothing cancels where sharpness is small. */
+/* `bench ssagh-6`: the steepness t of the logistic curve that fits s best (eq 17), for each sharpness, beside that of
+ * eq 18; SSAGH's figure 6, and the errors of the fits. In double precision. The Gaussian of sharpness 0 is subtracted
+ * before integration, so that nothing cancels where sharpness is small. */
 #include <math.h>
 #include "../../../kernels/hulls/gaussian.h"
 #include "benches.h"
@@ -9,15 +9,16 @@ enum { N_SHARP = 41, N_ANGLES = 181, N_NODES = 161 };
 
 static const double pi = 3.14159265358979323846;
 
-/* Nodes in (-1, 1) and their weights, by x = tanh(pi / 2 sinh k h): exact to rounding whatever the ends are like. */
+/* Nodes in (-1, 1) and their weights, by x = tanh(pi / 2 sinh k h): exact except for rounding, whatever happens at the
+ * ends. */
 typedef struct {
 	double at[N_NODES], weight[N_NODES];
 } nodes;
 
-/* Of one sharpness. */
+/* For one sharpness. */
 typedef struct {
-	double lambda, t, per_u; /* of the nearest curve: 1 / u */
-	double fit, closed;      /* RMSE of that, and of eqs 17 and 18 */
+	double lambda, t, per_u; /* of the best curve: 1 / u */
+	double fit, closed;      /* RMSE of the best curve, and of eqs 17 and 18 */
 } fitted;
 
 static nodes nodes_of(void)
@@ -41,7 +42,7 @@ static double cosines(double theta, double beta)
 	return 2 * (p * edge + q * sin(edge));
 }
 
-/* Over theta. The factor exp(-lambda), which all integrals share, is left out. */
+/* Integrates over theta. All integrals leave out the factor exp(-lambda), which they share. */
 static double above(const nodes *n, double lambda, double beta, double from, double to)
 {
 	double sum = 0, half = (to - from) / 2;
@@ -52,7 +53,7 @@ static double above(const nodes *n, double lambda, double beta, double from, dou
 	return half * sum;
 }
 
-/* In pieces between which circles about the lobe leave the hemisphere. */
+/* In pieces, which end where circles about the lobe leave the hemisphere. */
 static double whole(const nodes *n, double lambda, double beta)
 {
 	double bend = fabs(pi / 2 - beta);
@@ -60,14 +61,14 @@ static double whole(const nodes *n, double lambda, double beta)
 	       above(n, lambda, beta, pi - bend, pi);
 }
 
-/* s by quadrature: eq 16, solved for it. */
+/* s by quadrature: eq 16, solved for s. */
 static double s_of(const nodes *n, double lambda, double beta, double lower, double upper)
 {
 	double c = (whole(n, lambda, beta) - lower) / (upper - lower), clamped = fmax(0, cos(beta));
 	return (c - clamped) / (0.5 * cos(beta) + 0.5 - clamped);
 }
 
-/* RMSE of the best u for a steepness. */
+/* RMSE of a steepness with its best u. */
 static double error_of(const double *s, const double *cosine, double t, double *per_u)
 {
 	double sf = 0, ff = 0, sum = 0;

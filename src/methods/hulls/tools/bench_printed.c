@@ -1,6 +1,6 @@
-/* Of `bench ssagh-7`: eqs 9 and 10 in single precision. As they are printed they cancel where lambda is small, and
- * e^lambda overflows where it is large: with the C library's exponential A_b then is 0 times infinity, with the
- * kernels', which is at most the largest float, 0. */
+/* For `bench ssagh-7`: eqs 9 and 10 in single precision. As printed they cancel where lambda is small, and e^lambda
+ * overflows where it is large: with the C library's exponential A_b then is 0 times infinity, with the kernels', which
+ * is at most the largest float, 0. */
 #include <math.h>
 #include "../../../kernels/hulls/gaussian.h"
 #include "benches.h"

@@ -1,4 +1,4 @@
-/* `bench ssagh-segments`: how many labels the four sweeps of SSAGH's algorithm 1 leave of the depth of whole images,
+/* `bench ssagh-segments`: how many labels the four sweeps of SSAGH's algorithm 1 find in the depth of whole images,
  * beside the connected components that they stand for. */
 #include <math.h>
 #include <stdlib.h>
@@ -8,9 +8,9 @@
 #include "benches.h"
 #include "../../../study/bench_case.h"
 
-/* Of blocks. */
+/* Counts of blocks and labels. */
 typedef struct {
-	i64 blocks, labels, components, equal; /* equal: blocks with as many of each */
+	i64 blocks, labels, components, equal; /* equal: blocks with equal numbers of both */
 	i64 most_labels, most_components, most_excess;
 	i64 joined; /* labels of several components */
 } tally;
@@ -30,7 +30,7 @@ static const ts_column columns[] = { { "scene", "scene", false }, { "of", "of bl
 	{ "joined", "joined", true }, { 0 } };
 /* clang-format on */
 
-/* All that depth needs. */
+/* The stages before segmentation. */
 static const char *const stages[] = {"eye.view", "pose", "eye", "gbuffer", "depth_grid", "segment", NULL};
 
 static void add_to(tally *t, const tally *block)
@@ -50,7 +50,7 @@ static tally count_block(const u32 *swept, const u32 *exact, u32 grid, u32 block
 {
 	tally t = {.blocks = 1};
 	bool used[TS_BLOCK_TEXELS] = {false}, joined[TS_BLOCK_TEXELS] = {false};
-	u32 component[TS_BLOCK_TEXELS]; /* that a label was seen with last */
+	u32 component[TS_BLOCK_TEXELS]; /* that had the label last */
 	memset(component, 0xff, sizeof component);
 	for (u32 p = 0; p < TS_BLOCK_TEXELS; p++) {
 		u64 at = ts_k_block_texel(grid, block, p % TS_BLOCK, p / TS_BLOCK);
@@ -82,7 +82,7 @@ static void add_row(ts_table *table, const char *scene, const char *of, const ta
 	ts_table_say(table);
 }
 
-/* What numpy makes of 300 blocks of discs before slopes. */
+/* The result of numpy for 300 blocks of discs before slopes. */
 static void add_synthetic_row(ts_table *table)
 {
 	ts_table_text(table, "discs (FIGURES 7)");
@@ -114,7 +114,7 @@ static void report_scene(work *w, const char *spec, const u32 *swept, const u32 
 	w->components += all.components;
 }
 
-/* Labels by sweeps or by components; *labels by free(), NULL on failure. */
+/* Labels by sweeps or by components; to be released by free(), NULL on failure. */
 static ts_status segment(u32 **labels, const work *w, const ts_scene *scene, const ts_params *params, u32 segmentation)
 {
 	ts_run run;

@@ -1,10 +1,10 @@
-/* The SSAGH paper's table of frames a second, as the images grow. Speed-ups are of the paper's own frames a second. */
+/* The SSAGH paper's table of frames per second for growing images. Speed-ups follow from the paper's own. */
 #include "benches.h"
 
 enum { M_HULLS, M_DIRECT, M_VMF };
 
 /* clang-format off */
-/* A minute of `direct` is timed once. */
+/* `direct` takes a minute, so it is timed once. */
 static const ts_bench_variant variants[] = {
 	[M_HULLS] = { "hulls", "", true, TS_TIMED },
 	[M_DIRECT] = { "direct", "", true, TS_ONCE },
@@ -58,7 +58,7 @@ static const ts_paper_part parts[] = {
 	{ 0 },
 };
 
-/* The least of the paper's scenes, for images of so many million pixels. */
+/* The least over the paper's scenes, for images of `least` to `most` million pixels. */
 #define FASTER(bound, least, most) \
 	{ "direct / hulls", SPEEDUP, TS_AT_LEAST, bound, 0, PIXELS, least, most, \
 	  TS_GPU "gathers are not most of the work; see rsm.px", SAVED }

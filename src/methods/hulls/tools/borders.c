@@ -8,7 +8,7 @@ typedef struct {
 	double changes, light;
 } sums;
 
-/* Depth's reciprocal is 1 - zn but for a factor. */
+/* The reciprocal of depth is 1 - zn, up to a factor. */
 static bool are_alike(const ts_gpixel *a, const ts_gpixel *b)
 {
 	double u = 1 - (double)a->depth, v = 1 - (double)b->depth, cosine = 0;

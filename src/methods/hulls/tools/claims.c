@@ -1,4 +1,4 @@
-/* What SSAGH shows, and who asks it. */
+/* SSAGH's claims, and what tests them. */
 #include "benches.h"
 
 /* clang-format off */

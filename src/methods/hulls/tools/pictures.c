@@ -11,7 +11,7 @@
 
 enum { MOST_PIXELS = 2048, MOST_ACROSS = 3840, MOST_ZOOM = 8 };
 
-/* Pixels of a texel of the grid; between blocks one is left black. */
+/* Pixels per texel of the grid; between blocks one is left black. */
 static u32 texel_pixels(const ts_run *run)
 {
 	return TS_PARAM(&run->params, depth_grid_px) < MOST_PIXELS ? MOST_PIXELS / TS_PARAM(&run->params, depth_grid_px)
@@ -70,13 +70,13 @@ static ts_status take_boxes(ts_stage_pictures *pictures, const ts_run *run, ts_b
 	return TS_OK;
 }
 
-enum { LEAST_TEXELS = 24, DISCS_A_BLOCK = 3 }; /* across and down: of boxes that are drawn; of discs side by side */
+enum { LEAST_TEXELS = 24, DISCS_A_BLOCK = 3 }; /* across and down: smallest box that is drawn; discs side by side */
 
-/* Where discs are drawn, and the axes that they are turned to. */
+/* Where discs are drawn, and the axes that they face. */
 typedef struct {
 	ts_stage_picture *picture;
 	ts_camera_k view;
-	f32 radius; /* of a disc, pixels */
+	f32 radius; /* of a disc, in pixels */
 } canvas;
 
 static void put(ts_stage_picture *p, u64 at, const u8 *rgb)
@@ -85,7 +85,8 @@ static void put(ts_stage_picture *p, u64 at, const u8 *rgb)
 	memcpy(p->rgb + 3 * at, rgb, 3);
 }
 
-/* A disc's pixel (x, y), of its radius: all directions, by their angle from that to the viewer, which is the middle. */
+/* A disc's pixel (x, y), in units of its radius: all directions, by their angle to the viewer's, which is the
+ * middle. */
 static void disc_colour(u8 *rgb, const canvas *c, const ts_lobes *lobes, f32 x, f32 y)
 {
 	f32 r = hypotf(x, y), aside = r > 0 ? ts_sin_turn(r / 2) / r : 0;

@@ -1,4 +1,4 @@
-/* A pixel of `direct`: the triangles of light, and lamps without extent, that give it most. */
+/* A pixel of `direct`: the brightest triangles of light and lamps without extent. */
 #include <stdlib.h>
 #include "../../../kernels/hulls/polygon.h"
 #include "../../raster/tools/probe.h"
@@ -19,7 +19,7 @@ static int by_light(const void *a, const void *b)
 	return x != y ? (x < y) - (x > y) : (s->patch > t->patch) - (s->patch < t->patch);
 }
 
-/* Light of a triangle, by its index, or behind these of a lamp without extent. */
+/* Light of a triangle by index; the indices after those of triangles are lamps without extent. */
 static ts_v3 light_of(const ts_direct_args *from, const ts_gpixel *pixel, u32 index)
 {
 	ts_v3 at = ts_load3(pixel->position), n = ts_load3(pixel->normal), none = {0, 0, 0};
@@ -89,7 +89,7 @@ static ts_status put_all(ts_probe *p, json_t *o, const ts_gpixel *pixel, const t
 	return status;
 }
 
-/* What is reflected specularly of a triangle, by its index, or behind these of a lamp without extent. */
+/* Specular light of a triangle by index; the indices after those of triangles are lamps without extent. */
 static ts_v3 reflected_of(const ts_direct_args *from, const ts_glossy *glossy, ts_v3 p, u32 index, u32 vmf)
 {
 	ts_v3 none = {0, 0, 0};

@@ -1,4 +1,4 @@
-/* A pixel's specular reflection: its surface, and the product of light's lobes with the surface's, term by term. */
+/* A pixel's specular reflection: its surface, and the product of the light's lobes with the surface's, term by term. */
 #include "../gloss.h"
 #include "probe.h"
 

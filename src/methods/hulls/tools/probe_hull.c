@@ -1,4 +1,4 @@
-/* A pixel of `hulls`: why it has its box, what the corners of that gathered, and what it has of each. */
+/* A pixel of `hulls`: why it has its box, the light that the box's corners gathered, and each corner's share. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include "../../../kernels/hulls/corner.h"
@@ -22,8 +22,8 @@ typedef struct {
 	ts_segment box;
 	ts_moment moments[N_CORNERS];
 	ts_lobes lobes[N_CORNERS];
-	ts_corner_args source; /* of the light that the corners gather */
-	ts_hull_args args;     /* of this box alone */
+	ts_corner_args source; /* the light that the corners gather */
+	ts_hull_args args;     /* for this box alone */
 	ts_shares weights, shares;
 } hull;
 
@@ -97,7 +97,7 @@ static void put_offer(ts_probe *p, json_t *list, const choice *c, const ts_choic
 	ts_probe_append(p, list, o);
 }
 
-/* The boxes of the pixel's block in the order of their claims, and the chosen one if it is another block's. */
+/* The boxes of the pixel's block in the order of their claims, and the chosen one if it is from another block. */
 static ts_status put_offers(ts_probe *p, json_t *o, const choice *c, u32 block, u32 chosen)
 {
 	u32 first = c->offset[(u64)block * TS_BLOCK_TEXELS], n = c->offset[((u64)block + 1) * TS_BLOCK_TEXELS] - first;
@@ -159,7 +159,7 @@ static ts_status read_hull(ts_probe *p, hull *h, u32 box)
 	return TS_OK;
 }
 
-/* What the corner gathers, again, where the G-buffer holds its pixel. */
+/* Computes the corner's gathering again, where the G-buffer holds its pixel. */
 static ts_status put_gathered(ts_probe *p, json_t *o, const hull *h, u32 k)
 {
 	bool there;
@@ -233,7 +233,7 @@ static ts_status put_hull(ts_probe *p, json_t *object, hull *h, u32 x, u32 y, co
 	return status;
 }
 
-/* What of the lobes is reflected specularly. */
+/* The specular reflection of the lobes. */
 static ts_status put_specular(ts_probe *p, const ts_probe_seen *at, json_t *object, const hull *h,
                               const ts_gpixel *pixel, f32 specular[3])
 {

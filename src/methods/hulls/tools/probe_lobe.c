@@ -1,7 +1,7 @@
 /* One channel of a hull's light: the lobe between the corners, and its integral with the cosine, term by term. */
 #include "probe.h"
 
-/* Eqs 15 to 18. Returns A_h as the terms that were put give it. */
+/* Eqs 15 to 18. Returns A_h from the terms that were put. */
 static f32 put_ours(ts_probe *p, json_t *o, f32 lambda, f32 cos_beta, u32 printed)
 {
 	f32 t = ts_k_sg_t(lambda), s = ts_k_sg_s(t, cos_beta), c = ts_k_sg_c(s, cos_beta);

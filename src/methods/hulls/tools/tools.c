@@ -1,4 +1,4 @@
-/* What the family of hulls brings for the tools. */
+/* The tables of hulls for the tools. */
 #include "../../tools/family.h"
 #include "probe.h"
 #include "../../raster/tools/truth_gather.h"

@@ -1,10 +1,10 @@
-/* The microfacet BRDF in double precision: of one direction, of a triangle's, and directions as it wants them. */
+/* The microfacet BRDF in double precision: for one direction, integrated over a triangle, and sampled. */
 #include "truth_gloss.h"
 #include <math.h>
 
 enum { DEEPEST = 10 }; /* a triangle ends as 4^10 parts */
-#define PART 0.15      /* of a part's radius by the angle over which the BRDF changes */
-#define WIDEST 0.1     /* radius of a part in radians, however rough the surface is */
+#define PART 0.15      /* radius of a part, in units of the angle over which the BRDF changes */
+#define WIDEST 0.1     /* radius of a part in radians, for any roughness */
 
 ts_status ts_truth_gloss(ts_run *run, const ts_gloss **gloss, ts_v3 *eye)
 {
@@ -47,7 +47,7 @@ ts_double3 ts_truth_gloss_brdf(const ts_truth_glossy *at, ts_double3 l)
 	return ts_double3_mad((ts_double3){0, 0, 0}, fresnel(at->f0, v_h), scale);
 }
 
-/* Van Oosterom and Strackee 1983, of unit vectors. */
+/* Van Oosterom and Strackee 1983, for unit vectors. */
 static double solid_angle(const ts_double3 c[3])
 {
 	double volume = fabs(ts_double3_dot(c[0], ts_double3_cross(c[1], c[2])));
@@ -62,14 +62,14 @@ static double radius(const ts_double3 c[3], ts_double3 middle)
 	return acos(fmax(least, -1));
 }
 
-/* How far from the peak of the BRDF, in angles of half vectors, and how wide that is. */
+/* The angle between half vector and peak of the BRDF, plus the peak's width. */
 static double change(const ts_truth_glossy *at, ts_double3 l)
 {
 	ts_double3 h = ts_double3_unit(ts_double3_mad(l, at->v, 1));
 	return at->alpha + acos(fmin(fmax(ts_double3_dot(at->n, h), -1), 1));
 }
 
-/* Corners: unit vectors, of a triangle on the sphere. */
+/* Corners: unit vectors, a triangle on the sphere. */
 static ts_double3 integral(const ts_truth_glossy *at, const ts_double3 c[3], unsigned depth)
 {
 	ts_double3 sum = {0, 0, 0};

@@ -1,13 +1,13 @@
 /* Truths of the light of lamps (METHODS 17). `exact` has no shadows, as hulls have none: form factors of the lamps'
- * triangles in double precision. `shadowed` has: of each triangle it is that by the share of the triangle which the
- * pixel sees, by rays to truth.area_samples places, a lamp's shared out among its triangles. A place counts by what it
- * would give, cos cos' / r^2, so that rays say what is hidden, and nothing else.
+ * triangles in double precision. `shadowed` multiplies these by the share of each triangle that the pixel sees, by rays
+ * to truth.area_samples places, a lamp's divided among its triangles. A place is weighted by its unoccluded light, cos
+ * cos' / r^2, so that rays only decide visibility.
  *
  * With gloss.lobe both have specular reflection, too: the BRDF in double precision (truth_gloss.c) in place of the
  * cosine.
  *
- * Places are those of a lattice whose steps are the powers of the root of x^3 = x + 1, folded into the triangle, at a
- * random shift a pixel. */
+ * Places form a lattice whose steps are the powers of the root of x^3 = x + 1, folded into the triangle, at a random
+ * shift per pixel. */
 #include "../../../kernels/hulls/polygon.h"
 #include "../../../kernels/hulls/direct.h"
 #include "../../raster/tools/truth_gather.h"
@@ -16,25 +16,25 @@
 #include "truth_gloss.h"
 
 typedef struct {
-	const ts_truth *truth; /* NULL: nothing is in the way */
+	const ts_truth *truth; /* NULL: nothing blocks light */
 	const ts_patch *patches;
 	u64 n_patches;
 	const ts_light *lamps;
 	const ts_lamp *shapes;
 	u32 n_lamps;
-	const ts_gloss *gloss; /* of the pixels; NULL: light that arrives is asked for, not what they reflect specularly */
+	const ts_gloss *gloss; /* of the pixels; NULL: light that arrives is computed, not specular reflection */
 	ts_v3 eye;
 } tracer;
 
-/* A surface that takes light, or reflects it. */
+/* A surface that receives or reflects light. */
 typedef struct {
 	ts_v3 p;
-	u32 pixel, n_rays; /* rays to a triangle */
+	u32 pixel, n_rays; /* rays per triangle */
 	bool reflects;
-	ts_truth_glossy glossy; /* n alone, if it does not */
+	ts_truth_glossy glossy; /* if it does not reflect, n alone */
 } receiver;
 
-/* Lambert's sum over the edges of what is above the horizon of n, by the corners seen from the surface. */
+/* Lambert's sum over the edges of the part above the horizon of n, from corners relative to the surface. */
 static double form_factor(ts_double3 n, const ts_double3 corner[3])
 {
 	ts_double3 above[6];
@@ -54,7 +54,7 @@ static double form_factor(ts_double3 n, const ts_double3 corner[3])
 	return fabs(sum) / (2 * TS_PI);
 }
 
-/* Of light from l by what reaches a surface that faces it, of red, green and blue. */
+/* Response of a surface to light from l, per unit of irradiance on a surface that faces it: red, green, blue. */
 static ts_double3 taken(const receiver *at, ts_double3 l)
 {
 	if (at->reflects) return ts_truth_gloss_brdf(&at->glossy, l);
@@ -62,7 +62,7 @@ static ts_double3 taken(const receiver *at, ts_double3 l)
 	return (ts_double3){cosine, cosine, cosine};
 }
 
-/* The same of a triangle that is seen from there, by its exitance. */
+/* The same for a triangle relative to the surface, per unit of its exitance. */
 static ts_double3 taken_of_triangle(const receiver *at, const ts_double3 corner[3])
 {
 	if (at->reflects) {
@@ -75,7 +75,7 @@ static ts_double3 taken_of_triangle(const receiver *at, const ts_double3 corner[
 
 static double sum_of(ts_double3 a) { return a.x + a.y + a.z; }
 
-/* How much of a triangle the pixel sees, weighed by what each place gives. */
+/* The share of a triangle that the pixel sees, weighted by each place's unoccluded light. */
 static double seen(const tracer *t, const ts_patch *patch, const receiver *at)
 {
 	ts_v3 p = at->p;
@@ -109,7 +109,7 @@ static ts_double3 of_triangle(const tracer *t, const ts_patch *patch, const rece
 	return sum_of(all) > 0 && t->truth != NULL ? ts_double3_mad(none, all, seen(t, patch, at)) : all;
 }
 
-/* A sun without extent is as far as its triangles would be. */
+/* A sun without extent gets the distance that its triangles would have. */
 static bool sees_point(const tracer *t, const ts_light *light, ts_v3 p)
 {
 	if (t->truth == NULL) return true;
@@ -156,7 +156,7 @@ static ts_v3 from_lamps(const void *user, const ts_share *share, ts_v3 p, ts_v3 
 	return ts_double3_round(sum);
 }
 
-/* By `items` rays to each triangle. */
+/* Casts `items` rays to each triangle. */
 static ts_status trace(const ts_truth *truth, ts_run *run, ts_sampling *sampling, u64 items, const char *label)
 {
 	tracer t = {

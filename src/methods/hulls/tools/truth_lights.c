@@ -1,10 +1,9 @@
-/* Truths of indirect light by rays (METHODS 17), which tell the errors of a method apart. `lights` gathers from the
- * very triangles of light that the methods have, as `direct` does, but only from those whose middle the pixel sees.
- * `bounce` has no triangles of light: its rays leave the pixel as the cosine wants them, and bring what the lights
- * themselves send to where they end.
+/* Truths of indirect light by rays (METHODS 17), which separate the errors of a method. `lights` gathers from the
+ * methods' own triangles of light, like `direct`, but only where the pixel sees their middle. `bounce` has no triangles
+ * of light: its rays leave the pixel with the density of the cosine, and return the direct light of their end points.
  *
- * Rays begin and end 2^-12 of the greatest coordinate off their surfaces. The rays of `bounce` are the seeds of a
- * sunflower (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn a pixel. */
+ * Rays begin and end 2^-12 of the greatest coordinate off their surfaces. The rays of `bounce` are a sunflower's seeds
+ * (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn per pixel. */
 #include "../../../kernels/hulls/direct.h"
 #include "../../../kernels/raster/patch.h"
 #include "../../../scene/lamp.h"
@@ -20,7 +19,7 @@ typedef struct {
 	const ts_light *lamps;
 	u32 n_lamps;
 	f32 beyond;            /* farther than the scene reaches */
-	const ts_gloss *gloss; /* of the pixels; NULL: light that arrives is asked for, not what they reflect specularly */
+	const ts_gloss *gloss; /* of the pixels; NULL: light that arrives is computed, not specular reflection */
 	ts_v3 eye;
 } tracer;
 
@@ -49,14 +48,14 @@ static ts_v3 from_lights(const void *user, const ts_share *share, ts_v3 p, ts_v3
 	return ts_scale(sum, ts_share_weight(share));
 }
 
-/* Where light that arrives at p from l comes from; of a sun from beyond the scene. */
+/* The origin of light that arrives at p from l; a sun's is beyond the scene. */
 static ts_v3 origin_of(const tracer *t, const ts_light *light, ts_v3 p, ts_v3 l)
 {
 	if (light->kind != TS_LIGHT_KIND_DIRECTIONAL) return ts_load3(light->position);
 	return ts_mad(p, l, t->beyond);
 }
 
-/* What the lights send to a surface directly; rays begin at the light, as its reflective shadow map does. */
+/* Direct light on a surface; rays begin at the light, as for its reflective shadow map. */
 static ts_v3 irradiance_at(const tracer *t, ts_v3 p, ts_v3 n)
 {
 	ts_v3 sum = {0, 0, 0}, l;
@@ -69,7 +68,7 @@ static ts_v3 irradiance_at(const tracer *t, ts_v3 p, ts_v3 n)
 	return sum;
 }
 
-/* The same as the triangles of light have it: by the face, turned to where the light is seen from. */
+/* Exitance as triangles of light have it: from the face that the light sees. */
 static ts_v3 exitance_at(const tracer *t, const ts_truth_query *ray)
 {
 	ts_truth_hit hit = ts_truth_cast(t->truth, ray);
@@ -79,7 +78,7 @@ static ts_v3 exitance_at(const tracer *t, const ts_truth_query *ray)
 	return ts_mul(ts_k_albedo(&s), irradiance_at(t, s.p, n));
 }
 
-/* E = integral of L cos = the mean of pi L over directions that are as dense as the cosine; pi L is the exitance. */
+/* E = integral of L cos = the mean of pi L over directions of cosine density; pi L is the exitance. */
 static ts_v3 from_bounce(const void *user, const ts_share *share, ts_v3 p, ts_v3 n)
 {
 	const tracer *t = user;
@@ -96,7 +95,7 @@ static ts_v3 from_bounce(const void *user, const ts_share *share, ts_v3 p, ts_v3
 	return ts_scale(sum, 1.0f / (f32)n_rays);
 }
 
-/* Specularly reflected, as dense as the BRDF wants it; a place of the golden sequence each. */
+/* Specular reflection, from directions with the BRDF's density at places of the golden sequence. */
 static ts_v3 from_bounce_reflected(const void *user, const ts_share *share, ts_v3 p, ts_v3 n)
 {
 	const tracer *t = user;
@@ -118,7 +117,8 @@ static ts_v3 from_bounce_reflected(const void *user, const ts_share *share, ts_v
 
 static f32 extent(const ts_info *info) { return ts_length(ts_sub(ts_load3(info->box_max), ts_load3(info->box_min))); }
 
-/* How light is gathered: diffuse light by `light`, specular light by `specular`, both from as many items and rays. */
+/* How light is gathered: diffuse light by `light`, specular light by `specular`, both from equally many items and
+ * rays. */
 typedef struct {
 	const char *label;
 	ts_truth_light *light, *specular;

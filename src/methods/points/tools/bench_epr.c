@@ -1,5 +1,5 @@
 /* The EPR paper's tables. Some of its cells contradict others and are kept as printed: Gallery's ratio with one mirror
- * would be 4.23 by its own operations; Breakfast's error of iVIR with 10 mirrors is 2.49 beside 0.31 with 20; iVIR's
+ * would be 4.23 by its own operations; Breakfast's error of iVIR with 10 mirrors is 2.49, but 0.31 with 20; iVIR's
  * times with 20 mirrors in Sponza give 3.44, not 2.72. */
 #include "benches.h"
 #include "../../stages.h"
@@ -22,13 +22,13 @@ static double projected_size(const ts_run *run)
 	return n > 0 ? sum / n : NAN;
 }
 
-/* Table 1. EPR shades 25 samples of each reflective pixel, and MVR all texels of its faces that see something: these
- * two are judged. How many pixels are reflective is the camera's: the paper's counts are those of 0.2 to 6.4 balls of
- * its sizes, of 1 to 50, so most of its mirrors are out of sight. A ball in sight takes 25 pi / 4 = 19.6 operations by
- * its size squared. An eye of eye.distance=far has nearly all of ours before it. From near the middle, with a view of
- * 40 degrees, and turning twice while the mirrors turn once, it sees them come and go; of 10 those in sight are on
- * average 1.15 times as large as reflectors.px says of frame 0. MVR renders all cubes in each frame, and from frame to
- * frame its counts change by less than 1 %: they are those of the first. */
+/* Table 1. EPR shades 25 samples of each reflective pixel, and MVR all non-empty texels of its faces: these two are
+ * judged. The camera decides how many pixels are reflective: the paper's counts equal those of 0.2 to 6.4 balls of its
+ * sizes, of 1 to 50, so most of its mirrors are out of sight. A ball in sight takes 25 pi / 4 = 19.6 operations times
+ * its size squared. With eye.distance=far nearly all of our balls are in front of the eye. From near the middle, with a
+ * view of 40 degrees, and turning twice while the mirrors turn once, it sees them come and go; of 10 those in sight are
+ * on average 1.15 times as large as reflectors.px sets for frame 0. MVR renders all cubes in each frame, and its counts
+ * change by less than 1 % between frames, so the first frame's are used. */
 enum { M_EPR, M_MVR, M_IVIR, M_EPR_TWICE, M_IVIR_FIXED, M_EPR_BALLS };
 
 /* clang-format off */
@@ -105,9 +105,9 @@ const ts_paper_table ts_epr_1 = {
 	.rows = work_rows,
 };
 
-/* Table 2. Faces as large as the image asks for are EPR's own (EPR section 4.2): iVIR's points there are those of
- * 512. Those of faces as large as EPR's, by eq. 3 and with mirrors as the balls that they are, are shown and not
- * judged: the paper has none of them. */
+/* Table 2. EPR's own faces are as large as the image requires (EPR section 4.2): iVIR's points there are those of 512.
+ * Counts with faces of EPR's size, by eq. 3 and with mirrors as the balls that they are, are shown and not judged: the
+ * paper has none of them. */
 static const ts_bench_variant variants[] = {
 	[M_EPR] = { "epr", "lookup.bounces=1", true, TS_TIMED },
 	[M_MVR] = { "mvr", "lookup.bounces=1", true, TS_TIMED },
@@ -173,7 +173,7 @@ static const ts_paper_part parts[] = {
 	{ 0 },
 };
 
-/* Bounds are the least and the greatest of the paper's rows, but for iVIR's one of 10 mirrors in Breakfast. */
+/* Bounds are the least and the greatest of the paper's rows, except iVIR's outlier of 10 mirrors in Breakfast. */
 static const ts_paper_relation relations[] = {
 	{ "iVIR's points / EPR's", POINTS_RATIO, TS_AT_LEAST, 3.5, 0, TS_ANY,
 	  TS_ELSEWHERE "mirrors are larger in the picture; see reflectors.px", DIAMETER },
@@ -234,7 +234,8 @@ const ts_paper_table ts_epr_2 = {
 	.figures = figures, .parts = parts, .relations = relations, .rows = rows,
 };
 
-/* Table 3. EPR's points are those that no eye can miss; by the printed ratio, and by that of pixels, they are fewer. */
+/* Table 3. EPR's points are those that no eye can miss; by the printed ratio, and by that of pixels, there are
+ * fewer. */
 enum { M_EPR_PAPER = M_IVIR + 1, M_EPR_UNIT };
 
 static const ts_bench_variant omni_variants[] = {

@@ -1,4 +1,4 @@
-/* What EPR's sections 3.4 and 3.5 say of variants: without buffers of points, and with cubes of colours. */
+/* Claims of EPR's sections 3.4 and 3.5 about variants: without buffers of points, and with cubes of colours. */
 #include "benches.h"
 
 enum { M_EPR, M_BUFFERLESS, M_FORWARD, M_FORWARD_EYE, M_MVR, M_MVR_ADAPTIVE };
@@ -14,7 +14,7 @@ static const ts_bench_variant variants[] = {
 	{ 0 },
 };
 
-/* What each method has whose image is kept, by suffix `p`. */
+/* Figures of each method whose image is kept, by suffix `p`. */
 #define OF(p) EPR_##p, BUFFERLESS_##p, FORWARD_##p, EYE_##p, MVR_##p
 #define EACH(ROW, p, key) \
 	ROW(EPR_##p, "epr_" key, "EPR", M_EPR), ROW(BUFFERLESS_##p, "bufferless_" key, "bufferless", M_BUFFERLESS), \
@@ -64,7 +64,7 @@ static const ts_paper_part parts[] = {
 };
 
 /* "Less than half as fast"; "identical imagery", whose bits tests/methods/points/epr.c compares; lighting "only once
- * per point". That texels are more than points, or that the picture is EPR's, the paper does not say. */
+ * per point". The paper claims neither that texels outnumber points, nor that the picture equals EPR's. */
 static const ts_paper_relation relations[] = {
 	{ "RMSE of bufferless less EPR's, %", BUFFERLESS_MORE, TS_BETWEEN, 0, 0, TS_ANY, TS_OURS "another picture",
 	  BUFFERLESS_RMSE },

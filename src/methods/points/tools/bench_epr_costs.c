@@ -1,8 +1,8 @@
-/* What parts of EPR cost and save, each by its own switch: stochastic culling (3.2: frame times fall by roughly 15 %),
+/* Costs and savings of EPR's parts, each by its own switch: stochastic culling (3.2: frame times fall by roughly 15 %),
  * buffers of the eye's resolution (4.1.1: by more than 60 %) and splats clipped to their triangles (3.5: speed falls by
- * less than 20 %). A frame cannot be shorter by a share of its time by doing fewer points or texels alone, unless at
- * least that share of them is gone: so the counts are judged too. All cullable triangles of a pixel are culled with a
- * probability of at most 5 in 100,000 (footnote 1). */
+ * less than 20 %). Doing fewer points or texels shortens a frame by a share of its time only if at least that share of
+ * them is gone: so the counts are judged too. All cullable triangles of a pixel are culled with a probability of at
+ * most 5 in 100,000 (footnote 1). */
 #include "benches.h"
 
 enum { M_ALL, M_UNCULLED, M_FIXED, M_UNCLIPPED };

@@ -1,7 +1,7 @@
 /* The iVIR paper's tables. */
 #include "benches.h"
 
-/* Table 1. Brackets of the paper: with stochastic culling. */
+/* Table 1. The paper's brackets: with stochastic culling. */
 enum {
 	M_IVIR,
 	M_IVIR_CULL,

@@ -1,12 +1,12 @@
-/* The iVIR paper's figures 3, 4 and 6: its pictures, with RMSE and SSIM for its HDR-VDP2.
- * Figure 5 is bench_pcss.c's, figure 7 that of table 3. */
+/* The iVIR paper's figures 3, 4 and 6: its pictures, with RMSE and SSIM instead of HDR-VDP2.
+ * Figure 5 is in bench_pcss.c, figure 7 in table 3. */
 #include "benches.h"
 
 /* clang-format off */
 static const ts_paper_row rows[] = { { 0 } };
 
 /* Figure 3: soft shadows with and without stochastic culling. In maps of 1024 our triangles are too large to be culled;
- * the brief run has maps of 256, in which those of models are about as small as the paper's. */
+ * the brief run has maps of 256, in which models' triangles are about as small as the paper's. */
 enum { K_WHOLE, K_CULLED, K_WHOLE_D, K_CULLED_D, K_NARROW_WHOLE, K_NARROW_CULLED };
 
 static const ts_bench_variant cull_variants[] = {
@@ -102,7 +102,7 @@ const ts_paper_table ts_ivir_culling = {
 	.relations = cull_relations, .pictures = cull_pictures, .rows = rows,
 };
 
-/* Figures 4 and 6: what each method beside MVR has, by prefix `p`. */
+/* Figures 4 and 6: figures of each method except MVR, by prefix `p`. */
 #define OF(p) p##VIR, p##IVIR, p##DEFAULT, p##CENTRE
 #define EACH(ROW, p, key) \
 	ROW(p##VIR, key "_vir", "VIR", VIR), ROW(p##IVIR, key "_ivir", "iVIR", IVIR), \
@@ -220,7 +220,7 @@ static const ts_paper_part mirror_parts[] = {
 	{ 0 },
 };
 
-/* The paper's faces are nearer to VIR's. */
+/* The paper's faces are closer to VIR's in size. */
 #define SMALLER TS_ELSEWHERE "iVIR's faces are a third of VIR's; see cube.px=" TS_IVIR_FACE
 
 static const ts_paper_relation mirror_relations[] = {

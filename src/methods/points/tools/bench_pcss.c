@@ -1,15 +1,15 @@
-/* iVIR 4.2 and figure 5: soft shadows by PCSS and by few views of iVIR, beside those of 128 views of MVR and beside
+/* iVIR 4.2 and figure 5: soft shadows by PCSS and by few views of iVIR, compared with 128 views of MVR and with
  * rays. */
 #include "benches.h"
 
 /* clang-format off */
-/* What each method beside the reference has, by prefix `p`. */
+/* Figures of each method except the reference, by prefix `p`. */
 #define OF(p) p##PCSS, p##IVIR, p##DEFAULT, p##CENTRE, p##MVR
 #define EACH(ROW, p, before, after) \
 	ROW(p##PCSS, before "pcss" after, "PCSS", M_PCSS), ROW(p##IVIR, before "ivir" after, "iVIR", M_IVIR), \
 	ROW(p##DEFAULT, before "default" after, "defaults", M_DEFAULT), \
 	ROW(p##CENTRE, before "centre" after, "at=centre", M_CENTRE), ROW(p##MVR, before "mvr" after, "MVR", M_MVR)
-/* The same of iVIR alone, beside PCSS. */
+/* The same for iVIR alone, relative to PCSS. */
 #define IVIR_OF(p) p##IVIR, p##DEFAULT, p##CENTRE
 #define BESIDE_PCSS(ROW, p, of, key, by, digits) \
 	ROW(p##IVIR, key, "iVIR" by, of##IVIR, of##PCSS, digits), \
@@ -77,7 +77,7 @@ static const ts_paper_part parts[] = {
 	{ 0 },
 };
 
-/* That iVIR is no worse than PCSS. */
+/* iVIR is no worse than PCSS. */
 #define NO_WORSE(error, by, p, kind, least, most, cause) \
 	{ error ", iVIR " by " PCSS", p##IVIR, kind, least, most, TS_ANY, TS_IVIR_NEAREST, cause }, \
 	{ error ", iVIR at the defaults " by " PCSS", p##DEFAULT, kind, least, most, TS_ANY, TS_IVIR_NEAREST, cause }, \

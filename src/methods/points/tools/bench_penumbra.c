@@ -1,13 +1,12 @@
-/* How wide penumbras are in texels of depth maps, for tables of soft shadows (iVIR 4, 6). */
+/* Widths of penumbras in texels of depth maps, for tables of soft shadows (iVIR 4, 6). */
 #include <math.h>
 #include "../../stages.h"
 #include "benches.h"
 
 #define DEGREE 0.017453292519943295
 
-/* How far occluders are from what they shade is not at hand. So this is the penumbra, 2 radii wide, of an occluder
- * halfway from the lamp to where its irradiance is light.irradiance: what the spot is aimed at, or half the hall's
- * height away from the ball. */
+/* The distances of occluders are not known here. So this is the penumbra, 2 radii wide, of an occluder halfway from the
+ * lamp to where its irradiance is light.irradiance: the spot's target, or half the hall's height away from the ball. */
 double ts_bench_penumbra(const ts_run *run)
 {
 	const ts_params *params = &run->params;

@@ -1,6 +1,6 @@
 /* `bench epr-6`: speed against accuracy, as the density of the points, the sampling of the look-ups and the size of the
- * faces vary; after EPR's figure 6, which varies the size of the mirrors. And how often the cubes limit the density, as
- * EPR 3.2 says they rarely do: by eq. 3, and where the mirrors are taken for the balls that they are. */
+ * faces vary; after EPR's figure 6, which varies the size of the mirrors. Also how often the cubes limit the density,
+ * which EPR 3.2 calls rare: by eq. 3, and with mirrors as the balls that they are. */
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
@@ -8,7 +8,7 @@
 #include "../../../study/bench_case.h"
 #include "../../../study/truths.h"
 
-/* A point of a curve: what is set for it, and its label. */
+/* A point of a curve: its settings and its label. */
 typedef struct {
 	u32 curve;
 	const char *label;
@@ -95,8 +95,8 @@ static void at_most(ts_table *t, const char *text, double here, double most, con
 	                                              .because = because});
 }
 
-/* Each density, sampling or face is nearer to the truth than the one before in its curve; and adaptive sampling, which
- * is the first four marks' other half, brings nothing. */
+/* Each density, sampling or face is nearer to the truth than the one before in its curve; adaptive sampling, in the
+ * marks after the first four, brings nothing. */
 static void report_errors(ts_table *t, const ts_plot_point *points)
 {
 	enum { DENSITIES = 4 };
@@ -122,7 +122,7 @@ static double counted(const ts_bench_case *c, u32 v, const char *name)
 	return counter != NULL ? (double)counter->value : NAN;
 }
 
-/* "On the rare occasions" (EPR 3.2): at most a triangle in twenty. */
+/* "On the rare occasions" (EPR 3.2): at most one triangle in twenty. */
 static void report_limits(ts_table *t, const ts_bench_case *c)
 {
 	double share = counted(c, AS_PRINTED, "density.limited") / counted(c, AS_PRINTED, "pieces");
@@ -130,7 +130,7 @@ static void report_limits(ts_table *t, const ts_bench_case *c)
 	        TS_OURS "eq. 3 takes mirrors to be flat; see density.mirror");
 }
 
-/* Medians over the runs; errors are of the first. */
+/* Medians over the runs; errors from the first. */
 static ts_status measure(ts_plot_point *points, ts_bench_case *c)
 {
 	u32 runs = c->job->runs;

@@ -1,6 +1,6 @@
-/* align.frame: q within 24.8 of the lattice, so that edges fit 64 bits, s not negative; for count, points and what
- * makes points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces. points.offset, where
- * stage points writes or points are made again: the sums that stage points.count makes of the same align.frame. */
+/* align.frame: q within 24.8 of the lattice, so that edges fit 64 bits, s not negative; for count, points and stages
+ * that make points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces. points.offset, for
+ * stage points or remade points: the sums of stage points.count for the same align.frame. */
 #include <inttypes.h>
 #include "../../../kernels/raster/lattice.h"
 #include "tools.h"
@@ -8,7 +8,7 @@
 enum { MAX_LATTICE = (1 << 23) - 1 };
 static const u64 max_squares = 1ull << 34;
 
-/* Lattice squares that count and points walk over. */
+/* Lattice squares that count and points visit. */
 static u64 squares(const ts_align *frame)
 {
 	if (!(frame->s > 0.0f)) return 0;

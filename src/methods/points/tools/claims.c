@@ -1,4 +1,4 @@
-/* What EPR and iVIR show, and who asks it. */
+/* EPR's and iVIR's claims, and what tests them. */
 #include "benches.h"
 
 /* clang-format off */

@@ -1,4 +1,4 @@
-/* Pictures of points: how many a triangle has, splats and cubes as the pixels see them, index buffers, radiance. */
+/* Pictures of points: points per triangle, splats and cubes as the pixels see them, index buffers, radiance. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "../points.h"
 #include "tools.h"
 
-/* Points of each triangle: the pieces' counts added up. By free(). */
+/* Points per triangle, summed over its pieces; to be released by free(). */
 static u32 *points_per_triangle(const ts_run *run)
 {
 	const ts_piece *pieces = ts_frame_data(&run->frame, TS_B_split_piece);

@@ -1,9 +1,9 @@
-/* Points that the method does not store: stage `points` makes them from what the trace has, as if they were stored. */
+/* Points that the method does not store: stage `points` makes them from the trace, as if they were stored. */
 #include <stdlib.h>
 #include "../../../replay/replay.h"
 #include "probe.h"
 
-/* A copy of what the stage made, in the place of a file. */
+/* A copy of the stage's buffer, instead of a file. */
 static ts_status hold(ts_probe *p, ts_buffer_id id)
 {
 	const ts_buffer *made = &p->load->run.frame.buffer[id];

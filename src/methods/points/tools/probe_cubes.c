@@ -12,7 +12,7 @@ ts_status ts_probe_fetch_bits(ts_probe *p, u32 triangle, u64 *bits)
 	return ts_probe_fetch(p, TS_B_visibility_bits, (u64)triangle * n, n, bits);
 }
 
-/* Each begins where the one before ends. */
+/* Each cube's texels begin where the last one's end. */
 static ts_status check_cubes(const ts_probe *p, u64 *n_texels)
 {
 	const ts_face *cubes = ts_probe_cubes(p);

@@ -1,4 +1,4 @@
-/* Which faces may see a triangle, and how densely it is sampled for whom. The kernels are asked again about one
+/* Which faces may see a triangle, how densely it is sampled, and for which cube. The kernels run again for one
  * reflector at a time. */
 #include <stdlib.h>
 #include "../points.h"
@@ -52,7 +52,7 @@ static json_t *unseen(ts_probe *p, u32 triangle, const ts_corners *t, u32 r, con
 	return o;
 }
 
-/* The same by the kernel. */
+/* Checks that with the kernel. */
 static void put_check(ts_probe *p, u32 triangle, const u64 *bits, json_t *o)
 {
 	ts_visibility_args args = {.scene = p->scene,
@@ -96,7 +96,7 @@ ts_status ts_probe_visibility(ts_probe *p, u32 triangle, u64 *bits, json_t *o, b
 	return status;
 }
 
-/* The density as one reflector alone would have it, or as all do. */
+/* The density for one reflector alone, or for all. */
 static f32 density(const ts_density_args *args, const ts_corners *t, const u64 *bits, u32 only, u64 *words)
 {
 	for (u32 w = 0; w < args->n_words; w++) words[w] = only == TS_NONE ? bits[w] : 0;
@@ -115,7 +115,7 @@ static void put_setter(ts_probe *p, json_t *o, const ts_density_args *args, cons
 	u32 setter = TS_NONE, limiter = TS_NONE;
 	wanted.cap = 0;
 	needed.cap = 1;
-	needed.rho = 1.2676506002282294e30f; /* 2^100: the limit alone is left */
+	needed.rho = 1.2676506002282294e30f; /* 2^100: so that only the limit counts */
 	for (u32 r = 0; r < ts_probe_n_cubes(p); r++) {
 		if (ts_k_cube_bits(bits, r) == 0) continue;
 		f32 a = density(&wanted, t, bits, r, words), b = density(&needed, t, bits, r, words);

@@ -3,7 +3,7 @@
 #include "../../../kernels/points/mirror.h"
 #include "probe.h"
 
-/* One texel of level 0: its triangle, and what it holds. */
+/* One texel of level 0: its triangle and its value. */
 static ts_status put_texel(ts_probe *p, json_t *o, u32 r, const ts_mip_cube *cube, ts_v3 direction)
 {
 	u64 key;
@@ -41,7 +41,7 @@ static ts_status put_samples(ts_probe *p, json_t *o, u32 r, const ts_mip_cube *c
 	return status;
 }
 
-/* Level and place; a level that is no number would lead the kernel out of the chain. */
+/* Level and place; a level that is not a number would lead the kernel out of the chain. */
 static ts_status put_trilinear(ts_probe *p, json_t *o, u32 r, const ts_mip_cube *cube, const ts_pixel *pixel)
 {
 	ts_v3 eye = ts_load3(p->view.eye);

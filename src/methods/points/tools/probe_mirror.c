@@ -1,5 +1,5 @@
-/* What a reflective pixel of EPR shows: its samples, and the bounces behind them. Each entry is computed again by the
- * kernels of look-up and shading in a little world of its own, whose arrays hold what this entry names. */
+/* What a reflective pixel of EPR shows: its samples, and the bounces behind them. The kernels of look-up and shading
+ * compute each entry again in a small world, whose arrays hold what the entry refers to. */
 #include "../lookup.h"
 #include "probe.h"
 
@@ -8,8 +8,8 @@ enum { MOST_POINTS = TS_N_SAMPLES + 1 };
 typedef struct {
 	u32 bounce, n_samples;
 	u64 entry;
-	u32 found[TS_N_SAMPLES]; /* points as the trace numbers them */
-	u32 local[TS_N_SAMPLES]; /* the same as this world numbers them */
+	u32 found[TS_N_SAMPLES]; /* indices of points in the trace */
+	u32 local[TS_N_SAMPLES]; /* their indices in this world */
 	u32 first_next;          /* entries of the next bounce before the first sample */
 	u32 offset[TS_N_SAMPLES + 1];
 	f32 next[TS_N_SAMPLES * 3];
@@ -21,7 +21,7 @@ typedef struct {
 	ts_pixel pixel;
 	ts_bounce queue;
 	u32 reflector;   /* whose cube is read */
-	ts_face cube[2]; /* that, and the one read before */
+	ts_face cube[2]; /* its cube, and the one read before */
 	f32 radiance[3];
 	u32 used;
 	ts_lookup_args args;
@@ -37,7 +37,7 @@ static ts_status hold(ts_probe *p, world *w, u32 point, u32 *local)
 	return ts_probe_textures(p, w->piece[i].triangle);
 }
 
-/* What the next bounce gave to the samples that queued. */
+/* Copies the next bounce's radiance for the samples that queued. */
 static ts_status hold_next(ts_probe *p, world *w)
 {
 	const ts_bounce_buffers *next = &ts_bounce_table[w->bounce + 1];
@@ -56,7 +56,7 @@ static ts_status hold_next(ts_probe *p, world *w)
 	return ts_probe_fetch(p, next->radiance, (u64)w->first_next * 3, (u64)w->offset[w->n_samples] * 3, w->next);
 }
 
-/* The entry itself, and the cube that it reads; reflectors become places in w->cube. */
+/* Copies the entry, and the cube that it reads; reflectors become places in w->cube. */
 static ts_status hold_entry(ts_probe *p, world *w)
 {
 	ts_buffer_id queue = ts_bounce_table[w->bounce].queue;
@@ -113,7 +113,7 @@ static ts_status make(ts_probe *p, world *w, u32 bounce, u64 entry)
 	return TS_OK;
 }
 
-/* As ts_k_bounce_item. */
+/* Like ts_k_bounce_item. */
 static ts_v3 direction_of(const ts_probe *p, const world *w, u32 k)
 {
 	if (w->bounce == 0) return ts_k_sample_ray(&w->pixel, ts_load3(p->view.eye), k).direction;

@@ -1,4 +1,4 @@
-/* A pixel of the eye in a picture with mirrors: its light, or what the mirror shows. */
+/* A pixel of the eye in a picture with mirrors: its light, or the mirror's reflection. */
 #include "probe.h"
 
 static void put_record(ts_probe *p, json_t *o, u32 entry, const ts_pixel *pixel)
@@ -15,7 +15,7 @@ static void put_record(ts_probe *p, json_t *o, u32 entry, const ts_pixel *pixel)
 	ts_probe_put(p, o, "record", record);
 }
 
-/* Pixel `index`, which is reflective and has that entry of mirror_pixel.record. */
+/* Pixel `index` is reflective and has that entry of mirror_pixel.record. */
 static ts_status put_mirror(ts_probe *p, json_t *o, u32 entry, u32 index, ts_probe_reflection *put, ts_v3 *total)
 {
 	ts_pixel pixel;

@@ -25,7 +25,7 @@ static ts_status add_point(ts_probe_set *s, u32 index)
 	return TS_OK;
 }
 
-/* Points may stand in any order, so all are looked at. */
+/* Points may stand in any order, so this searches all. */
 static ts_status find_points(ts_probe *p, ts_probe_set *s, u32 only)
 {
 	u64 first = only != TS_NONE ? only : 0, end = only != TS_NONE ? (u64)only + 1 : ts_probe_n(p, TS_B_points_record);
@@ -76,7 +76,7 @@ void ts_probe_set_free(ts_probe_set *s)
 	*s = (ts_probe_set){.index = NULL};
 }
 
-/* All points into one face, empty before. */
+/* Splats all points into one empty face. */
 static u64 splat_face(const ts_probe *p, ts_probe_set *s, const ts_camera_k *view, u64 *texels)
 {
 	u64 sum = 0;

@@ -1,4 +1,4 @@
-/* Who took which texels from a triangle. */
+/* Which points took which texels from a triangle. */
 #include <stdlib.h>
 #include "probe.h"
 

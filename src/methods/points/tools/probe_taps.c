@@ -1,5 +1,5 @@
-/* What light reaches a pixel by percentage-closer soft shadows: one view a light, whose blockers say how wide its taps
- * are spread. */
+/* The light that reaches a pixel by percentage-closer soft shadows: one view per light, whose blockers set how widely
+ * its taps are spread. */
 #include "../../../kernels/points/pcss.h"
 #include "../../raster/tools/probe.h"
 #include "probe.h"

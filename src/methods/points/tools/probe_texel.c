@@ -39,7 +39,7 @@ static ts_status enter_piece(ts_probe *p, const place *at, u32 index, state *s)
 	return s->reaches ? ts_probe_fetch(p, TS_B_align_frame, index, 1, &s->frame) : TS_OK;
 }
 
-/* The kernel splats the point alone; what it leaves in the texel is its offer. */
+/* The kernel splats the point alone, and its offer is the result in the texel. */
 static ts_status offer_point(ts_probe *p, const place *at, const state *s, const ts_point *record, u32 index,
                              u64 *texels, ts_offers *offers)
 {
@@ -66,7 +66,7 @@ static ts_status offer_point(ts_probe *p, const place *at, const state *s, const
 	return ts_probe_offers_add(offers, (ts_offer){.key = key, .triangle = s->piece.triangle});
 }
 
-/* All points, in whatever order they stand. */
+/* Finds all points, in any order. */
 static ts_status find_points(ts_probe *p, const place *at, u64 *texels, ts_offers *offers)
 {
 	state s = {.index = UINT64_MAX};

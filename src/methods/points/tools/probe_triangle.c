@@ -7,7 +7,7 @@
 
 enum { MOST_PIECES = 32, MOST_POINTS = 64 };
 
-/* What the stages of EPR left of it. */
+/* The triangle's remains after the stages of EPR. */
 typedef struct {
 	bool seen;
 	const char *unseen;
@@ -135,7 +135,7 @@ static void put_each_point(ts_probe *p, json_t *o, const ts_probe_set *set)
 	ts_probe_put(p, o, "each_point", list);
 }
 
-/* The points, and where they went; only `only` unless that is TS_NONE. */
+/* The points, and their fates; only `only` unless that is TS_NONE. */
 static ts_status put_points(ts_probe *p, json_t *o, u64 first, u64 n, u32 only, fate *f)
 {
 	ts_probe_set set;
@@ -244,7 +244,7 @@ static void put_corners(ts_probe *p, json_t *o, u32 triangle)
 	ts_probe_put(p, o, "degenerate", json_boolean(ts_k_is_degenerate(t.n)));
 }
 
-/* What the answers of both methods begin with. */
+/* The common beginning of both methods' answers. */
 static ts_status put_triangle(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
 	if (q->index >= p->scene.n_triangles) {

@@ -1,4 +1,4 @@
-/* The kernel of stage splat itself says whether a point offers a distance. */
+/* The kernel of stage splat itself decides whether a point offers a distance. */
 #include "tie.h"
 #include <inttypes.h>
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 #include "../../../trace/reader.h"
 #include "../points.h"
 
-/* What decides whether a point offers a distance to a texel. */
+/* Inputs of that decision for a texel. */
 typedef struct {
 	const ts_trace *reference;
 	ts_reader *tie, *face, *piece, *align, *point, *bits;
@@ -73,7 +73,7 @@ static ts_status find_cube(splat_ties *t, u64 texel, ts_face *cube, u32 *reflect
 	return TS_OK;
 }
 
-/* The key that the point alone writes to the texel, index 0. */
+/* The key of index 0 that the point alone writes to the texel. */
 static ts_status key_of(const ts_face *cube, u32 face, u64 inside, const ts_splat_args *args, u64 *key)
 {
 	u64 n = (u64)cube->n * cube->n;

@@ -1,4 +1,4 @@
-/* What the family of points brings for the tools. */
+/* The tables of points for the tools. */
 #include "../../tools/family.h"
 #include "probe.h"
 #include "benches.h"
@@ -32,8 +32,9 @@ static ts_status large_mvr(f32 **radiance, const ts_scene *scene, const ts_param
 
 #define OF_SHADOWS .begin = ts_truth_shadow_begin, .image = "image.shadow", .bytes = ts_truth_shadow_bytes
 
-/* A method is apart from A by its sampling, and A from B by what the cube's centre costs every method. It is apart from
- * rays to the samples of lights by its own error, and these from the whole lights by what sampling them costs. */
+/* A method differs from A by its sampling, and A from B by the use of cube centres, which all methods share. It differs
+ * from rays to the samples of lights by its own error, and these from rays to whole lights by the sampling of
+ * lights. */
 static const ts_truth_kind truths[] = {
 	{"A", "reflections", "rays from the cube's centre along EPR's own directions", "sampling", "B", "method",
      .needs = of_epr, .trace = ts_truth_a, .image = "image", .missed = ts_truth_missed},

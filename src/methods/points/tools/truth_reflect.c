@@ -1,4 +1,4 @@
-/* Truth of reflections by rays: A from the cube's centre in the very directions of EPR's samples, B from the surface
+/* Truth of reflections by rays: A from the cube's centre in the exact directions of EPR's samples, B from the surface
  * (METHODS 17). A is EPR with cubes of infinite resolution; B has no cubes at all. */
 #include <stdlib.h>
 #include "../../../kernels/points/density.h"
@@ -22,7 +22,7 @@ struct tracer {
 	const ts_pixel *pixels;
 	u64 n_pixels;
 	ts_v3 eye;
-	f32 spread; /* footprint of a unit of path: the side of what a sample of a pixel stands for */
+	f32 spread; /* footprint per unit of path: the side of a pixel sample's square */
 	u32 bounces;
 	int n_threads;
 	leg *leave;
@@ -59,8 +59,8 @@ static ts_truth_query from_centre(const tracer *t, u32 reflector, ts_v3 p, ts_v3
 
 static f32 greatest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)); }
 
-/* The leg from p, on `reflector`, itself. It skips 2^-12 |p|max to get off the surface; the radius stands in where p is
- * near the world's origin. */
+/* The leg from p, on `reflector`, itself. It skips 2^-12 |p|max to leave the surface; the radius replaces |p|max where
+ * p is near the world's origin. */
 static ts_truth_query from_surface(const tracer *t, u32 reflector, ts_v3 p, ts_v3 direction, f32 path)
 {
 	f32 reach = ts_max(greatest(p), t->faces[reflector].radius);
@@ -81,7 +81,7 @@ static ts_v3 shade_towards(const tracer *t, const ts_surface *s, ts_v3 viewer)
 /* The normal turned, if need be, against a ray that arrives along d. */
 static ts_v3 facing_normal(const ts_surface *s, ts_v3 d) { return ts_dot(s->face, d) > 0.0f ? ts_neg(s->n) : s->n; }
 
-/* Axes of a hit's footprint as EPR's tiles have them: along the longest edge, and across it. */
+/* Axes of a hit's footprint as in EPR's tiles: along the longest edge, and across it. */
 static void tile_axes(const ts_corners *t, ts_v3 *u, ts_v3 *v)
 {
 	const ts_v3 corner[4] = {t->a, t->b, t->c, t->a};
@@ -99,7 +99,7 @@ typedef struct {
 	u32 reflector;
 } bounce;
 
-/* False if the light path ends here: then *radiance is what it brings. */
+/* False if the light path ends here: then *radiance is its radiance. */
 static bool goes_on(const tracer *t, const ts_truth_query *query, const ts_truth_hit *hit, u32 left, bounce *at,
                     ts_v3 *radiance)
 {
@@ -133,7 +133,7 @@ static ts_v3 see_from_centre(const tracer *t, const ts_truth_query *query, const
 	return ts_mul(ts_scale(sum, 1.0f / (f32)TS_N_BOUNCE_SAMPLES), at.s.base);
 }
 
-/* Radiance that arrives along a true ray; every reflector on its way sends on one ray. */
+/* Radiance that arrives along a true ray; every reflector on its way continues it with one ray. */
 static ts_v3 see_from_surface(const tracer *t, const ts_truth_query *query, const ts_truth_hit *hit, u32 left)
 {
 	bounce at;
@@ -170,7 +170,7 @@ static void keep_mean(const tracer *t, u64 i, const ts_truth_query *queries, con
 	ts_store3(t->radiance + i * 3, ts_mul(mean, ts_v3_make(pixel->tint_r, pixel->tint_g, pixel->tint_b)));
 }
 
-/* The first legs of all these pixels in packets. */
+/* Casts the first legs of all these pixels in packets. */
 static void look_from(const void *user, const u64 *i, const ts_share *shares, u32 n)
 {
 	const tracer *t = user;
@@ -185,7 +185,7 @@ static void look_from(const void *user, const u64 *i, const ts_share *shares, u3
 	for (u32 k = 0; k < n; k++) keep_mean(t, i[k], &queries[k * asked], &hits[k * asked], asked);
 }
 
-/* Rays of a sample, if every bounce sends on as many as it may. */
+/* Most rays of a sample, when every bounce continues. */
 static u64 most_rays(u32 bounces, u64 each)
 {
 	u64 sum = 0, rays = 1;
@@ -226,10 +226,10 @@ ts_status ts_truth_b(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 	return trace(t, run, sampling, 1, "truth B");
 }
 
-/* The middle of the texel, of n a side, that holds s: both from -1 to 1. */
+/* The middle of the texel that holds s, of n texels per side: both from -1 to 1. */
 static f32 middle_of_texel(f32 s, u32 n) { return ((f32)ts_k_cube_texel(s, n) + 0.5f) * 2.0f / (f32)n - 1.0f; }
 
-/* Through the centre of the texel that the sample reads. */
+/* Casts through the centre of the texel that the sample reads. */
 static ts_truth_query through_texel(const tracer *t, const ts_pixel *pixel, u32 k)
 {
 	ts_truth_query query = first_from_centre(t, pixel, k);

@@ -1,11 +1,11 @@
-/* Truth of shadows by rays: how many samples of each light reach what the eye sees (iVIR sections 4 and 6; METHODS
- * 17), by the very samples that the methods have depth maps of, or by so many that a light is an area. As
- * kernels/raster/shadow_map.h has it a sample reaches what lies outside of its view's image or before its near plane.
+/* Truth of shadows by rays: how many samples of each light reach what the eye sees (iVIR sections 4 and 6; METHODS 17),
+ * with the methods' own samples, or with enough to make an area light. As in kernels/raster/shadow_map.h, a sample
+ * reaches points outside of its view's image or before its near plane.
  *
- * A ray goes from the sample towards the point, so that it meets what faces the sample, as the sample's depth map
- * does. The point's own triangle stops no ray, and nothing does that is nearer than 2^-20 of the greatest coordinate,
- * 16 roundings, to that triangle's plane, measured along the ray: what touches a receiver cannot be told from it, and
- * neither can the neighbours in its plane. There is no other bias. */
+ * A ray goes from the sample towards the point, so that it meets surfaces that face the sample, as the sample's depth
+ * map does. The point's own triangle stops no ray. Nor does anything nearer than 2^-20 of the greatest coordinate, 16
+ * roundings, to that triangle's plane, measured along the ray: what touches a receiver cannot be distinguished from it,
+ * and neither can the neighbours in its plane. There is no other bias. */
 #include "../../../kernels/raster/shadow_test.h"
 #include "../../pipeline.h"
 #include "../../raster/eye.h"
@@ -13,7 +13,7 @@
 #include "../../../truth/sampling.h"
 #include "tools.h"
 
-enum { MOST_SAMPLES = 1 << 20, RAYS = 64 }; /* of all lights; that are cast at once */
+enum { MOST_SAMPLES = 1 << 20, RAYS = 64 }; /* of all lights; rays that are cast at once */
 
 typedef struct {
 	const ts_truth *truth;
@@ -23,13 +23,13 @@ typedef struct {
 	const u64 *seen; /* eye.depth_triangle */
 	const ts_offscreen *views;
 	const ts_lamp *lamps;
-	u32 n_lamps, step; /* step: views a sample */
+	u32 n_lamps, step; /* step: views per sample */
 	u32 *lit;
 } tracer;
 
 static f32 greatest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)); }
 
-/* The point falls into the image of a perspective or orthographic view; into a cube always. */
+/* Whether the image of a perspective or orthographic view contains the point; a cube's always does. */
 static bool is_in_image(const ts_camera_k *view, const ts_corner *p)
 {
 	ts_v2 at = ts_k_project(view, p);
@@ -37,8 +37,8 @@ static bool is_in_image(const ts_camera_k *view, const ts_corner *p)
 	return i >= 0 && j >= 0 && i < view->width && j < view->height;
 }
 
-/* From the sample, or from the plane in which an orthographic view's image lies. The footprint is a texel's; of an
- * orthographic view the finest level stands for it. */
+/* A ray from the sample, or from an orthographic view's image plane. The footprint is a texel's; an orthographic view
+ * takes the finest level instead. */
 static ts_truth_query ray_to(const ts_camera_k *view, ts_v3 p, f32 z)
 {
 	bool parallel = view->orthographic != 0;
@@ -70,7 +70,7 @@ static bool reaches(const ts_truth_query *ray, const ts_truth_hit *hit, const ts
 	return hit->t >= ts_length(ts_sub(at->p, ray->origin)) - height / slope;
 }
 
-/* How many of these rays get there. */
+/* How many of these rays reach the point. */
 static u32 count_rays(const tracer *t, const ts_truth_query *rays, u32 n, const ts_receiver *at, u32 triangle)
 {
 	ts_truth_hit found[RAYS];
@@ -86,7 +86,7 @@ static u32 pixel_of(const void *user, u64 i)
 	return t->seen[i] != TS_EMPTY ? (u32)i : TS_NONE;
 }
 
-/* How many samples of a light reach the point; of a share of them, as many as that lets expect. */
+/* How many samples of a light reach the point; for a share of them, the expected number. */
 static u32 count(const tracer *t, const ts_lamp *lamp, const ts_share *share, const ts_receiver *at, u32 triangle)
 {
 	u64 n = lamp->samples, hits = 0, asked = n * share->asked / share->items;
@@ -147,7 +147,7 @@ static ts_status trace(const ts_truth *truth, ts_run *run, ts_sampling *sampling
 	return TS_OK;
 }
 
-/* What rays to samples of lights start from. */
+/* Inputs of rays to samples of lights. */
 static const ts_buffer_id needs[] = {TS_B_eye_depth_triangle, TS_B_lamp_shape, TS_B_offscreen_view, TS_N_BUFFERS};
 
 ts_status ts_truth_shadow_begin(ts_run *run, const char *effect) { return ts_truth_begin(run, effect, needs); }

@@ -8,7 +8,7 @@
 
 enum { MAX_FACTOR = 16, RAYS_A_TEXEL = 8 }; /* as long as a texel takes: 4 us, where a ray takes half of one */
 
-/* The parameter times the factor, within the range that params.def gives it. */
+/* The parameter times the factor, within its range in params.def. */
 static ts_status enlarge(ts_params *params, const char *name, u32 value, u32 factor)
 {
 	char text[24];

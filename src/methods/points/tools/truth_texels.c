@@ -1,11 +1,12 @@
-/* Off-screen buffers against rays through the centres of their texels: holes, leaks and wrong depths (METHODS 17).
+/* Off-screen buffers compared with rays through the centres of their texels: holes, leaks and wrong depths (METHODS
+ * 17).
  *
  * The theorem behind density.rate=watertight: let the ray hit triangle t, in front, at x. The squares of the lattice of
- * t's piece cover it, so x is in one whose sample, moved to the piece if need be, is within sqrt(1/2) / s of x; no way
- * of that length on t is longer than half a texel in the image, so t has a sample within half a texel of the centre,
- * which is in the texel. So the texel holds something, and nothing farther than t is anywhere within half a texel of
- * its centre. That holds for all triangles that are neither culled, nor capped, nor masked; not for their parts before
- * the near plane. */
+ * t's piece cover it, so x is in one whose sample, moved to the piece if need be, is within sqrt(1/2) / s of x. No
+ * segment of that length on t is longer than half a texel in the image, so t has a sample within half a texel of the
+ * centre, which is in the texel. So the texel is not empty, and holds nothing farther than t anywhere within half a
+ * texel of its centre. That holds for all triangles that are neither culled, nor capped, nor masked; not for their
+ * parts before the near plane. */
 #include <float.h>
 #include <math.h>
 #include <omp.h>
@@ -19,9 +20,9 @@
 
 #define ROUNDING 1.00001
 
-enum { STREAM_TEXELS = 11, SHARE = 4 }; /* of ts_random; of params.truth_rays, what is for texels */
+enum { STREAM_TEXELS = 11, SHARE = 4 }; /* of ts_random; one in SHARE of params.truth_rays is for texels */
 
-/* What a texel holds: a depth, or as near as its code tells. Radial if it is an environment map's, else axial. */
+/* A texel's depth, or the interval of its code; radial in environment maps, otherwise axial. */
 typedef struct {
 	double least, most;
 	bool any;
@@ -30,15 +31,15 @@ typedef struct {
 typedef struct {
 	const ts_truth *truth;
 	const ts_arrays *scene;
-	ts_shadow_test_args rule; /* its bias */
+	ts_shadow_test_args rule; /* whose bias is used */
 	const void *texels;       /* of the batch */
 	ts_buffer_id id;
 	u64 first_texel;
-	u32 one_of, seed; /* texels are judged */
+	u32 one_of, seed; /* one texel in one_of is judged */
 	int n_threads;
 } judge;
 
-/* One view: what it sees, of which no triangle of reflector `masked`. */
+/* One view: what it sees, without triangles of reflector `masked`. */
 typedef struct {
 	ts_camera_k camera;
 	u64 offset;
@@ -85,8 +86,8 @@ static ts_truth_query ray_through(const window *w, u32 x, u32 y)
 	                        .spread = parallel ? 0.0f : 1.0f / view->focal};
 }
 
-/* How much deeper the plane of a triangle is half a texel away than here at most, as a factor: 1/z is linear in the
- * image. Orthographic, z itself is. Infinite if the plane is seen on edge within half a texel. */
+/* The greatest factor by which the depth of a triangle's plane grows within half a texel: 1/z is linear in the image;
+ * in orthographic views z itself is. Infinite if the plane is seen on edge within half a texel. */
 static double farther(const ts_camera_k *view, const ts_corners *t, const ts_truth_query *ray, double z)
 {
 	double x = (double)ts_dot(view->right, t->n), y = (double)ts_dot(view->up, t->n);
@@ -103,7 +104,7 @@ static double deepest_corner(const ts_camera_k *view, const ts_corners *t)
 	return (double)ts_max(z, ts_k_to_view(view, t->c).z);
 }
 
-/* Compares what the texel holds with the triangle that its ray hits at t. */
+/* Compares the texel with the triangle that its ray hits at t. */
 static ts_texel_counts compare(const judge *j, const ts_camera_k *view, const ts_truth_query *ray,
                                const ts_truth_hit *hit, held has)
 {
@@ -115,7 +116,7 @@ static ts_texel_counts compare(const judge *j, const ts_camera_k *view, const ts
 	double reach = fmin(z * farther(view, &corner, ray, z), deepest_corner(view, &corner));
 	bool is_radial = j->id == TS_B_scatter_colour;
 	double radial = is_radial ? (double)hit->t / z : 1;
-	double slant = is_radial ? 1 + 0.5 / (double)view->focal : 1; /* of the radial distance, half a texel away */
+	double slant = is_radial ? 1 + 0.5 / (double)view->focal : 1; /* for the radial distance, half a texel away */
 	double limit = fmax(z + bias, reach * slant) * radial * ROUNDING;
 	bool apart = has.least > (z + bias) * radial * ROUNDING || has.most < (z - bias) * radial / ROUNDING;
 	return (ts_texel_counts){.covered = 1, .leaks = has.least > limit, .apart = apart};
@@ -163,7 +164,7 @@ static window face_of(const judge *j, const ts_face *cube, u32 face)
 	return (window){ts_k_cube_view(cube, face), first, reflector_of(j, cube->object)};
 }
 
-/* Texels of all views of the run, not of this batch alone. */
+/* Texels of all views of the run, not only of this batch. */
 static u64 n_texels(const ts_run *run, const ts_face *faces, const ts_offscreen *views)
 {
 	u64 n = 0;

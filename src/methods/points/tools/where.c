@@ -1,4 +1,4 @@
-/* Where points and reflective pixels are. */
+/* Places of points and reflective pixels. */
 #include <stdio.h>
 #include "tools.h"
 

@@ -1,8 +1,8 @@
 /* eye.view has the size of the picture; cube_size.face has no face larger than the parameters allow, and offsets that
- * are the sums of 6 n^2: texels are addressed by both. offscreen.view: the same, square, six a cube where there are
- * cubes, of stage deferred.lit one a light and six a point light; lights of stage shadow_test. lamp.shape: samples, of
- * stage lamp.view one a view, in order, for views are written where they say. lamp.light: at least one, and its kind.
- * shadow_test.lit: at most the samples. */
+ * are the sums of 6 n^2: texels are addressed by both. offscreen.view: the same, square; six per cube where there are
+ * cubes; for stage deferred.lit one per light and six per point light; lights for stage shadow_test. lamp.shape:
+ * samples, for stage lamp.view one per view, in order, for views are written at these places. lamp.light: at least one,
+ * and its kind. shadow_test.lit: at most the samples. */
 #include <inttypes.h>
 #include "../../stages.h"
 #include "tools.h"
@@ -87,7 +87,7 @@ static ts_status check_views(const ts_load *load, const ts_stage *stage, ts_buff
 	return TS_OK;
 }
 
-/* Who looks lights up by the views' names for them. */
+/* Stages that index lights by their views need a light for each. */
 static ts_status check_owners(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
 	u64 n;
@@ -99,7 +99,7 @@ static ts_status check_owners(const ts_load *load, const ts_stage *stage, ts_buf
 	return TS_OK;
 }
 
-/* Views are made in the order of their lights, and all of them: one a sample, or one with taps for all of a light's. */
+/* Views are in the order of their lights, and complete: one per sample, or one with taps for all samples of a light. */
 static ts_status check_samples(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
 	u64 n, first = 0, all = load->run.plan.units;
@@ -120,7 +120,7 @@ static ts_status check_samples(const ts_load *load, const ts_stage *stage, ts_bu
 	return ts_refuse("%s: lights with %" PRIu64 " views; %" PRIu64 " would be right", load->item[id]->path, first, all);
 }
 
-/* Deferred shading asks each light's view, or its cube, in order. */
+/* Deferred shading reads each light's view, or its cube, in order. */
 static ts_status check_cubes(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
 	u64 n = ts_frame_n(&load->run.frame, id), n_lights, wanted = 0;
@@ -153,7 +153,7 @@ static ts_status check_lit(const ts_load *load, const ts_stage *stage, ts_buffer
 	return TS_OK;
 }
 
-/* Cubes before the views of their faces. */
+/* Cubes are checked before the views of their faces. */
 const ts_check_rule ts_raster_checks[] = {
 	{TS_B_cube_size_face, TS_CHECK_SIZES, check_faces},
 	{TS_B_offscreen_view, TS_CHECK_SIZES, check_views},

@@ -1,4 +1,4 @@
-/* Pictures of cubes, depth maps and light that arrives. */
+/* Pictures of cubes, depth maps and arriving light. */
 #include "pictures.h"
 #include <math.h>
 #include <stdio.h>
@@ -73,9 +73,9 @@ static ts_status take_triangles(ts_stage_pictures *pictures, const ts_run *run, 
 	return ts_picture_indices(pictures, run, id, "a colour a triangle, empty grey");
 }
 
-enum { MOST_TEXELS = 1024 }; /* a side, of the picture of a depth map; of a cube's face half of it */
+enum { MOST_TEXELS = 1024 }; /* per side of a depth map's picture; half of it for a cube's face */
 
-/* Square depth maps, one or six, shown by n of their texels a side, and between which depths they are. */
+/* Square depth maps, one or six, shown at n texels per side, and the range of depths. */
 typedef struct {
 	const u32 *depth;
 	u32 size, n;
@@ -128,7 +128,7 @@ static ts_status take_depth(ts_stage_pictures *pictures, const ts_run *run, ts_b
 	return TS_OK;
 }
 
-/* When the last batch has been resolved. */
+/* Once the last batch has been resolved. */
 static ts_status take_lit(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
 {
 	if (run->first_unit + run->n_units != run->plan.units) return TS_OK;

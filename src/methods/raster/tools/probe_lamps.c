@@ -1,4 +1,4 @@
-/* The lamps of a trace and the views of their depth maps, checked so that each finds its own. */
+/* The lamps of a trace and the views of their depth maps, checked for matching references. */
 #include <inttypes.h>
 #include "probe.h"
 
@@ -45,7 +45,7 @@ static ts_status check_views(const ts_probe *p, const ts_probe_lamps *l, u64 *n_
 	return TS_OK;
 }
 
-/* Each has its samples among the views. */
+/* Each lamp has its samples among the views. */
 static ts_status check_lamps(const ts_probe *p, const ts_probe_lamps *l)
 {
 	const char *path = p->trace->item[TS_B_lamp_shape].path;

@@ -1,4 +1,4 @@
-/* Triangles of light, and the texels of reflective shadow maps that are some. */
+/* Triangles of light, and the texels of reflective shadow maps that hold them. */
 #include "../../../kernels/raster/rsm.h"
 #include "probe.h"
 

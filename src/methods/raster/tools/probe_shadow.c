@@ -1,4 +1,4 @@
-/* What light reaches a pixel: the question of each sample to its depth map, asked again. */
+/* The light that reaches a pixel: each sample's comparison with its depth map, repeated. */
 #include <stdlib.h>
 #include "../../../kernels/raster/shadow_test_margin.h"
 #include "probe.h"
@@ -13,13 +13,13 @@ ts_status ts_probe_read_rows(ts_probe *p, ts_probe_shadow *q, const ts_offscreen
 	                         : TS_ERROR;
 }
 
-/* The least of what the kernel measured, if it measured. */
+/* The least measured margin, if there is one. */
 static void put_margin(ts_probe *p, json_t *o, const char *key, u64 bits)
 {
 	if (bits != TS_EMPTY) ts_probe_put(p, o, key, ts_probe_real(ts_u2f((u32)bits)));
 }
 
-/* A texel's answer, with all that went into it. */
+/* A texel's result, with all inputs. */
 static ts_status put_texel(ts_probe *p, json_t *o, ts_probe_shadow *q, const ts_offscreen *offscreen, f32 z,
                            bool *reaches)
 {

@@ -1,4 +1,4 @@
-/* What standard rasterization, which families share, brings for the tools. */
+/* Tables of standard rasterization, which families share, for the tools. */
 #include "../../tools/family.h"
 #include "pictures.h"
 #include "probe.h"

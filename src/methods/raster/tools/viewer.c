@@ -15,7 +15,7 @@ static void describe(ts_about *about, const ts_run *run, const char *what)
 	ts_about_make(about, run->scene->name, method->effect->name, shows, &run->params);
 }
 
-/* Depth, or the triangle counted from 1, of each pixel; whole numbers are exact in binary32 below 2^24. */
+/* Depth, or the triangle counted from 1, of each pixel; whole numbers below 2^24 are exact in binary32. */
 static ts_status write_eye_as(const ts_run *run, const char *folder, bool depth)
 {
 	ts_about about;

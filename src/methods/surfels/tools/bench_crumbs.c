@@ -1,5 +1,5 @@
-/* `bench nv40-crumbs`: pixels along edges that no surface explains, with the backs of two-sided triangles among the
- * surfels and without (FIGURES 38). */
+/* `bench nv40-crumbs`: pixels along edges that no surface explains, with and without the backs of two-sided triangles
+ * among the surfels (FIGURES 38). */
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
@@ -79,7 +79,7 @@ static ts_status make_truth(ts_picture *truth, const work *w, const ts_scene *sc
 	return ts_picture_truth_alone(truth, w->judge, scene, params, w->job->how.threads);
 }
 
-/* By each filter. The truth knows no surfels: the first sides that are sampled make it, for all. */
+/* Runs each filter. The truth does not depend on surfels: the first sides that are sampled make it for all. */
 static ts_status run_sides(found *r, const work *w, const char *spec, const char *set, ts_picture *truth)
 {
 	ts_scene *scene = NULL;

@@ -1,8 +1,8 @@
-/* The timings of the slides on surface splatting: surfels a second by shader, and how little it matters which, for each
- * pixel is shaded once however many fragments it has. */
+/* The timings of the slides on surface splatting: surfels per second by shader, and how little the shader matters, as
+ * each pixel is shaded once for any number of fragments. */
 #include "benches.h"
 
-/* By shader: with the screen filter and without, by all threads and by one. */
+/* By shader, each with and without the screen filter, on all threads and on one. */
 enum { PHONG, NPR, PHONG_SHADOW, NPR_SHADOW, SHADERS };
 enum { M_BOTH = 0, M_OBJECT = SHADERS, M_BOTH_ALONE = 2 * SHADERS, M_OBJECT_ALONE = 3 * SHADERS };
 
@@ -18,7 +18,7 @@ static const ts_bench_variant variants[] = {
 	EACH(M_BOTH_ALONE, "min", false, TS_ALONE), EACH(M_OBJECT_ALONE, "object", false, TS_ALONE), { 0 },
 };
 
-/* A rate has the number of its variant. */
+/* Rates are numbered like their variants. */
 enum { SURFELS = 4 * SHADERS, NPR_COST, NPR_SHADOW_COST, SHADOW_COST, FILTER_COST, THREADS, FRAGMENTS, OBJECT_FRAGMENTS,
        SHADED, OBJECT_SHADED, SEEN, OBJECT_SEEN, OVERLAP, OBJECT_OVERLAP, MORE, ONCE, OBJECT_ONCE, NPR_SHADED,
        DRAWN, A_PIXEL, NPR_ONCE };
@@ -93,7 +93,7 @@ static const ts_paper_relation relations[] = {
 	{ 0 },
 };
 
-/* Of a GeForce 6800 Ultra; scenes and sizes are not said. */
+/* On a GeForce 6800 Ultra; scenes and sizes are not stated. */
 #define ROW(builtin, file, pixels) \
 	{ "slides", builtin, file, pixels, { [PHONG] = 22.8, [NPR] = 21.3, [PHONG_SHADOW] = 15.7, [NPR_SHADOW] = 15.0, \
 	  [OVERLAP] = 30, [OBJECT_OVERLAP] = 7, [ONCE] = 1, [OBJECT_ONCE] = 1 } }

@@ -1,5 +1,5 @@
 /* The slides' three-pass shading and per-pixel Phong shading: how often flat, Gouraud, Phong and deferred shading
- * shade, and how near their pictures are to rays into the sampled surface. */
+ * shade, and how close their pictures are to rays into the sampled surface. */
 #include "benches.h"
 
 enum { FLAT, GOURAUD, PHONG, DEFERRED, METHODS };
@@ -52,8 +52,8 @@ static const ts_paper_part parts[] = {
 
 #define ALL TS_NO_FIGURE, 0, 0
 
-/* Slides show models from near. Where surfels outnumber pixels a filter gives the mean of shaded colours,
- * and no shade of a mean normal is that. */
+/* Slides show models from near. Where surfels outnumber pixels a filter gives the mean of shaded colours, which is not
+ * the shade of a mean normal. */
 static const ts_paper_relation relations[] = {
 	{ "shading operations a pixel, deferred", ONCE + DEFERRED, TS_BETWEEN, 1, 1, ALL,
 	  TS_OURS "not deferred; see deferred.shader", OVERLAP },

@@ -1,4 +1,4 @@
-/* Surfels in a view: what kernels loop over, and look up by. */
+/* Surfels in a view: bounds of kernels' loops and indices. */
 #include <inttypes.h>
 #include "../../../kernels/surfels/surfel_blend_order.h"
 #include "tools.h"
@@ -23,7 +23,7 @@ static ts_status check_discs(const ts_load *load, const ts_stage *stage, ts_buff
 	return TS_OK;
 }
 
-/* Where there is a fragment the heaviest has a name. */
+/* Where there is a fragment the heaviest is a surfel. */
 static ts_status check_sums(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
 	(void)stage;

@@ -1,4 +1,4 @@
-/* What the slides on surface splatting show, and who asks it. */
+/* The claims of the slides on surface splatting, and what tests them. */
 #include "benches.h"
 
 #define FILTER "nv40-filter"

@@ -10,7 +10,7 @@ struct ts_discs {
 	ts_tree tree;
 };
 
-/* What is asked of a ray: Embree hands on the address of `base`. */
+/* A ray's request: Embree passes on the address of `base`. */
 typedef struct {
 	ts_tree_context base;
 	const ts_disc_ray *ray;
@@ -22,7 +22,7 @@ typedef struct {
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* False if the ray passes it by, or meets its back. */
+/* False if the ray misses the surfel, or meets its back. */
 static bool meets(const ts_surfel *surfel, const ts_disc_ray *ray, ts_disc_met *met)
 {
 	double u[3], v[3], to[3];
@@ -68,7 +68,7 @@ static void intersect(const struct RTCIntersectFunctionNArguments *arguments)
 	found->hit.primID = arguments->primID;
 }
 
-/* The box of the ellipse, and 2^-22 of the coordinates more for Embree's rounding. */
+/* The box of the ellipse, enlarged by 2^-22 of the coordinates for Embree's rounding. */
 static void bounds(const struct RTCBoundsFunctionArguments *arguments)
 {
 	const ts_discs *discs = arguments->geometryUserPtr;
@@ -123,7 +123,7 @@ void ts_discs_free(ts_discs *discs)
 	free(discs);
 }
 
-/* In single precision boxes may seem nearer than they are; what is in them is judged in double. */
+/* In single precision boxes may seem nearer than they are; their contents are judged in double. */
 static void cast(const ts_discs *discs, request *asked)
 {
 	const double *o = asked->ray->origin, *d = asked->ray->direction;

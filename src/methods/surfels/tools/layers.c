@@ -1,10 +1,10 @@
-/* Whether epsilon blends two surfaces: a carpet with the floor below it.
+/* Whether epsilon blends two surfaces, such as a carpet and the floor below.
  *
- * Measured at pixels of a lattice, of the surfels whose ellipses the visibility pass leaves there and that face about
- * as the nearest does. The height of one over the nearest is along the mean of both normals, along which neighbours
- * on any curve of constant curvature are level. Heights of one surface lie close together or are scattered; those of
- * two layers are two heaps with a gap between them that is far wider than either. Both must have a surfel whose
- * centre is near, for at the rim of a layer surfels stand out over the other one, and it is well that these blend. */
+ * Measured at pixels of a lattice, for the surfels whose ellipses the visibility pass leaves there and that face about
+ * as the nearest does. The height of one over the nearest is along the mean of both normals, along which neighbours on
+ * any curve of constant curvature are level. Heights of one surface lie close together or are scattered; those of two
+ * layers form two clusters with a gap between them that is far wider than either. Both must have a surfel whose centre
+ * is near: at the rim of a layer surfels stand out over the other one, and these should blend. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,8 +13,8 @@
 
 #define ALIKE 0.9f       /* least cosine of their normals */
 #define LEAST_GAP 0.05f  /* of epsilon: less is roughness */
-#define FLAT 0.001f      /* of epsilon: heaps are taken to be no narrower */
-#define APART 16.0f      /* how many times as wide as the heaps a gap must be */
+#define FLAT 0.001f      /* of epsilon: the least width of clusters */
+#define APART 16.0f      /* the least ratio of a gap's width to the clusters' */
 #define INNER 0.1f       /* greatest r3D squared of the nearest centre of a layer */
 #define LEAST_SHARE 0.01 /* of the pixels */
 
@@ -26,9 +26,9 @@ typedef struct {
 	const u64 *keys;
 	ts_camera_k view;
 	f32 epsilon;
-	u32 n_surfels, step, columns, rows; /* the lattice has each step-th pixel */
-	u32 *end;                           /* of the list of each pixel of the lattice, one later while they are written */
-	u32 *list;                          /* NULL: they are counted */
+	u32 n_surfels, step, columns, rows; /* the lattice has every step-th pixel */
+	u32 *end;                           /* where each pixel's list ends; one entry later while it is written */
+	u32 *list;                          /* NULL: surfels are counted */
 } lattice;
 
 static void take_surfel(const lattice *l, u32 i)
@@ -86,7 +86,7 @@ static bool has_inner(const part *parts, u32 n)
 	return k < n;
 }
 
-/* Between two layers, of parts in the order of their heights; 0: they are one. */
+/* The gap between two layers, from parts in the order of their heights; 0: there is one layer. */
 static f32 gap_of(const part *parts, u32 n, f32 epsilon)
 {
 	f32 widest = 0.0f;
@@ -123,7 +123,7 @@ static void judge(ts_layers *layers, const lattice *l, part *parts, f32 *gaps)
 	if (layers->apart > 0) layers->gap = gaps[layers->apart / 2];
 }
 
-/* Lists of the surfels at each pixel of the lattice, which end where the next begins. */
+/* Lists the surfels at each pixel of the lattice; lists end where the next begins. */
 static ts_status make_lists(lattice *l)
 {
 	u32 n = l->columns * l->rows, most = 0;

@@ -3,7 +3,7 @@
 #include "../../stages.h"
 #include "probe.h"
 
-/* The neighbours and what they do. Returns whether one of them makes an outline. */
+/* The neighbours and their effect. Returns whether one of them makes an outline. */
 static bool put_outline(ts_probe *p, json_t *object, const ts_deferred_args *args, u64 pixel)
 {
 	json_t *o = json_object(), *list = json_array();
@@ -32,7 +32,7 @@ static bool put_outline(ts_probe *p, json_t *object, const ts_deferred_args *arg
 	return outline;
 }
 
-/* As ts_k_deferred_light has it. */
+/* Like ts_k_deferred_light. */
 static ts_v3 put_light(ts_probe *p, json_t *list, const ts_deferred_args *args, u64 pixel, u32 k)
 {
 	ts_v3 l;

@@ -1,5 +1,4 @@
-/* A pixel of surfels: which is nearest, which fragments are blended and which hidden, and what is made of their
- * sums. */
+/* A pixel of surfels: the nearest, the blended and the hidden fragments, and the results of their sums. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include "../../../kernels/surfels/surfel_blend_order.h"
@@ -15,7 +14,7 @@ enum { MOST_LISTED = 16 };
 typedef struct {
 	ts_camera_k view;
 	ts_filter filter;
-	ts_surfel_shade_args shade; /* of methods that shade before they blend; else .shading is 0 */
+	ts_surfel_shade_args shade; /* for methods that shade before they blend; otherwise .shading is 0 */
 	i32 x, y;
 	u64 pixel;
 	f32 shift;
@@ -70,7 +69,7 @@ static ts_disc_hit hit_of(const ts_disc *disc, const place *at)
 	return ts_k_disc_hit(disc, at->view.near, d.x, d.y);
 }
 
-/* Where the ray meets the plane, and how far that is from the centre by either filter. */
+/* Where the ray meets the plane, and its distance from the centre by either filter. */
 static void put_hit(ts_probe *p, json_t *o, const ts_disc *disc, const place *at)
 {
 	ts_v2 d = ts_k_disc_offset(disc, at->x, at->y);
@@ -87,7 +86,7 @@ static void put_hit(ts_probe *p, json_t *o, const ts_disc *disc, const place *at
 	}
 }
 
-/* The least key of all, and how many are inside their ellipse here. */
+/* The least key, and how many surfels' ellipses cover the pixel. */
 static u64 nearest_of(const ts_probe *p, const place *at, u64 *n_inside)
 {
 	u64 least = TS_EMPTY, n = ts_frame_n(&p->load->run.frame, TS_B_surfel_setup_disc);
@@ -138,7 +137,7 @@ static int by_weight(const void *a, const void *b)
 	return (s->surfel > t->surfel) - (s->surfel < t->surfel);
 }
 
-/* As the kernels have it. */
+/* As the kernels compute them. */
 static ts_attributes attributes_of(const place *at, const ts_disc *disc, u32 surfel)
 {
 	const ts_surfel_shade_args *shade = &at->shade;
@@ -161,7 +160,7 @@ static u32 fate_of(const place *at, u64 key, const fragment *f)
 	return ts_k_shows(at->shade.shading, key, f->surfel) ? BLENDED : NOT_NEAREST;
 }
 
-/* All fragments, in the order of their surfels. Release by free() of all, also on failure. */
+/* All fragments, in the order of their surfels. Release all by free(), also on failure. */
 static ts_status find(const ts_probe *p, const place *at, u64 key, fragments of[N_FATES])
 {
 	u64 n = ts_frame_n(&p->load->run.frame, TS_B_surfel_setup_disc);
@@ -205,7 +204,7 @@ static void put_fragment(ts_probe *p, json_t *list, const fragment *f, const pla
 	ts_probe_append(p, list, o);
 }
 
-/* The heaviest are listed, the rest told together. */
+/* The heaviest are listed, the rest summed up. */
 static void put_fragments(ts_probe *p, json_t *object, const char *name, fragments *all, const place *at, u64 key)
 {
 	json_t *o = json_object(), *list = json_array(), *others = json_object();
@@ -230,7 +229,7 @@ static void put_fragments(ts_probe *p, json_t *object, const char *name, fragmen
 	ts_probe_put(p, object, name, o);
 }
 
-/* As the kernels add them, into the sums and the heaviest of this pixel alone. */
+/* Adds them as the kernels do, into the sums and the heaviest of this pixel alone. */
 static void sum_up(const ts_probe *p, const place *at, const fragments *blended, i64 *sums, u64 *heaviest)
 {
 	const ts_params *params = &p->trace->params;
@@ -298,7 +297,7 @@ static ts_status put_blend(ts_probe *p, json_t *o, const place *at)
 	return status;
 }
 
-/* From the sums that are held. */
+/* The mean from the stored sums. */
 static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
 {
 	json_t *o = json_object();

@@ -1,5 +1,5 @@
-/* What `bench speed` measures of surfels: how many a second, and that those near an eye cost no more a fragment. NV40
- * drew 23 million a second. */
+/* `bench speed` of surfels: how many per second, and that those near an eye cost no more per fragment. NV40 drew 23
+ * million per second. */
 #include "benches.h"
 
 /* clang-format off */

@@ -1,4 +1,4 @@
-/* What the family of surfels brings for the tools. */
+/* The tables of surfels for the tools. */
 #include "../../tools/family.h"
 #include "probe.h"
 #include "benches.h"

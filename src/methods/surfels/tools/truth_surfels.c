@@ -1,11 +1,11 @@
-/* Truths of surfels by rays (METHODS 17), shaded by the methods' own deferred shader: `discs`, the surfels
- * themselves, each ray blending what it meets no more than epsilon behind the nearest by the object-space Gaussian;
- * `surface`, what surfels are samples of, triangles or the checkerboard. Every pixel is a grid of cells with one ray
- * in each: a picture for each cell, and their mean in linear light. A ray stands anywhere in its cell, by a hash:
- * rays that stood alike in all pixels would make a pattern of details finer than the cells.
+/* Truths of surfels by rays (METHODS 17), shaded by the methods' own deferred shader: `discs`, the surfels themselves,
+ * each ray blending hits no more than epsilon behind the nearest by the object-space Gaussian; `surface`, the surface
+ * that surfels sample, triangles or the checkerboard. Every pixel is a grid of cells with one ray in each: a picture
+ * for each cell, and their mean in linear light. A ray's place in its cell is a hash: equal places in all pixels would
+ * make a pattern of details finer than the cells.
  *
- * Shadows are rays from the light. Surfels stop none that are no more than epsilon before the point, as in their
- * depth maps; triangles none in the last 2^-12 of the greatest coordinate. */
+ * Shadows are rays from the light. Surfels no more than epsilon before the point stop none, as in their depth maps; nor
+ * do triangles in the last 2^-12 of the greatest coordinate. */
 #include <math.h>
 #include <stdlib.h>
 #include "../../../kernels/raster/patch.h"
@@ -21,12 +21,12 @@
 #include "tools.h"
 
 #define SKIP 0.000244140625f /* of the greatest coordinate */
-#define ONE 1073741824.0     /* sums are in 2^-30, so that no order of hits is seen */
+#define ONE 1073741824.0     /* sums are in 2^-30, so that the order of hits does not matter */
 #define STREAM_SAMPLES 7u    /* of ts_random */
 
 enum { N_ATTRIBUTES = 7, WEIGHT = 6 };
-enum { ROWS = 32 };        /* between two signs of progress */
-enum { DISC_BYTES = 192 }; /* what Embree's tree takes for a surfel: 146 to 191 of 300 000 to four million of them */
+enum { ROWS = 32 };        /* between two reports of progress */
+enum { DISC_BYTES = 192 }; /* of Embree's tree per surfel: 146 to 191 for 300 000 to four million of them */
 
 typedef struct {
 	ts_v3 p, n, albedo;
@@ -34,13 +34,13 @@ typedef struct {
 
 typedef struct tracer tracer;
 
-/* What rays are cast into. */
+/* The target of rays. */
 typedef struct {
 	const char *label;
 	ts_status (*open)(tracer *t, ts_run *run);
 	bool (*see)(const tracer *t, const ts_disc_ray *ray, spot *at);
-	bool (*reaches)(const tracer *t, ts_v3 light, ts_v3 p); /* nothing is between them */
-	u32 cost;                                               /* of a ray, in rays into triangles */
+	bool (*reaches)(const tracer *t, ts_v3 light, ts_v3 p); /* whether nothing is between them */
+	u32 cost;                                               /* of a ray, relative to one into triangles */
 } world;
 
 struct tracer {
@@ -52,16 +52,16 @@ struct tracer {
 	const ts_light *lights;
 	u32 n_lights;
 	double eps, fall;   /* world units; 1 / (2 ewa.sigma_k^2) */
-	f32 spread, beyond; /* footprint of a unit of path; farther than the scene reaches */
-	u32 side, cell;     /* rays a pixel a side; which of them is cast */
+	f32 spread, beyond; /* footprint per unit of path; farther than the scene reaches */
+	u32 side, cell;     /* rays per side of a pixel; the one that is cast */
 	u32 seed;           /* of their places */
 	const ts_sampling *sampling;
 	ts_gpixel *pixels;
-	u32 *lit; /* NULL: there are no shadows */
+	u32 *lit; /* NULL: no shadows */
 	int n_threads;
 };
 
-/* Attributes and weight of what a ray meets, and of that the heaviest. */
+/* Sums of attributes and weights over a ray's hits, and the heaviest of these. */
 typedef struct {
 	const tracer *t;
 	i64 sum[N_ATTRIBUTES];
@@ -216,7 +216,7 @@ static ts_disc_ray eye_ray(const tracer *t, u32 x, u32 y)
 	return ray;
 }
 
-/* Each light reaches the spot or it does not. */
+/* Finds which lights reach the spot. */
 static void light_spot(const tracer *t, const spot *at, u32 *lit)
 {
 	for (u32 k = 0; k < t->n_lights; k++) {
@@ -245,7 +245,7 @@ static void cast(const tracer *t, u32 x, u32 y)
 	if (t->lit != NULL) light_spot(t, &at, t->lit + i * t->n_lights);
 }
 
-/* The picture of one cell of the grid, added to the mean. */
+/* Adds the picture of one cell of the grid to the mean. */
 static ts_status add_picture(f32 *radiance, tracer *t, ts_run *run, ts_work *work)
 {
 	u32 width = t->eye->width, height = t->eye->height, n = t->side * t->side;
@@ -274,7 +274,7 @@ static ts_status make_room(f32 **radiance, tracer *t, ts_run *run)
 	return t->lit != NULL ? TS_OK : TS_ERROR;
 }
 
-/* The diagonal of the box, and the longest half-axis of what has its centre in it. */
+/* The diagonal of the box, and the longest half-axis of surfels with their centre in it. */
 static f32 extent_of(const ts_scene *scene)
 {
 	f32 longest = 0.0f;
@@ -285,7 +285,7 @@ static f32 extent_of(const ts_scene *scene)
 	return ts_length(ts_sub(ts_load3(scene->info.box_max), ts_load3(scene->info.box_min))) + longest;
 }
 
-/* Shares the rays of all cells out: some are a smaller grid. */
+/* Divides the rays among all cells; a share of them is a smaller grid. */
 static u64 plan(tracer *t, ts_sampling *sampling)
 {
 	u64 n = (u64)t->eye->width * t->eye->height, each = 1 + (t->lit != NULL ? t->n_lights : 0);

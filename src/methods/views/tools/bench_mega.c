@@ -1,5 +1,5 @@
-/* MegaViews beside ManyLoDs as views become many: what the paper's figure 10 plots, of which only what the text says is
- * known. The stages `view_map` and `view_map.fuse` render maps. */
+/* MegaViews compared with ManyLoDs for growing numbers of views: the paper's figure 10, known only from its text. The
+ * stages `view_map` and `view_map.fuse` render maps. */
 #include <math.h>
 #include "../../../kernels/base/num.h"
 #include "benches.h"
@@ -135,7 +135,7 @@ static const ts_paper_part parts[] = {
 #define MANY VIEWS, 60e3, 1e9
 #define ALL TS_NO_FIGURE, 0, 0
 
-/* Pairs wider than a texel are few as long as few views share a leaf: a million in 11 levels, 65,536 in 9. */
+/* There are few pairs wider than a texel while few views share a leaf: a million in 11 levels, 65,536 in 9. */
 static const ts_paper_relation relations[] = {
 	{ "time of ManyLoDs / MegaViews, 60,000 views or more", SPEEDUP, TS_AT_LEAST, 10, 0, MANY,
 	  TS_GPU "maps are copied and fused as long as views share them; see view_map.fusion", SHARING },
@@ -169,7 +169,7 @@ static const ts_paper_relation relations[] = {
 	{ 0 },
 };
 
-/* On average of four scenes. */
+/* Means over four scenes. */
 static const ts_paper_row rows[] = {
 	{ "four scenes", "atrium", "sponza", 2048, { [SPEEDUP] = 1 } },
 	{ "four scenes", "atrium", "sponza", 1048576, { [SPEEDUP] = 10, [LESS] = 10 } },

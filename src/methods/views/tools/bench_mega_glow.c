@@ -1,4 +1,4 @@
-/* Glowing particles with shadows and without, beside rays to all of them: the paper's figure 17. */
+/* Glowing particles with and without shadows, compared with rays to all of them: the paper's figure 17. */
 #include "benches.h"
 
 enum { SHADOWED, UNSHADOWED, LODS };

@@ -1,5 +1,4 @@
-/* MegaViews as maps, octrees and gathering vary: the paper's figures 12, 13 and 16, of which only what the text says is
- * known. */
+/* MegaViews as maps, octrees and gathering vary: the paper's figures 12, 13 and 16, known only from its text. */
 #include "bench_mega.h"
 
 #define ALL TS_NO_FIGURE, 0, 0
@@ -50,7 +49,7 @@ const ts_paper_table ts_mega_12 = {
 	.parts = side_parts, .relations = side_relations, .plot = &side_plot, .rows = none,
 };
 
-/* Figure 13. Errors are those of all lights, unfiltered. */
+/* Figure 13. Errors are for all lights, unfiltered. */
 enum { M_EVERY_LIGHT = M_LODS + 1 };
 
 static const ts_bench_variant level_variants[] = {
@@ -113,8 +112,8 @@ const ts_paper_table ts_mega_13 = {
 	.parts = level_parts, .relations = level_relations, .plot = &level_plot, .rows = level_rows,
 };
 
-/* Figure 16. Noise is that of a few lights a pixel, without the filter, to the picture of all lights that culling and
- * the cut-off leave, which has none. */
+/* Figure 16. Noise is the difference of a few lights per pixel, without the filter, from the noise-free picture of all
+ * lights that culling and the cut-off leave. */
 enum { M_CULLED, M_UNCULLED, M_EVERY, M_EVERY_UNCULLED };
 
 static const ts_bench_variant gather_variants[] = {

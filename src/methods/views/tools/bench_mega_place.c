@@ -1,5 +1,5 @@
-/* MegaViews as views are less and less coherent: where light falls first, where it is reflected, and anywhere on the
- * scene's surfaces, the paper's figure 11. */
+/* MegaViews as views become less coherent: where light falls first, where it is reflected, and anywhere on the scene's
+ * surfaces, the paper's figure 11. */
 #include "benches.h"
 
 enum { LIGHT, BOUNCES, RANDOM };
@@ -68,7 +68,7 @@ static const ts_paper_relation relations[] = {
 	{ 0 },
 };
 
-/* Of 64K views in Sponza. */
+/* For 64K views in Sponza. */
 static const ts_paper_row rows[] = {
 	{ "Sponza", "atrium", "sponza", 65536, { [SLOWER] = 4 } },
 	{ 0 },

@@ -1,5 +1,5 @@
-/* Maps of 64 texels a side against those of 16: the paper's figure 15, by pictures and rays. Each pixel gathers from
- * all lights, so that neither draws nor the filter hide the maps' answers. */
+/* Maps with sides of 64 texels against those of 16: the paper's figure 15, by pictures and rays. Each pixel gathers
+ * from all lights, so that neither draws nor the filter hide the maps' errors. */
 #include "benches.h"
 
 enum { COARSE, HOLED, FINE, LODS_COARSE, LODS_FINE };

@@ -41,7 +41,7 @@ static const ts_paper_part parts[] = {
 	{ 0 },
 };
 
-/* Where the few take half the time or more. */
+/* Where the few views take half the time or more. */
 #define AS_LONG(n) \
 	{ "PSNR of many less that of " #n ", no faster", MORE_##n, TS_AT_LEAST, 0, 0, TIME_##n, 0.5, 1e9, \
 	  TS_NOT_ALWAYS "maps of 16 texels answer too coarsely; see view_map.px", PSNR }, \

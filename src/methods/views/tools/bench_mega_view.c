@@ -1,5 +1,5 @@
-/* One rendered view in colour, with and without hole filling: the paper's figure 9, and by rays what mirrors show of
- * such views, beside the cubes of EPR and MVR. */
+/* One rendered view in colour, with and without hole filling: the paper's figure 9, and the reflections of such views,
+ * judged by rays, beside the cubes of EPR and MVR. */
 #include "benches.h"
 
 enum { HOLED, FILLED, COARSE, EPR, MVR };

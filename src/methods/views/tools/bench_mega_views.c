@@ -1,5 +1,5 @@
-/* MegaViews beside ManyLoDs where views are less clustered than those of figure 10: of four bounces; and anywhere in
- * the air, the paper's particles (section 5.2). */
+/* MegaViews compared with ManyLoDs for views that are less clustered than those of figure 10: of four bounces; and
+ * anywhere in the air, the paper's particles (section 5.2). */
 #include "bench_mega.h"
 
 #define MILLION X, 800e3, 1e9
@@ -12,7 +12,7 @@ static const ts_bench_variant variants[] = {
 	{ 0 },
 };
 
-/* The last are figures of the first part. */
+/* Two parts of a table; the last rows are figures of the first part. */
 #define PARTS(key, title, ...) { \
 	{ key, title ": maps, ms; exponents of views since the row above", { __VA_ARGS__, LODS_MS, SPEEDUP, MS_GROWTH, \
 	  LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } }, \
@@ -44,7 +44,7 @@ static const ts_paper_relation bounce_relations[] = {
 	GROWTH, { 0 },
 };
 
-/* On average of four scenes. */
+/* Means over four scenes. */
 static const ts_paper_row bounce_rows[] = {
 	{ "four scenes", "atrium", "sponza", 262144, { [SPEEDUP] = 10, [MAPS_LESS] = 10 } },
 	{ 0 },

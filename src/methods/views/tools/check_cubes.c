@@ -1,4 +1,4 @@
-/* What must hold of views from the middles of cubes before a stage runs on them. */
+/* Checks of views from the middles of cubes before a stage runs on them. */
 #include <inttypes.h>
 #include "tools.h"
 

@@ -1,9 +1,9 @@
-/* Lists of views that pixels draw from: what is drawn is an index. */
+/* Lists of views that pixels draw from: the drawn numbers are indices. */
 #include <inttypes.h>
 #include "../../../kernels/views/mask.h"
 #include "tools.h"
 
-/* The views of a list up to each node are those of its cones. */
+/* The sums up to each node of a list add up its cones' views. */
 static ts_status check_list(const ts_load *load, u32 from, u32 to)
 {
 	const u32 *node = ts_frame_data(&load->run.frame, TS_B_vpl_gather_pair_node);
@@ -18,7 +18,7 @@ static ts_status check_list(const ts_load *load, u32 from, u32 to)
 	return TS_OK;
 }
 
-/* octree.level says where the levels of voxel.before begin: a voxel's id is a node of it. */
+/* Levels of voxel.before begin where octree.level has them: a voxel's id is its node. */
 static ts_status check_voxels(const ts_load *load)
 {
 	const u32 *before = ts_frame_data(&load->run.frame, TS_B_voxel_before);

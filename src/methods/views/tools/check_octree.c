@@ -1,14 +1,15 @@
-/* Octrees: what their kernels follow from node to node, and where lists are written.
+/* Octrees: links that kernels follow from node to node, and places where lists are written.
  *
- * voxel.mask, voxel.before and those of the views are what stages voxel and view_voxel make of the same triangles and
- * views, for lists are written where their bits say. octree.level and view_octree.level begin at 0, never fall and end
- * at the nodes; a node has the level that they say, its parent before it, and, but for leaves, children behind it that
- * name it. Every leaf of the views has some, and those name it; view_octree.cone names views that are there. */
+ * voxel.mask, voxel.before and those of the views equal the outputs of stages voxel and view_voxel for the same
+ * triangles and views, for lists are written at their bits. octree.level and view_octree.level begin at 0, never fall
+ * and end at the number of nodes. A node has the level that they give it, its parent before it, and, except for leaves,
+ * children after it that refer to it. Every leaf of the views has some views, and those refer to it; view_octree.cone
+ * refers to existing views. */
 #include <inttypes.h>
 #include "../octree.h"
 #include "tools.h"
 
-/* Whose mask, ids, levels or nodes these are. */
+/* The octree that these masks, ids, levels or nodes belong to. */
 static const ts_octree *octree_of(ts_buffer_id id)
 {
 	const ts_octree *scene = &ts_scene_octree;
@@ -32,7 +33,7 @@ static ts_status check_levels(const ts_load *load, const ts_stage *stage, ts_buf
 	return ts_check_refuse(load, id, n - 1, "", 0, "%" PRIu64 " (%s), all nodes,", n_nodes, ts_dim_table[of].name);
 }
 
-/* The children name a node as their parent, and are of the next level. */
+/* A node's children have it as their parent, and are of the next level. */
 static bool is_parent(const ts_node *nodes, u64 i, u64 n)
 {
 	u64 n_children = ts_k_count_bits(nodes[i].children), child = nodes[i].child;
@@ -43,7 +44,7 @@ static bool is_parent(const ts_node *nodes, u64 i, u64 n)
 	return true;
 }
 
-/* So that no walk is endless, and every node has a leaf below it. */
+/* Every walk ends, and every node has a leaf below it. */
 static ts_status check_links(const ts_load *load, ts_buffer_id id, u64 i, u64 n)
 {
 	const ts_node *nodes = ts_frame_data(&load->run.frame, id), *node = &nodes[i];
@@ -96,7 +97,7 @@ static ts_status check_nodes(const ts_load *load, const ts_stage *stage, ts_buff
 	return alone ? check_alone(load, id, n) : check_tree(load, octree, n);
 }
 
-/* Lists are written where the bits of masks say. */
+/* Lists are written at the bits of masks. */
 static ts_status check_masks(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
 	bool views = octree_of(id) == &ts_view_octree;
@@ -105,7 +106,7 @@ static ts_status check_masks(const ts_load *load, const ts_stage *stage, ts_buff
 	                      views ? "vpl.light and octree.root" : "pose.vertex and octree.root");
 }
 
-/* Ids of nodes are the set bits of the mask before them. */
+/* The id of a node is the number of set bits before it in the mask. */
 static ts_status check_ids(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
 	(void)stage;
@@ -120,7 +121,7 @@ static ts_status check_ids(const ts_load *load, const ts_stage *stage, ts_buffer
 	return TS_OK;
 }
 
-/* Every leaf has views, and those say so. */
+/* Every leaf has views, which refer to it. */
 static ts_status check_leaves(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
 	(void)stage;

@@ -1,4 +1,4 @@
-/* What MegaViews shows, and who asks it. */
+/* The claims of MegaViews, and what tests them. */
 #include "benches.h"
 
 /* clang-format off */

@@ -5,7 +5,7 @@
 #include "../../raster/tools/pictures.h"
 #include "tools.h"
 
-/* The front and the back of the view behind the largest cube, each a disc. */
+/* The front and the back of the view behind the largest cube, one disc each. */
 static ts_status take_view(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
 {
 	u32 view, n = run->plan.views.px;

@@ -1,4 +1,4 @@
-/* What the cross-bilateral filter makes of a pixel's light: its neighbours along its row, then along its column. */
+/* The cross-bilateral filter at a pixel: its neighbours along its row, then along its column. */
 #include <stdlib.h>
 #include "../../../kernels/views/bilateral.h"
 #include "../../stages.h"
@@ -17,7 +17,7 @@ static int by_weight(const void *a, const void *b)
 	return s->weight != t->weight ? (s->weight < t->weight) - (s->weight > t->weight) : (s->k > t->k) - (s->k < t->k);
 }
 
-/* The neighbours that take part, the pixel with them. Returns how many. */
+/* Finds the neighbours that take part, including the pixel. Returns their number. */
 static u32 find(const ts_bilateral_args *args, u32 x, u32 y, neighbour *found)
 {
 	i32 place = (i32)(args->columns != 0 ? y : x), end = (i32)(args->columns != 0 ? args->height : args->width);
@@ -32,7 +32,7 @@ static u32 find(const ts_bilateral_args *args, u32 x, u32 y, neighbour *found)
 	return n;
 }
 
-/* One pass: who takes part, and who counts most. */
+/* One pass: the pixels that take part, and those with the most weight. */
 static ts_status put_pass(ts_probe *p, json_t *object, const char *name, const ts_bilateral_args *args, u32 x, u32 y)
 {
 	json_t *o = json_object(), *list = json_array();
@@ -58,7 +58,7 @@ static ts_status put_pass(ts_probe *p, json_t *object, const char *name, const t
 	return TS_OK;
 }
 
-/* The rows of all pixels of the column that the filter reaches. */
+/* Filters along rows, for all pixels of the column that the filter reaches. */
 static void filter_rows(const ts_bilateral_args *args, u32 x, u32 y)
 {
 	u32 first = y > args->radius ? y - args->radius : 0;
@@ -67,7 +67,7 @@ static void filter_rows(const ts_bilateral_args *args, u32 x, u32 y)
 	}
 }
 
-/* rows and columns: of the picture of the pixel's sample. */
+/* rows and columns: in the picture of the pixel's sample. */
 static ts_status put_filter(ts_probe *p, json_t *o, ts_bilateral_args *args, f32 *rows, f32 *columns,
                             const ts_probe_seen *at)
 {

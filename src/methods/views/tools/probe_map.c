@@ -1,5 +1,5 @@
-/* A texel of a map: the pairs of nodes that were rendered into it and into those of the nodes of views above, and what
- * fusion made of them, from the root down. */
+/* A texel of a map: the pairs of nodes that were rendered into it and into the maps of the view nodes above, and the
+ * results of fusion, from the root down. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include "../../stages.h"
@@ -8,7 +8,7 @@
 
 enum { MOST_LISTED = 8 };
 
-/* A pair that came to the texel of a node of the chain, in a level of its pyramid. */
+/* A pair rendered to the texel in the map of a node of the chain, at a level of its pyramid. */
 typedef struct {
 	u64 key, pair;
 	u32 step, mip;
@@ -24,7 +24,7 @@ typedef struct {
 	size_t n, room;
 	offer *offers;
 	size_t n_offers, offers_room;
-	u32 n_near; /* pairs that would come to the texel if they were farther */
+	u32 n_near; /* pairs that would be rendered to the texel if they were farther */
 } search;
 
 static ts_status push(search *s, u64 pair)
@@ -36,7 +36,7 @@ static ts_status push(search *s, u64 pair)
 	return TS_OK;
 }
 
-/* The kernel renders the pair alone; *mip is the level where it left something over the texel. */
+/* The kernel renders the pair alone; *mip is the level of its result over the texel. */
 static u64 key_of(search *s, u64 pair, u32 step, u32 *mip)
 {
 	const ts_pyramid *pyramid = &s->chain.args.pyramid;
@@ -66,7 +66,7 @@ static ts_status offer_pair(search *s, u64 pair, u32 step, u32 fate)
 	return TS_OK;
 }
 
-/* Children of a node of the scene, or the one node of views on the way to the last. */
+/* Children of a node of the scene, or the one node of views on the chain. */
 static ts_status split(search *s, u64 pair, u32 step, u32 fate)
 {
 	u32 node = ts_k_pair_node(pair), views = ts_k_pair_views(pair);
@@ -79,7 +79,7 @@ static ts_status split(search *s, u64 pair, u32 step, u32 fate)
 	return TS_OK;
 }
 
-/* The traversal from the roots, or from each leaf of the scene, of nodes of views only those of the chain. */
+/* The traversal from the roots, or from each leaf of the scene; its nodes of views are only those of the chain. */
 static ts_status traverse(search *s, bool leaves, u64 n_nodes)
 {
 	ts_status status = leaves ? TS_OK : push(s, ts_k_pair(0, s->chain.id[0]));
@@ -118,7 +118,7 @@ static int by_win(const void *a, const void *b)
 	return x->key < y->key ? -1 : x->key > y->key;
 }
 
-/* The pairs that views from the middles of cubes leave out. */
+/* The pairs that views from cubes' middles leave out. */
 static ts_own_args own_of(const ts_run *run)
 {
 	if (!run->plan.views.cubes) return (ts_own_args){0};
@@ -148,7 +148,7 @@ static void put_offer(ts_probe *p, json_t *list, const search *s, const offer *o
 	ts_probe_append(p, list, entry);
 }
 
-/* What was rendered into the node's own map. Returns how many offers these are. */
+/* Puts the pairs rendered into the node's own map. Returns their number. */
 static size_t put_own(ts_probe *p, json_t *object, const search *s, const offer *first, u32 step)
 {
 	json_t *o = json_object(), *list = json_array();
@@ -175,7 +175,7 @@ static void put_node(ts_probe *p, json_t *object, u32 node, u32 held)
 	ts_probe_put(p, object, "shows", o);
 }
 
-/* What fusion makes of the node's own and of what its parent shows, `above`, in the trace. */
+/* Fusion of the node's own result with its parent's, `above`, in the trace. */
 static void put_fused(ts_probe *p, json_t *object, const search *s, u32 step, u64 above, u64 held)
 {
 	const ts_view_map_fuse_args *args = &s->chain.args;
@@ -195,7 +195,7 @@ static void put_fused(ts_probe *p, json_t *object, const search *s, u32 step, u6
 	ts_probe_put(p, object, "fused", o);
 }
 
-/* What the whole map of a node of views shows, in the trace. */
+/* The texel of the whole map of a node of views, in the trace. */
 static ts_status fetch_fused(ts_probe *p, u64 element, u64 *key)
 {
 	u32 depth, node;
@@ -263,7 +263,7 @@ static ts_status load(ts_probe *p)
 	const ts_step *traverse = ts_pipeline_maker(p->trace->pipeline, TS_B_traverse_rendered);
 	const char *stage = traverse != NULL ? traverse->stage : maker;
 	if (ts_probe_scene(p) != TS_OK || ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
-	const char *own = ts_probe_makes(p, TS_B_octree_reflector) ? maker : NULL; /* reads what views leave out */
+	const char *own = ts_probe_makes(p, TS_B_octree_reflector) ? maker : NULL; /* reads which pairs views leave out */
 	return ts_probe_load_for(p, (const char *const[]){stage, own, NULL});
 }
 
@@ -278,7 +278,7 @@ static ts_status answer(ts_probe *p, const ts_probe_question *q, u32 node, json_
 	return describe(p, o, node, (q->side * side + q->y) * side + q->x);
 }
 
-/* Loads what maps are made from; fails if there is no such light or node, of which buffer id has one each. */
+/* Loads inputs of maps; fails if there is no such light or node, each of which has an element of buffer id. */
 static ts_status begin(ts_probe *p, const ts_probe_question *q, ts_buffer_id id, const char *noun)
 {
 	if (load(p) != TS_OK) return TS_ERROR;

@@ -1,4 +1,5 @@
-/* A texel of the whole map of a node of views: what the nodes above it show there, and the pair that was rendered. */
+/* A texel of the whole map of a node of views: the results of the nodes above it there, and the pair that was
+ * rendered. */
 #include <stdlib.h>
 #include "../../../kernels/views/view_map_margin.h"
 #include "../../stages.h"
@@ -34,7 +35,7 @@ u64 ts_probe_own_key(const ts_probe_chain *c, u32 i, u32 texel)
 	return ts_k_map_key(c->texels + (size_t)i * n_texels, &c->args.pyramid, texel);
 }
 
-/* What the last node shows; *from is the one that has it of its own. */
+/* The last node's result; *from: the node whose own it is. */
 static u64 shown(const ts_probe_chain *c, u32 texel, u32 *from)
 {
 	u64 key = TS_EMPTY;

@@ -1,5 +1,5 @@
-/* A pixel that virtual point lights or particles light: which nodes of views culling leaves its node of the scene,
- * which of their lights it draws, and what each gives. */
+/* A pixel lit by virtual point lights or particles: the nodes of views that culling leaves its node of the scene, the
+ * lights that it draws, and the contribution of each. */
 #include <stdlib.h>
 #include "../octree.h"
 #include "../traverse.h"
@@ -7,7 +7,7 @@
 
 enum { MOST_LISTED = 16, MOST_DRAWN = 64 };
 
-/* A light and how often it is drawn. */
+/* A light and its number of draws. */
 typedef struct {
 	u32 view, times;
 	ts_v3 light;
@@ -16,7 +16,7 @@ typedef struct {
 	u64 nodes, views;
 } tally;
 
-/* What becomes of the pair of nodes s and v: that of the first pair of nodes above them that is not split. */
+/* The fate of the pair of nodes s and v: that of the first pair of nodes above them that is not split. */
 static u32 fate_of(const ts_traverse_args *how, u32 s, u32 v, u64 *pair)
 {
 	*pair = ts_k_pair(0, ts_k_ancestor(how->views, v, 0));
@@ -34,7 +34,7 @@ static void put_tally(ts_probe *p, json_t *o, const char *key, const tally *t)
 	ts_probe_put(p, o, key, json_pack("{s:o,s:o}", "nodes", ts_probe_int(t->nodes), "views", ts_probe_int(t->views)));
 }
 
-/* The nodes of views of the lists' level, each held against the list. */
+/* Compares the nodes of views of the lists' level with the list. */
 static ts_status put_culling(ts_probe *p, json_t *o, const ts_vpl_gather_args *args, const ts_view_list *list, u32 node)
 {
 	ts_traverse_args how;
@@ -99,7 +99,7 @@ static int by_light(const void *a, const void *b)
 	return x != y ? (x < y) - (x > y) : by_view(a, b);
 }
 
-/* Draws of the same light become one. Returns how many are left, the brightest first. */
+/* Merges draws of the same light. Returns how many are left, the brightest first. */
 static u32 group(term *terms, u32 n)
 {
 	u32 n_lights = 0;
@@ -113,7 +113,7 @@ static u32 group(term *terms, u32 n)
 	return n_lights;
 }
 
-/* The lights from `MOST_LISTED` on together. */
+/* Sums up the lights from `MOST_LISTED` on. */
 static void put_others(ts_probe *p, json_t *o, const term *terms, u32 n)
 {
 	u32 n_draws = 0;
@@ -194,7 +194,7 @@ static ts_status put_lights(ts_probe *p, json_t *object, const ts_probe_gather *
 	return status;
 }
 
-/* Loads what stage vpl_gather and those around it read. */
+/* Loads inputs of stage vpl_gather and its neighbours. */
 static ts_status load(ts_probe *p)
 {
 	const char *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_vpl_light)->stage;

@@ -1,4 +1,4 @@
-/* A virtual point light or particle that a pixel draws: where it comes from, and what it gives. */
+/* A virtual point light or particle that a pixel draws: its origin and its contribution. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include "../views.h"
@@ -6,7 +6,7 @@
 #include "../../../kernels/views/particle.h"
 #include "probe.h"
 
-/* Each path begins at a texel, and has its lights among those that there are. */
+/* Each path begins at a texel, and its lights exist. */
 static ts_status check_paths(const ts_probe *p, const ts_probe_gather *g)
 {
 	u64 n_offsets = ts_probe_n(p, TS_B_vpl_offset);
@@ -43,7 +43,7 @@ ts_status ts_probe_read_paths(ts_probe *p, ts_probe_gather *g)
 	return TS_OK;
 }
 
-/* The path of a light: the last that begins no later. */
+/* The path of a light: the last that does not begin after the light. */
 static u32 path_of(const ts_probe_gather *g, u32 light)
 {
 	u32 low = 0, high = g->vpl.n - 1;
@@ -69,7 +69,7 @@ static ts_status put_start(ts_probe *p, json_t *start, const ts_probe_gather *g,
 	return TS_OK;
 }
 
-/* The path is followed again, up to the light. */
+/* Follows the path again, up to the light. */
 static ts_status put_path(ts_probe *p, json_t *o, const ts_probe_gather *g, u32 light, ts_vpl *made)
 {
 	u32 path = path_of(g, light), triangle = TS_NONE;
@@ -113,7 +113,7 @@ static ts_status put_light(ts_probe *p, json_t *o, const ts_probe_gather *g, u32
 	return TS_OK;
 }
 
-/* Whether what a texel shows is far enough away, and if not, too near the tangent plane. */
+/* Whether the surface in a texel is far enough away, and if not, too near the tangent plane. */
 static void put_tests(ts_probe *p, json_t *o, const ts_probe_gather *g, u32 light, u32 texel, u64 shown)
 {
 	const ts_vpl_gather_args *args = &g->args;
@@ -131,7 +131,7 @@ static void put_tests(ts_probe *p, json_t *o, const ts_probe_gather *g, u32 ligh
 	ts_probe_put(p, o, "clear_from", ts_probe_bits(ts_k_vpl_clear(args, &args->scene[(u32)shown])));
 }
 
-/* What the map of the light's leaf answers, with all that goes into it. */
+/* The result from the map of the light's leaf, with all inputs. */
 static ts_status put_question(ts_probe *p, json_t *object, const ts_probe_gather *g, u32 light, ts_v3 way)
 {
 	json_t *o = json_object();

@@ -1,5 +1,5 @@
-/* What `bench speed` measures of many views: MegaViews against ManyLoDs, 131,072 paths of light, as `bench mega-10` has
- * them. The paper's ratio is 10 at a million views. */
+/* `bench speed` of many views: MegaViews against ManyLoDs, 131,072 paths of light, as in `bench mega-10`. The paper's
+ * ratio is 10 at a million views. */
 #include "benches.h"
 
 /* clang-format off */

@@ -1,4 +1,4 @@
-/* What the family of many views brings for the tools. */
+/* The tables of many views for the tools. */
 #include "../../tools/family.h"
 #include "probe.h"
 #include "../../raster/tools/truth_gather.h"

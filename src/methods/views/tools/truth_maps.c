@@ -1,5 +1,5 @@
-/* Maps of many views against rays (METHODS 17): what whole maps show along the middles of their texels, and what they
- * answer about places that pixels see. Of views beyond some, every so many-th. */
+/* Maps of many views compared with rays (METHODS 17): the depths of whole maps along the middles of their texels, and
+ * their results for places that pixels see. A large number of views is sampled at regular steps. */
 #include "../../../kernels/views/vpl_gather.h"
 #include "../views.h"
 #include "../traverse.h"
@@ -12,7 +12,7 @@ typedef struct {
 	const ts_truth *truth;
 	ts_vpl_gather_args of;
 	u64 n_pixels;
-	f32 leaf, reach; /* side of a leaf; what is so near a light stops nothing */
+	f32 leaf, reach; /* side of a leaf; surfaces this near a light stop nothing */
 	f32 apart;       /* params.view_map_apart */
 	bool all;        /* views see all directions */
 } judge;
@@ -23,7 +23,7 @@ static ts_truth_hit cast(const judge *j, ts_v3 from, ts_v3 way)
 	return ts_truth_cast(j->truth, &ray);
 }
 
-/* A texel sees more than its middle: whether any of its ways leads to something as far away. */
+/* Whether any direction within the texel, not only its middle, hits something equally far away. */
 static bool is_there(const judge *j, ts_v3 from, u32 texel, f32 depth)
 {
 	u32 n = j->of.n, side = FINER * n, half = texel / (n * n), row = texel / n % n, column = texel % n;
@@ -52,7 +52,7 @@ static void judge_texel(const judge *j, u32 view, u32 texel, ts_texel_counts *co
 	counts->apart += ts_abs(depth - hit.t) > j->leaf * WRONG_LEAVES && !is_there(j, from, texel, depth);
 }
 
-/* Pixel of a view's place k, the same for all methods. */
+/* Judges the pixel for a view's place k, the same for all methods. */
 static void judge_place(const judge *j, u32 view, u32 k, ts_texel_counts *counts)
 {
 	const ts_vpl *light = &j->of.lights[view];

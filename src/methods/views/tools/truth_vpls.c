@@ -9,10 +9,10 @@
 typedef struct {
 	const ts_truth *truth;
 	const ts_vpl *vpls;
-	f32 near, reach; /* world units: least distance of a light, and what about it stops nothing */
+	f32 near, reach; /* world units: least distance of a light; surfaces this near a light stop nothing */
 } tracer;
 
-/* Lights that would shine on a pixel, and how much. */
+/* Lights that reach a pixel without occluders, and their contributions. */
 typedef struct {
 	ts_truth_pair pairs[TS_TRUTH_PAIRS];
 	const ts_vpl *lights[TS_TRUTH_PAIRS];
@@ -49,7 +49,7 @@ static ts_v3 from_vpls(const void *user, const ts_share *share, ts_v3 p, ts_v3 n
 	return ts_scale(sum, ts_share_weight(share));
 }
 
-/* From lights that stages make, in order; ended by NULL. */
+/* Traces lights of the given stages, in order; ended by NULL. */
 static ts_status trace(ts_truth *truth, ts_run *run, ts_sampling *sampling, const char *const *makers,
                        const char *label)
 {

@@ -1,4 +1,4 @@
-/* Why maps of many views answer otherwise than rays (METHODS 17). */
+/* Why maps of many views differ from rays (METHODS 17). */
 #include "../../../kernels/views/octree.h"
 #include "../../../kernels/views/vpl_gather.h"
 #include "../../../truth/query.h"
@@ -19,7 +19,7 @@ typedef struct {
 	f32 reach, apart;
 } answer;
 
-/* The first that stops light; TS_NONE: nothing. */
+/* The first hit that stops light; TS_NONE: none. */
 static ts_truth_hit cast(const answer *a, bool whole)
 {
 	ts_truth_query ray = {.origin = a->light,
@@ -31,13 +31,13 @@ static ts_truth_hit cast(const answer *a, bool whole)
 	return ts_truth_cast(a->truth, &ray);
 }
 
-/* Whether a map that showed the hit would let a place be dark. */
+/* Whether a place would be dark if a map showed the hit. */
 static bool stops(const answer *a, const ts_truth_hit *hit)
 {
 	return hit->triangle != TS_NONE && ts_length(a->way) > hit->t + ts_k_vpl_slack(a->of, a->way, a->n);
 }
 
-/* Whether maps leave out the leaf that holds the place that is so far from the light. */
+/* Whether maps leave out the leaf that holds the place at distance t from the light. */
 static bool is_left_out(const answer *a, f32 t)
 {
 	u32 levels = a->of->levels;

@@ -1,4 +1,4 @@
-/* Where pairs of nodes are. */
+/* Places of pairs of nodes. */
 #include "../../../kernels/views/traverse.h"
 #include "tools.h"
 #include <stdio.h>
