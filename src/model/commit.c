@@ -1,4 +1,4 @@
-/* What this program was built from. The Makefile knows; only this file is built again when it changes. */
+/* The commit that this program was built from. The Makefile sets it; only this file is built again when it changes. */
 #include "core.h"
 
 #ifndef TS_COMMIT

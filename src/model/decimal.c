@@ -7,7 +7,7 @@ typedef struct {
 	locale_t c, before;
 } visit;
 
-/* Into C's own locale, on this thread alone. */
+/* Switches to the C locale, on this thread alone. */
 static bool enter(visit *v)
 {
 	v->c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);

@@ -1,5 +1,4 @@
-/* SHA-256 through libcrypto, by the calls that allocate nothing: those that OpenSSL 3 prefers crash where memory
- * ends. */
+/* SHA-256 through libcrypto, by the calls that do not allocate: those that OpenSSL 3 prefers crash without memory. */
 #define OPENSSL_SUPPRESS_DEPRECATED
 #include "digest.h"
 #include <stdio.h>

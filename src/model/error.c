@@ -1,4 +1,4 @@
-/* One line a failure, kept by thread. */
+/* One line per failure, kept by thread. */
 #include <stdio.h>
 #include <string.h>
 #include "core.h"
@@ -23,10 +23,10 @@ static bool ends_with_message(const char *text)
 	return inner > 0 && n >= inner && strcmp(text + n - inner, message) == 0;
 }
 
-/* `of` is TS_KIND_NONE where the call names none. */
+/* `of` is TS_KIND_NONE where the call gives no kind. */
 static ts_status fail(ts_kind of, const char *format, va_list arguments)
 {
-	/* The arguments may point into the last message, all of which fits behind as many other characters. */
+	/* The arguments may point into the last message, which fits whole beside as many other characters. */
 	char text[2 * MESSAGE_BYTES];
 	int length = vsnprintf(text, sizeof text, format, arguments);
 	if (length < 0) strcpy(text, "a message could not be formatted");

@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include "core.h"
 
-/* Of a regular file that is open. */
+/* Reads an open regular file. */
 static char *read_all(size_t *bytes, FILE *file, const char *path)
 {
 	struct stat info;

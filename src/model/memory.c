@@ -4,9 +4,9 @@
 #include <sys/mman.h>
 #include "core.h"
 
-enum { LARGE_BYTES = 8 << 20 }; /* what is smaller, or zero, may be touched here and there alone */
+enum { LARGE_BYTES = 8 << 20 }; /* smaller blocks, or zeroed ones, may be touched only in places */
 
-/* A system without large pages says no, and nothing is lost. */
+/* A system without large pages refuses, which is harmless. */
 void ts_memory_large_pages(void *memory, size_t bytes)
 {
 	const uintptr_t large = (uintptr_t)2 << 20;

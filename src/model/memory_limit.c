@@ -1,4 +1,4 @@
-/* How much memory there is for this process, and how much it has. */
+/* The memory limit of this process, and its use. */
 #include "memory_limit.h"
 #include <inttypes.h>
 #include <pthread.h>
@@ -18,7 +18,7 @@ enum { PATH_BYTES = 4096 };
 
 static uint64_t least(uint64_t a, uint64_t b) { return a < b ? a : b; }
 
-/* The number that a file consists of; UINT64_MAX without file or number, such as "max". */
+/* The number in a file; UINT64_MAX without file or number, such as "max". */
 static uint64_t read_number(const char *path)
 {
 	uint64_t number = UINT64_MAX;
@@ -29,8 +29,8 @@ static uint64_t read_number(const char *path)
 	return number;
 }
 
-/* The least limit of a control group and those above it, whose folders stand under `mount`. A container may see only
- * the uppermost. */
+/* The least limit of a control group and its parents, whose folders are under `mount`. A container may see only the
+ * uppermost. */
 static uint64_t group_limit(const char *mount, const char *group, const char *name)
 {
 	char folder[PATH_BYTES], path[PATH_BYTES + 64];
@@ -97,7 +97,7 @@ static uint64_t page_bytes(void)
 	return bytes > 0 ? (uint64_t)bytes : 4096;
 }
 
-/* Bytes of this process by /proc/self/statm; 0 where the system does not tell. */
+/* Bytes of this process by /proc/self/statm; 0 where the system has no such file. */
 typedef struct {
 	uint64_t mapped, resident, files, written; /* address space; in memory; of these files; data and stack */
 } footprint;

@@ -4,7 +4,7 @@
 
 enum { MOST_BYTES = 256 };
 
-/* Appends to `place` where each byte of `count` numbers comes from. */
+/* Appends to `place` the source of each byte of `count` numbers. */
 static size_t add(u32 place[MOST_BYTES], size_t at, const char *type, u32 count)
 {
 	size_t bytes = ts_type_bytes(type), end = at + count * bytes;

@@ -75,7 +75,7 @@ static void format_f32(float value, char *text, size_t text_bytes)
 	}
 }
 
-/* A value that is halved until 1 is left. */
+/* The value is halved until 1 is left. */
 static ts_status refuse_between(size_t row, uint32_t value)
 {
 	uint32_t below = 1;
@@ -101,7 +101,7 @@ static ts_status set_u32(ts_params *params, size_t row, const char *text)
 	return TS_OK;
 }
 
-/* Kernels take what is nearer to zero than 2^-39 for zero (CONTRACT rule 10): refuse it rather than change it. */
+/* Kernels treat numbers nearer to zero than 2^-39 as zero (CONTRACT rule 10): refuse them rather than change them. */
 static ts_status set_f32(ts_params *params, size_t row, const char *text)
 {
 	const ts_param_info *info = &table[row];
@@ -119,7 +119,7 @@ static ts_status set_f32(ts_params *params, size_t row, const char *text)
 	return TS_OK;
 }
 
-/* The place-th of "a|b|c" in *choice and its length; 0 behind the last. */
+/* The place-th of "a|b|c" in *choice and its length; 0 after the last. */
 static size_t choice_at(const char *choices, uint32_t place, const char **choice)
 {
 	for (*choice = choices; place > 0; place--) {
@@ -153,7 +153,7 @@ static ts_status set_row(ts_params *params, size_t row, const char *text)
 	}
 }
 
-/* Its row; TS_ERROR if there is none. */
+/* The row of a name; TS_ERROR if there is none. */
 static ts_status find(size_t *row, const char *name)
 {
 	for (*row = 0; *row < N_PARAMS; ++*row) {

@@ -1,4 +1,4 @@
-/* What is said beside results and failures goes to the thread's listener; a library prints nothing. */
+/* Messages besides results and failures go to the thread's listener; a library prints nothing. */
 #include <stdatomic.h>
 #include <stdio.h>
 #include <time.h>
@@ -7,14 +7,14 @@
 enum { LINE_BYTES = 1024, ASK_MS = 5 };
 
 struct ts_stop {
-	atomic_bool said; /* by the listener */
-	int64_t asked_ms; /* when it was asked last */
+	atomic_bool said; /* the listener cancelled */
+	int64_t asked_ms; /* the last time that the listener was asked */
 };
 
 static _Thread_local ts_listener listener;
 static _Thread_local ts_stop own;
 
-/* By the clock that costs least. */
+/* The cheapest clock. */
 static int64_t now_ms(void)
 {
 	struct timespec now;

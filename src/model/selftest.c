@@ -1,10 +1,10 @@
-/* Whether this process computes as the numeric contract says (CONTRACT rule 8): here, and in each object with a
+/* Whether this process computes as the numeric contract requires (CONTRACT rule 8): here, and in each object with a
  * self-test. */
 #include <stdio.h>
 #include "core.h"
 #include "selftest.h"
 
-/* Of the bits of an answer, in their order. */
+/* For the bits of an answer, in their order. */
 static const char *const names[] = {
 	"multiply-add (contracted to FMA)",
 	"tiny results (flushed to zero)",
@@ -24,7 +24,7 @@ TS_SELFTEST_OF(__BASE_FILE__, ts_selftest_all)
 
 __attribute__((visibility("hidden"))) extern const ts_selftest_of __start_ts_selftests[], __stop_ts_selftests[];
 
-/* What is bad on any of some threads: here, and in the file where it is bad first. */
+/* Faults on any thread: here, and in the first file with a fault. */
 typedef struct {
 	unsigned here, there;
 	const ts_selftest_of *first;

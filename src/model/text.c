@@ -1,4 +1,4 @@
-/* Text that others wrote, on its way out. */
+/* Untrusted text on its way out. */
 #include "core.h"
 
 void ts_line_clean(char *text)

@@ -1,4 +1,4 @@
-/* Threads are tried before they are needed: OpenMP's runtime ends the process where it cannot have one. */
+/* Threads are tried before they are needed: OpenMP's runtime ends the process if it cannot create one. */
 #include <omp.h>
 #include <pthread.h>
 #include "core.h"
@@ -26,7 +26,7 @@ static void open_gate(gate *g)
 	pthread_mutex_unlock(&g->mutex);
 }
 
-/* How many threads there can be at a time beside this one, `most` at most. */
+/* How many threads there can be at the same time beside this one, `most` at most. */
 static uint32_t others(uint32_t most)
 {
 	pthread_t made[TS_MOST_THREADS];
@@ -40,14 +40,14 @@ static uint32_t others(uint32_t most)
 
 uint32_t ts_threads_ready(uint32_t wanted)
 {
-	static _Thread_local uint32_t ready = 1; /* OpenMP keeps those of each thread apart */
+	static _Thread_local uint32_t ready = 1; /* OpenMP keeps each thread's team apart */
 	uint32_t n = wanted < 1 ? 1 : wanted < TS_MOST_THREADS ? wanted : TS_MOST_THREADS;
 	if (n <= ready) return n;
 	uint32_t had = others(n - 1);
-	/* Where they end, the work needs what half of them take. */
+	/* At the limit, the work needs the memory of half of the threads. */
 	uint32_t there = had == n - 1 ? n : 1 + had / 2;
 	if (there < n) ts_say("%u threads wanted, %u are taken of what is there", (unsigned)n, (unsigned)there);
-	/* OpenMP makes its own now, while what they need is there; its environment may have it give fewer. */
+	/* OpenMP creates its threads now, while there is memory for them; its environment may allow fewer. */
 	omp_set_dynamic(0);
 #pragma omp parallel num_threads((int)there)
 #pragma omp single

@@ -1,4 +1,4 @@
-/* Files that are written, by write(2): what fails is seen where it fails. */
+/* Output files, by write(2), so that failures are seen where they occur. */
 #include "file.h"
 #include <errno.h>
 #include <fcntl.h>

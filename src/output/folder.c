@@ -1,4 +1,4 @@
-/* The folder that is written. */
+/* The output folder. */
 #define _DEFAULT_SOURCE
 #include "folder.h"
 #include <dirent.h>
@@ -17,7 +17,7 @@
 
 enum { MAX_DIR = TS_FOLDER_PATH - 300, NOTE_BYTES = 32 };
 
-/* Thousands of paths stay while large buffers come and go: each with memory of its own would leave holes there. */
+/* Thousands of paths stay while large buffers come and go: paths with memory of their own would fragment it. */
 struct room {
 	struct room *next;
 	size_t used, bytes;
@@ -27,17 +27,17 @@ enum { ROOM_BYTES = 1 << 16 };
 
 static struct {
 	char dir[TS_FOLDER_PATH], partial[TS_FOLDER_PATH], old[TS_FOLDER_PATH], lock_path[TS_FOLDER_PATH];
-	ts_place place; /* of these */
+	ts_place place; /* of these paths */
 	ts_lock lock;
 	ts_folder_judge *judge;
-	uint32_t n_parents; /* folders above DIR that were made for it */
+	uint32_t n_parents; /* folders above DIR that were created for it */
 	char **paths;       /* of its files */
 	size_t n_paths, capacity;
-	struct room *rooms; /* that the paths stand in */
+	struct room *rooms; /* memory of the paths */
 } folder = {.lock = {.descriptor = -1}};
 
-/* What the lock says behind the process's number. A lock that is empty comes before DIR.partial is made; DIR.old is
- * ours only while it says `moving`. */
+/* States in the lock, after the process's number. The lock is empty before DIR.partial is made; DIR.old is ours only
+ * while the state is `moving`. */
 static const char writing[] = "writing", moving[] = "moving";
 
 static ts_status note(const char *state)
@@ -53,7 +53,7 @@ static ts_status note(const char *state)
 	return TS_ERROR;
 }
 
-/* Puts right what a process that was killed has left: the old folder is there, or the new. *found: there was any. */
+/* Recovers from a killed process: the old folder is there, or the new. *found: there was anything to recover. */
 static ts_status recover(bool *found)
 {
 	char text[NOTE_BYTES] = "";
@@ -90,7 +90,7 @@ static ts_status set_names(const char *dir)
 	return TS_OK;
 }
 
-/* Makes the folders above DIR that are missing; making the lock reports what is wrong. */
+/* Creates missing folders above DIR; failures show when the lock is made. */
 static void make_parents(void)
 {
 	char path[TS_FOLDER_PATH];
@@ -116,7 +116,7 @@ static void remove_parents(uint32_t n)
 	}
 }
 
-/* What is mounted cannot be renamed. */
+/* A mount point cannot be renamed. */
 static ts_status check_mount(const struct stat *info)
 {
 	char parent[TS_FOLDER_PATH + 4];
@@ -126,7 +126,7 @@ static ts_status check_mount(const struct stat *info)
 	return ts_fail("%s: a file system is mounted there, so it cannot be replaced; name a folder inside it", folder.dir);
 }
 
-/* Whether what is at DIR lets it be replaced. */
+/* Whether DIR may be replaced. */
 static ts_status check_dir(void)
 {
 	struct stat info;
@@ -160,7 +160,7 @@ static ts_status make_partial(void)
 	           : ts_fail_as(TS_KIND_FILE, "%s: %s; name a folder that can be written", folder.partial, strerror(errno));
 }
 
-/* `clean`: nothing is left beside DIR that the lock should tell of. */
+/* `clean`: nothing is left beside DIR that the lock must record. */
 static void release(bool clean)
 {
 	for (struct room *room = folder.rooms, *next; room != NULL; room = next) {
@@ -280,7 +280,7 @@ ts_status ts_folder_commit(void)
 	if (status != TS_OK) return status;
 	const char *old = placed == TS_PLACE_MOVED ? folder.old : folder.partial;
 	status = ts_parent_sync(folder.dir);
-	/* What came into DIR at the last moment stays. */
+	/* Keep files that came into DIR at the last moment. */
 	if (status == TS_OK && placed != TS_PLACE_FREE) status = folder.judge(old);
 	if (status == TS_OK) {
 		release(placed == TS_PLACE_FREE || clear(old));

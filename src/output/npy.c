@@ -71,7 +71,7 @@ static span take_literal(span *s)
 	return literal;
 }
 
-/* Equal but for blanks outside of quotes, the kind of quotes, and the byte order of single bytes. */
+/* Equal except for blanks outside of quotes, the kind of quotes, and the byte order of single bytes. */
 static bool same_literal(span a, span b)
 {
 	bool quoted = false;

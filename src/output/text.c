@@ -1,5 +1,4 @@
-/* Text for files, gathered in memory first. glibc's own streams in memory lose bytes, and do not say so, where memory
- * ends. */
+/* Text for files, gathered in memory first. glibc's own streams in memory silently lose bytes when memory ends. */
 #define _GNU_SOURCE
 #include "file.h"
 #include <stdlib.h>

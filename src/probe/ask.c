@@ -1,4 +1,4 @@
-/* Which row answers a question, and what is said where none does. */
+/* Which row answers a question, and the message if none does. */
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -39,7 +39,7 @@ static bool is_for(const ts_probe_part *part, const ts_pipeline *pipeline)
 	return false;
 }
 
-/* Whether the row, NULL: any, answers for the method. */
+/* Whether the row answers for the method; NULL: any. */
 static bool answers_for(const ts_probe_part *part, const ts_pipeline *pipeline)
 {
 	const ts_probe_part *row;
@@ -59,7 +59,7 @@ __attribute__((format(printf, 2, 3))) static void append(char text[TS_PROBE_TEXT
 	va_end(values);
 }
 
-/* The methods that the row, NULL: any, answers for; only of the effect unless that is NULL. */
+/* Appends the methods that the row answers for; NULL: any row; only of `effect`, unless that is NULL. */
 static void append_methods(char text[TS_PROBE_TEXT], const ts_probe_part *part, const ts_effect *effect)
 {
 	const ts_effect *last = NULL;
@@ -87,7 +87,7 @@ ts_status ts_probe_explains(const ts_trace *trace)
 	               methods[0] != 0 ? methods : "other effects", trace->pipeline->effect->name, trace->pipeline->name);
 }
 
-/* Reads a view such as "node12.back" into index and side; false if the row's views are not named so. */
+/* Reads a view such as "node12.back" into index and side; false if the row's views have other names. */
 static bool is_view(const ts_probe_view *view, ts_probe_question *q)
 {
 	size_t n = strlen(view->prefix);
@@ -102,7 +102,7 @@ static bool is_view(const ts_probe_view *view, ts_probe_question *q)
 	return false;
 }
 
-/* The first row that answers the question about the trace, whose view it reads; NULL: there is none. */
+/* The first row that answers the question about the trace, whose view is read; NULL: none. */
 static const ts_probe_part *part_for(const ts_probe *p, ts_probe_question *q)
 {
 	const ts_probe_part *part;
@@ -113,7 +113,7 @@ static const ts_probe_part *part_for(const ts_probe *p, ts_probe_question *q)
 	return NULL;
 }
 
-/* Names what can be asked of the trace instead. */
+/* Names the questions that the trace can answer. */
 static ts_status refuse(const ts_probe *p, const ts_probe_question *q)
 {
 	char can[TS_PROBE_TEXT] = "";

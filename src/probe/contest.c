@@ -1,4 +1,4 @@
-/* Who competed for one pixel: every triangle drawn to it, and by how much the nearest won. */
+/* Which triangles competed for one pixel, and how far the nearest was ahead. */
 #include <stdlib.h>
 #include "../kernels/raster/draw.h"
 #include "parts.h"
@@ -25,7 +25,7 @@ void ts_probe_offers_sort(ts_offers *offers)
 	if (offers->n > 1) qsort(offers->offer, offers->n, sizeof *offers->offer, by_key);
 }
 
-/* As ts_k_draw visits it. */
+/* Like ts_k_draw. */
 static ts_status visit(ts_probe *p, const ts_camera_k *view, u32 triangle, u32 x, u32 y, ts_offers *offers)
 {
 	ts_corners t = ts_k_corners(&p->scene, triangle);
@@ -83,7 +83,7 @@ void ts_probe_put_key_check(ts_probe *p, json_t *o, ts_buffer_id id, u64 found, 
 	ts_probe_put(p, o, "check", text);
 }
 
-/* By how much the winner won. */
+/* The winner's distance to the second. */
 static void put_lead(ts_probe *p, json_t *o, const ts_offer *winner, const ts_offer *second)
 {
 	if (winner == NULL || second == NULL) return;

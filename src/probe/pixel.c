@@ -1,5 +1,4 @@
-/* A pixel of an eye that sees triangles: who covers it, and what the winner's surface is. Its light is told by the
- * families. */
+/* A pixel of an eye that sees triangles: which cover it, and the winner's surface. The families add its light. */
 #include <stdlib.h>
 #include "../kernels/raster/image.h"
 #include "parts.h"
@@ -72,7 +71,7 @@ static ts_status fetch_key(ts_probe *p, ts_probe_seen *at)
 	               (unsigned)at->x, (unsigned)at->y);
 }
 
-/* Sample `sample` of so many of a pixel; its radiance. */
+/* Puts sample `sample` of `samples` of a pixel, and its radiance. */
 static ts_status put_seen(ts_probe *p, ts_probe_seen *at, u32 samples, u32 sample, ts_probe_light *light, json_t *o,
                           ts_v3 *radiance)
 {
@@ -85,7 +84,7 @@ static ts_status put_seen(ts_probe *p, ts_probe_seen *at, u32 samples, u32 sampl
 	return TS_OK;
 }
 
-/* Puts a sample with its radiance, which is also written. */
+/* Puts a sample with its radiance, which is also stored. */
 static ts_status put_sample(ts_probe *p, ts_probe_seen *at, u32 sample, ts_probe_light *light, json_t *list,
                             f32 radiance[3])
 {

@@ -6,7 +6,7 @@
 #include "parts.h"
 #include "../replay/replay.h"
 
-/* First dimensions of what is there; where files disagree, the least, so that what is below it is in all of them. */
+/* First dimensions of the buffers; the least where files disagree, so that indices below it are in all of them. */
 static void find_sizes(ts_probe *p)
 {
 	u64 *n = p->sizes.n;

@@ -1,4 +1,4 @@
-/* The scene of a trace in memory, checked so that no kernel reads beside an array. */
+/* The scene of a trace in memory, checked so that kernels stay within its arrays. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* A surface and its light, term by term. No term is computed by a formula of this file: ts_k_shade itself is asked in
- * worlds where only that term is left. */
+/* A surface and its light, term by term. This file has no formulas of terms: ts_k_shade itself runs in worlds where
+ * only one term is left. */
 #include "parts.h"
 
 void ts_probe_put_triangle(ts_probe *p, json_t *object, u32 triangle)
@@ -48,13 +48,13 @@ json_t *ts_probe_surface(ts_probe *p, u32 triangle, const ts_surface *s, ts_v3 w
 	return o;
 }
 
-/* The samples of each light that reach a surface; NULL: all light does. */
+/* The samples of each light that reach a surface; NULL: all do. */
 typedef struct {
 	const u32 *lit;
 	const ts_lamp *lamps;
 } reach;
 
-/* What ts_k_shade makes of the surface with one light, as much as reaches it, or none. */
+/* The result of ts_k_shade with one light, at its reach, or with none. */
 static ts_v3 term(const ts_probe *p, const ts_surface *surface, ts_v3 v, reach r, u32 light, f32 ambient)
 {
 	ts_arrays world = p->scene;

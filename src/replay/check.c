@@ -1,4 +1,4 @@
-/* Sizes, shapes, floats, indices and sums of loaded buffers, and what families check of them. */
+/* Sizes, shapes, floats, indices and sums of loaded buffers, and the families' checks. */
 #include "check.h"
 #include <assert.h>
 #include <inttypes.h>
@@ -39,7 +39,7 @@ ts_status ts_check_refuse(const ts_load *load, ts_buffer_id id, u64 element, con
 	                 name[0] != 0 ? ", field " : "", name, value, would);
 }
 
-/* Buffers from which sizes are taken, most trusted first. */
+/* Sources of sizes, most trusted first. */
 typedef enum { FROM_SCENE, FROM_LOADED, FROM_ALL, N_FROM } source;
 
 static bool is_from(const ts_load *load, ts_buffer_id id, source from)
@@ -47,7 +47,7 @@ static bool is_from(const ts_load *load, ts_buffer_id id, source from)
 	return from == FROM_SCENE ? ts_emit_is_scene(id) : from == FROM_LOADED ? load->item[id] != NULL : true;
 }
 
-/* Sizes that are the first dimensions of buffers, loaded or not, that the stage does not make. */
+/* Sizes from first dimensions of buffers, loaded or not, that the stage does not write. */
 static void count(ts_load *load, const ts_stage *stage)
 {
 	for (source from = FROM_SCENE; from < N_FROM; from++) {
@@ -63,7 +63,7 @@ static void count(ts_load *load, const ts_stage *stage)
 
 static u32 size_or(u64 size, u32 otherwise) { return size != TS_UNKNOWN ? (u32)size : otherwise; }
 
-/* A size that is no buffer's first dimension: the last element of its sums. */
+/* A size that is no buffer's first dimension: the last element of its prefix sums. */
 static void count_sums(ts_load *load, const ts_stage *stage)
 {
 	size_t n_sums;
@@ -78,7 +78,7 @@ static void count_sums(ts_load *load, const ts_stage *stage)
 	}
 }
 
-/* Those of other buffers than the stage's outputs, and the plan that follows from them. */
+/* Finds sizes from buffers other than the stage's outputs, and the plan that follows. */
 static void check_sizes(ts_load *load, const ts_stage *stage)
 {
 	u64 *n = load->sizes.n;
@@ -96,7 +96,7 @@ static void check_sizes(ts_load *load, const ts_stage *stage)
 	ts_pipeline_plan(load->pipeline, &load->run, &counts, NULL);
 }
 
-/* Sizes that are computed; texels from the cubes or views that were loaded, which are right. */
+/* Computed sizes; texels from the loaded cubes or views, which have been checked. */
 static void compute_sizes(ts_load *load)
 {
 	u64 *n = load->sizes.n;

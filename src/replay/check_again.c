@@ -1,4 +1,4 @@
-/* Outputs of a stage beside what it makes of the rest. */
+/* Outputs of a stage compared with the stage's results from the other buffers. */
 #include "check.h"
 #include <inttypes.h>
 

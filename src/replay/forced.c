@@ -30,7 +30,7 @@ static bool has_output(const ts_stage *stage, const ts_trace *candidate, const t
 	return false;
 }
 
-/* Why none of a stage's outputs is judged. */
+/* Sets why none of a stage's outputs is judged. */
 static void pass_over(ts_comparison *c, const ts_stage *stage, const ts_trace *candidate,
                       const ts_relaxations *relaxations, const char *why)
 {
@@ -51,7 +51,7 @@ static ts_status judge_output(ts_verdict *verdict, const ts_load *load, ts_buffe
 	return status == TS_ERROR ? TS_ERROR : TS_OK;
 }
 
-/* Inputs that the stage cannot be run on do not keep others from being judged. */
+/* A refusal of one stage's inputs does not prevent judging others. */
 static ts_status take_refusal(ts_comparison *c, const ts_stage *stage, const ts_trace *candidate,
                               const ts_relaxations *relaxations)
 {
@@ -76,7 +76,7 @@ static ts_status judge_stage(ts_comparison *c, const ts_stage *stage, const ts_t
 	return status;
 }
 
-/* What was not replayed was ignored, or is missing. */
+/* Marks buffers that were not replayed as ignored or missing. */
 static void settle(ts_comparison *c, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
                    const ts_relaxations *relaxations)
 {
@@ -101,7 +101,7 @@ static void find_first(ts_comparison *c, const ts_pipeline *pipeline)
 	}
 }
 
-/* Judges the outputs of a step, or says why not. */
+/* Judges the outputs of a step, or sets why not. */
 static ts_status judge_step(ts_comparison *c, const ts_step *step, const ts_trace *reference, const ts_trace *candidate,
                             const ts_relaxations *relaxations, u32 threads)
 {

@@ -1,4 +1,4 @@
-/* Files against memory. */
+/* Compares files with memory. */
 #include "judge.h"
 #include <inttypes.h>
 #include <stdio.h>
@@ -24,7 +24,7 @@ static void tell_shape(char text[TS_VALUE_TEXT], u32 n_dims, const u64 *shape)
 	fclose(out);
 }
 
-/* Behind `where`. A file of the reference is not wrong because the candidate's inputs give something else. */
+/* Appends to `where`. The reference's file is not wrong if the candidate's inputs give something else. */
 static void tell(ts_judged *judged, const char *where, const char *made, const char *found)
 {
 	const char *format =
@@ -61,7 +61,7 @@ static void tell_first(ts_judged *judged)
 	}
 }
 
-/* The part of ours that a cropped file has; by free(). */
+/* Our elements within a cropped file; to be released by free(). */
 static void *crop_of(const ts_buffer *ours, const u32 crop[4], size_t element_bytes)
 {
 	u64 pixel = ours->n / (ours->shape[0] * ours->shape[1]) * element_bytes, row = crop[2] * pixel;
@@ -82,7 +82,7 @@ static void put_item(ts_trace_item *item, const ts_buffer *ours, ts_buffer_id id
 	memcpy(item->npy.shape, ours->shape, sizeof item->npy.shape);
 }
 
-/* A number of things that the stage itself counts may be another, and the elements are compared all the same. */
+/* The number of elements may differ if the stage itself counts them; they are compared all the same. */
 static bool can_match(const ts_buffer *ours, const ts_trace_item *item, ts_buffer_id id)
 {
 	ts_trace_item right;
@@ -90,7 +90,7 @@ static bool can_match(const ts_buffer *ours, const ts_trace_item *item, ts_buffe
 	return same_shape(ours, item) || (ours->n_dims == item->npy.n_dims && ts_item_match(id, &right, item) == TS_OK);
 }
 
-/* What the stage was given takes the place of the reference's, so that places are named by it. */
+/* The stage's inputs replace the reference's, so that they name places. */
 static void put_inputs(ts_trace *right, const ts_load *load)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
@@ -98,7 +98,7 @@ static void put_inputs(ts_trace *right, const ts_load *load)
 	}
 }
 
-/* Judges by `right`, a trace whose buffers of this stage are the run's. */
+/* Judges against `right`, a trace whose buffers of this stage are the run's. */
 static ts_status judge_by(ts_judged *judged, ts_trace *right, const ts_load *load, const ts_trace *owner,
                           const ts_relaxations *relaxations)
 {

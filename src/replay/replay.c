@@ -52,7 +52,7 @@ void ts_replay_reads(ts_buffer_id ids[TS_N_BUFFERS + 1], const ts_stage *stage, 
 	ids[n] = TS_N_BUFFERS;
 }
 
-/* Whether a stage is given records that may stand in any order. */
+/* Whether a stage reads records that may be in any order. */
 static bool is_given_set(const ts_stage *stage)
 {
 	bool any = false;

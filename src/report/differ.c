@@ -1,5 +1,5 @@
 /* Where a candidate's pictures differ: the first buffer of each pixel, the pixels of first differences, and why pixels
- * are what they are on both sides. */
+ * are as they are on both sides. */
 #include <stdlib.h>
 #include "../probe/probe.h"
 #include "../scene/print.h"
@@ -8,20 +8,20 @@
 
 enum { MOST_LAYERS = 254 };
 
-/* Of each pixel of the picture the first buffer that differs there, in the order of the pipeline. */
+/* For each pixel of the picture, the first buffer that differs there, in the order of the pipeline. */
 typedef struct {
 	ts_page *page;
 	json_t *o; /* the comparison */
 	const ts_trace *reference, *candidate;
 	const ts_comparison *comparison;
 	u32 width, height, left, top;
-	u8 *first;  /* 0: none; else its number among the layers, from 1 */
-	u8 *wanted; /* not 0: its probe is */
+	u8 *first;  /* 0: none; otherwise its number among the layers, from 1 */
+	u8 *wanted; /* 1: include its probe */
 	json_t *layers;
 	u64 n_differing, n_wanted;
 } differing;
 
-/* Whether the buffer has a row for each row of pixels, or of their samples, one image below the other. */
+/* Whether the buffer has one row per row of pixels, or of their samples, one image below the other. */
 static bool fits(const differing *d, ts_buffer_id id)
 {
 	const ts_npy *npy = &d->reference->item[id].npy;
@@ -85,7 +85,7 @@ static void want(differing *d, u64 pixel)
 	d->n_wanted++;
 }
 
-/* Gives the first differences of a buffer of pixels their x and y; of these pixels the probes are wanted first. */
+/* Gives a pixel buffer's first differences their x and y; probes of these pixels have priority. */
 static void place_firsts(differing *d)
 {
 	size_t i, k;
@@ -114,7 +114,7 @@ static json_t *ask(ts_probe *probe, const char *why, u64 x, u64 y)
 	return json_pack("{s:o}", "none", ts_text_json(probe != NULL ? ts_error_message() : why));
 }
 
-/* Of the other differing pixels as many as there is room for, evenly spread. */
+/* Chooses other differing pixels, evenly spread, as far as there is room. */
 static void want_others(differing *d)
 {
 	u64 n = 0, room = d->page->n_probes - d->n_wanted, others = d->n_differing - d->n_wanted;
@@ -175,7 +175,7 @@ static json_t *begin(ts_page *page, const json_t *said)
 	return o;
 }
 
-/* Tells what they are, and how far apart. */
+/* Pairs the pictures, and measures their distance. */
 static ts_status pair_last(ts_page *page, json_t *o, size_t reference, size_t image)
 {
 	ts_page_put(page, o, "reference", json_integer((json_int_t)reference));
@@ -191,7 +191,7 @@ ts_status ts_page_add_picture_comparison(ts_page *page, const json_t *said)
 	return ts_page_check(page) == TS_OK ? pair_last(page, o, n - 2, n - 1) : TS_ERROR;
 }
 
-/* The index of the picture of a trace that was added; n_pictures: it has none. */
+/* The index of an added trace's picture; n_pictures: none. */
 static size_t picture_of(const ts_page *page, const ts_trace *trace)
 {
 	size_t i = page->n_pictures;

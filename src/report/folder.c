@@ -1,4 +1,4 @@
-/* What render or compare wrote to a folder. Its report.json is untrusted: no name leads out of the folder, and every
+/* A folder written by render or compare. Its report.json is untrusted: no name leads out of the folder, and every
  * picture is checked. */
 #include <fnmatch.h>
 #include <stdlib.h>
@@ -27,7 +27,7 @@ static bool lists(const json_t *report, const char *key, const char *name)
 	return false;
 }
 
-/* Parts "group/stem.png", or without a group; false of what is no picture, or one that shows a difference. */
+/* Parts "group/stem.png", or without a group; false for other files, and pictures of differences. */
 static bool take_apart(found *f, const char *dir, const json_t *report, const char *file)
 {
 	const char *slash = file != NULL ? strchr(file, '/') : NULL, *name = slash != NULL ? slash + 1 : file;
@@ -44,7 +44,7 @@ static bool take_apart(found *f, const char *dir, const json_t *report, const ch
 	return true;
 }
 
-/* What the report says the file shows; NULL: nothing. A series says it as from the folder of a render. */
+/* The report's description of the file; NULL: none. A series has descriptions like those of a single render. */
 static const char *words_of(const json_t *report, const char *file)
 {
 	const json_t *list = json_object_get(report, "pictures");
@@ -69,7 +69,7 @@ static void drop_alpha(u8 *rgba, size_t n)
 
 static u32 big_endian(const u8 *p) { return (u32)p[0] << 24 | (u32)p[1] << 16 | (u32)p[2] << 8 | p[3]; }
 
-/* *png by free(): a PNG with nothing but pixels, of the size that its header says. */
+/* *png, to be released by free(): a PNG with nothing but pixels, of the size in its header. */
 static ts_status read_png(u8 **png, size_t *bytes, ts_page_picture *picture, const char *path)
 {
 	static const u8 signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
@@ -89,7 +89,7 @@ static ts_status read_png(u8 **png, size_t *bytes, ts_page_picture *picture, con
 	               (unsigned)picture->height, MOST_SIDE);
 }
 
-/* `probe` can be asked of its pixels where the folder holds its trace. */
+/* Its pixels can be probed if the folder holds the trace. */
 static void put_trace(ts_page *page, json_t *o, const found *f)
 {
 	char trace[PATH_BYTES], file[PATH_BYTES + NAME_BYTES];
@@ -121,7 +121,7 @@ static ts_status add_picture(ts_page *page, const found *f, const json_t *report
 	return ts_page_check(page);
 }
 
-/* A plot or a video of a series: the browser shows it by itself. Others are left out. */
+/* A plot or a video of a series, which the browser can show. Others are left out. */
 static ts_status add_media(ts_page *page, const char *dir, const json_t *report, const char *file)
 {
 	static const char *const types[][2] = {{"*.svg", "image/svg+xml"}, {"*.mp4", "video/mp4"}};
@@ -145,7 +145,7 @@ static ts_status add_media(ts_page *page, const char *dir, const json_t *report,
 	return ts_page_check(page);
 }
 
-/* What of the report tables are made of. */
+/* The parts of the report that become tables. */
 static void put_report(ts_page *page, const char *dir, json_t *report, json_t *times)
 {
 	json_t *o = json_object();

@@ -1,4 +1,4 @@
-/* The page as a whole: its parts as one JSON object, between the text before and behind it. */
+/* The whole page: its parts as one JSON object, between fixed text. */
 #include "page.h"
 #include <stdlib.h>
 #include <unistd.h>
@@ -31,7 +31,7 @@ static json_t *list(ts_page *page, const char *key)
 	return json_object_get(page->root, key);
 }
 
-/* The colours of heat maps, and of buffers in maps of what differs first. */
+/* The colours of heat maps, and of buffers in maps of first differences. */
 static void put_colours(ts_page *page)
 {
 	json_t *ramp = list(page, "ramp"), *names = list(page, "names");
@@ -100,7 +100,7 @@ ts_status ts_page_read(json_t **root, const char *dir, const char *name, bool ab
 	return ts_fail("%s: no JSON object; what render or compare wrote is expected", path);
 }
 
-/* No text that a file holds can end the script that it stands in. */
+/* Escapes text of files, so that it cannot end its script element. */
 static int put_text(const char *text, size_t bytes, void *user)
 {
 	FILE *out = user;

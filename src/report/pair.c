@@ -1,4 +1,4 @@
-/* How far two pictures of a page are apart. */
+/* Distances between two pictures of a page. */
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
@@ -56,7 +56,7 @@ static bool are_of_a_frame(const ts_page_picture *a, const ts_page_picture *b)
 	return a->rgb != NULL && b->rgb != NULL && a->folder == b->folder && strcmp(a->group, b->group) == 0;
 }
 
-/* A picture is judged by every truth of its frame, or else by the first picture. */
+/* A picture is judged by every truth of its frame, otherwise by the first picture. */
 static ts_status pair_in_group(ts_page *page, size_t image)
 {
 	const ts_page_picture *p = page->picture;
@@ -75,7 +75,7 @@ static ts_status pair_in_group(ts_page *page, size_t image)
 	return status;
 }
 
-/* Of a folder with the picture of the first folder that has the same name; of none with the page's first. */
+/* A folder's picture is paired with the first folder's of that name, any other with the page's first. */
 static ts_status pair_with_first(ts_page *page, size_t image)
 {
 	const ts_page_picture *p = page->picture;

@@ -1,10 +1,10 @@
-/* The picture of a trace, and what its trace.json says. */
+/* The picture of a trace, and its trace.json. */
 #include <stdlib.h>
 #include "../kernels/base/srgb.h"
 #include "../scene/print.h"
 #include "page.h"
 
-/* All elements of a buffer, by free(); NULL with the message set. */
+/* All elements of a buffer, to be released by free(); NULL with the message set. */
 static void *read_all(const ts_trace *trace, ts_buffer_id id)
 {
 	const ts_trace_item *item = &trace->item[id];
@@ -34,7 +34,7 @@ static u8 *displayed(const f32 *radiance, u64 n, f32 exposure)
 
 static bool is_picture(const ts_npy *npy) { return npy->n_dims == 3 && npy->n > 0 && npy->shape[2] == 3; }
 
-/* *id: the buffer that it is made of; TS_N_BUFFERS: the trace holds none. */
+/* *id: the buffer of the picture; TS_N_BUFFERS: the trace holds none. */
 static u8 *read_picture(const ts_trace *trace, ts_buffer_id *id)
 {
 	*id = TS_B_image_srgb;
@@ -49,7 +49,7 @@ static u8 *read_picture(const ts_trace *trace, ts_buffer_id *id)
 	return rgb;
 }
 
-/* The rest is for programs. */
+/* Members for readers; others are for programs. */
 static json_t *described(ts_page *page, const ts_trace *trace)
 {
 	static const char *const keys[] = {"pipeline",   "effect", "paper",    "scene",  "producer", "order",
