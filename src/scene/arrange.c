@@ -1,4 +1,4 @@
-/* Behind the triangles: the eye, what the pictures show, mirrors and lamps. */
+/* Added after the triangles: the eye, the subject of the pictures, mirrors and lamps. */
 #include "build_parts.h"
 #include "../model/core.h"
 #include "lamp_place.h"
@@ -10,7 +10,7 @@
 
 #define EYE_NAME "--eye"
 
-/* That stand still; as many as may be added on paths. */
+/* Static ones; as many may be added on paths. */
 enum { MOST_MIRRORS = 1000 };
 
 static bool is_finite(const f32 *x, u32 n)
@@ -82,8 +82,7 @@ static ts_rays *rays_of(ts_build *build)
 	return rays;
 }
 
-/* Box, hall and eye of the build, whatever is added to it: those that rays find, or without rays those of its
- * triangles. */
+/* Box, hall and eye of the build without additions: by rays, or without these by its triangles. */
 static void find_subject(ts_build *build, const ts_rays *rays, const ts_params *params, const char *camera)
 {
 	ts_scene *scene = build->scene;
@@ -99,7 +98,7 @@ static void find_subject(ts_build *build, const ts_rays *rays, const ts_params *
 	build->placed = true;
 }
 
-/* Under the whole scene, whatever part of it is the subject. If there are rays, they meet the ground from here on. */
+/* Adds ground under the whole scene, whatever part is the subject. If there are rays, they meet it from here on. */
 static void add_ground(ts_build *build, ts_rays **rays, const ts_info *whole)
 {
 	ts_ground_add(build, whole);
@@ -108,7 +107,7 @@ static void add_ground(ts_build *build, ts_rays **rays, const ts_info *whole)
 	*rays = rays_of(build);
 }
 
-/* Surfels show no mirrors: where there is nothing else, or is to be nothing else, none are added. */
+/* Surfels show no mirrors: scenes of surfels alone, or shown without the rest, get none. */
 static bool shows_mirrors(const ts_scene *scene, const ts_params *params)
 {
 	return TS_PARAM(params, surfels_from_mesh) == 0 && (scene->n_surfels == 0 || scene->n_triangles > 0);

@@ -1,4 +1,4 @@
-/* A scene from its maker's own arrays: build_finish.c checks what they hold, as it does for files. */
+/* A scene from its maker's own arrays: build_finish.c checks their contents, as for files. */
 #include "build_parts.h"
 #include <float.h>
 #include "../model/table.h"
@@ -48,7 +48,7 @@ static floats floats_of(const char *record)
 	return f;
 }
 
-/* As files are refused, whose numbers are finite. */
+/* As for files, whose numbers must be finite. */
 static void check_finite(ts_build *build, const char *record, const char *noun, const void *array, u32 n, size_t bytes)
 {
 	const floats f = floats_of(record);
@@ -89,7 +89,7 @@ static void add_vertices(ts_build *build, const ts_scene_arrays *a)
 	}
 }
 
-/* Here, for behind these vertices and materials stand those of the mirrors that are added. */
+/* Checked here, because vertices and materials of added mirrors follow these. */
 static void add_triangles(ts_build *build, const ts_scene_arrays *a)
 {
 	const char *name = build->scene->name;

@@ -47,7 +47,7 @@ void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capac
 	return grown;
 }
 
-/* The index that follows n records, which must stay below TS_NONE. */
+/* The index after n records, which must stay below TS_NONE. */
 static bool countable(ts_build *build, u32 n, const char *what)
 {
 	if (n >= TS_NONE - 1) ts_build_fail(build, "%s: more than %u %s", build->scene->name, TS_NONE - 1, what);
@@ -316,7 +316,7 @@ void ts_build_note(ts_build *build, const char *format, ...)
 	if (note) scene->notes[scene->n_notes++] = note;
 }
 
-/* Makes the box hold p; *found counts what it holds. */
+/* Makes the box hold p; *found counts points. */
 static void hold(ts_info *info, ts_v3 p, u64 *found)
 {
 	bool first = (*found)++ == 0;

@@ -1,5 +1,5 @@
-/* Freezing a scene: what it lacks is added (METHODS 4), every index and range is checked, so that no kernel has to,
- * and the vertices of each object are made one range. */
+/* Freezing a scene: missing parts are added (METHODS 4), every index and range is checked, so that no kernel has to,
+ * and the vertices of each object become one range. */
 #include "build_parts.h"
 #include "../model/core.h"
 #include "../kernels/base/shade.h"
@@ -52,7 +52,7 @@ static void check_triangles(ts_build *build)
 	}
 }
 
-/* Bound of |x|, |y| and |z| wherever the vertex's object carries it. */
+/* Bound of |x|, |y| and |z|, wherever the vertex's object moves. */
 static f32 reach(const ts_scene *scene, const ts_vertex *vertex)
 {
 	const ts_object *o = &scene->objects[vertex->object];
@@ -113,7 +113,7 @@ static void check_lights(ts_build *build)
 	}
 }
 
-/* Stable, by object. The objects' counts are right already. */
+/* Stable, by object. The objects' counts are already right. */
 static void group_vertices(ts_build *build)
 {
 	ts_scene *scene = build->scene;
@@ -148,7 +148,7 @@ static void group_vertices(ts_build *build)
 	free(next);
 }
 
-/* Of the triangles that stand still: those of the file. Degenerate by CONTRACT rule 35. */
+/* Counts static triangles, which are those of the file. Degenerate by CONTRACT rule 35. */
 static void count_triangles(ts_build *build)
 {
 	ts_scene *scene = build->scene;
@@ -203,7 +203,7 @@ static void check_surfels(ts_build *build)
 	}
 }
 
-/* The chosen camera goes its way, if the file moves it. */
+/* Moves the chosen camera, if the file animates it. */
 static void set_off(ts_scene *scene)
 {
 	ts_camera *camera = scene->camera != TS_NONE ? &scene->cameras[scene->camera] : NULL;

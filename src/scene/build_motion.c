@@ -1,5 +1,5 @@
-/* Objects that the file moves (METHODS 2). While a scene is built they stand as at frame 0, so that box, hall, eye,
- * mirrors and lamps are found around them; at the end their vertices go back into their own space. */
+/* Objects that the file animates (METHODS 2). While a scene is built they stand as at frame 0, so that box, hall, eye,
+ * mirrors and lamps are found around them; at the end their vertices return to their own space. */
 #include "build_parts.h"
 #include "../model/core.h"
 #include <inttypes.h>
@@ -28,7 +28,7 @@ void ts_build_motions_free(ts_build *build)
 	free(build->own);
 }
 
-/* Bound of |x|, |y| and |z| of an object's vertices at a frame; reach: of those in its own space. */
+/* Bound of |x|, |y| and |z| of an object's vertices at a frame; reach: the same in its own space. */
 static f32 farthest(const ts_motion *at, const f32 reach[3])
 {
 	f32 far = 0.0f;

@@ -1,5 +1,5 @@
-/* The hall of a scene: how far the eye and the added reflectors may go (view.h says why). A wall
- * is what stops level rays both at eye height and above furniture; a fan of rays decides, so that one post does not. */
+/* The hall of a scene: how far the eye and the added reflectors may go (view.h has the reasons). A wall stops level
+ * rays both at eye height and above furniture; a fan of rays decides, so that one post does not. */
 #include "build_parts.h"
 #include "../model/core.h"
 #include "../kernels/base/scene.h"
@@ -9,7 +9,7 @@
 static const f32 heights[N_HEIGHTS] = {0.35f, 0.6f}; /* of the box, above its floor */
 enum { N_RAYS = 9, RANK = 2 };                       /* the distance along a fan is its third smallest */
 #define SLOPE 0.03125f                               /* between the rays of a fan: 7 degrees to either side */
-#define NEAREST 0.0625f                              /* of half the box: nearer things stand in the hall */
+#define NEAREST 0.0625f                              /* of half the box: nearer things are furniture */
 #define KEPT 0.95f                                   /* of the distance to a wall */
 #define UNLIMITED 4611686018427387904.0f
 
@@ -45,7 +45,7 @@ static bool cut_at(cut *c, const ts_v3 p[3], f32 y)
 	return true;
 }
 
-/* Triangles of the static scene that stand whole: not masked, as leaves and glass are. */
+/* Static triangles that are not masked, as leaves and glass are. */
 static const ts_triangle *wall_at(const ts_scene *scene, u32 i, u32 *flags)
 {
 	const ts_triangle *t = &scene->triangles[i];
@@ -79,7 +79,7 @@ static bool slice_make(ts_build *build, slice *s, const f32 levels[N_HEIGHTS])
 	return true;
 }
 
-/* Shortens the rays of one fan that the cut stops. way is 1 or -1 along the axis. */
+/* Shortens those rays of one fan that the cut stops. way is 1 or -1 along the axis. */
 static void stop(f32 distance[N_RAYS], const slice *s, const cut *c, u32 axis, f32 way, f32 least)
 {
 	u32 other = 1 - axis;
@@ -96,7 +96,7 @@ static void stop(f32 distance[N_RAYS], const slice *s, const cut *c, u32 axis, f
 	}
 }
 
-/* How far it is to the wall. */
+/* The distance to the wall. */
 static f32 wall_distance(const slice *s, u32 axis, f32 way)
 {
 	f32 distance[N_HEIGHTS][N_RAYS];
@@ -115,8 +115,7 @@ static f32 wall_distance(const slice *s, u32 axis, f32 way)
 	return sorted[RANK];
 }
 
-/* From the middle down and up the axis: to the wall, or to the side of the box where a step has left the walls
- * behind. */
+/* From the middle down and up the axis: to the wall, or to the side of the box where a step has passed the walls. */
 static void measure(const slice *s, u32 axis, f32 *down, f32 *up)
 {
 	*down = ts_min(s->middle[axis] - s->low[axis], wall_distance(s, axis, -1.0f));
@@ -131,7 +130,8 @@ static bool is_enclosed(const slice *s)
 	return true;
 }
 
-/* Halfway between the walls, along x and z in turn, because a step along one shows other walls along the other. */
+/* Moves halfway between the walls, along x and z in turn, because a step along one may reveal other walls along the
+ * other. */
 static void settle(slice *s)
 {
 	f32 down, up;

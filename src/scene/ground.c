@@ -1,4 +1,4 @@
-/* A ground under a model that brings none: shadows need something to fall on. */
+/* A ground under a model without one: shadows need a receiver. */
 #include "../kernels/base/vec.h"
 #include "sources.h"
 #include "view.h"

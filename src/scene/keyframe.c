@@ -4,7 +4,7 @@
 
 #define FRAMES_A_SECOND 30.0f
 #define TURNS_A_RADIAN 0.15915494f
-#define NEAR 0.0009765625f /* quaternions less far apart are as good as on a line */
+#define NEAR 0.0009765625f /* quaternions that are closer together are interpolated linearly */
 
 u32 ts_keyframe_count(f32 seconds)
 {
@@ -32,7 +32,7 @@ static void unit(f32 to[4], const f32 *a)
 	for (u32 i = 0; i < 4; i++) to[i] = length > 0.0f ? a[i] / length : 0.0f;
 }
 
-/* By the half angle, from the chord between the two and their sum: exact for small angles, too. */
+/* Uses the half angle, from the chord between the two and their sum: exact for small angles, too. */
 void ts_keyframe_turn(f32 to[4], const f32 a[4], const f32 b[4], f32 s)
 {
 	f32 p[4], q[4], chord[4], sum[4], dot = 0.0f;

@@ -1,4 +1,4 @@
-/* Area lights and the samples that stand for them. All arithmetic is the kernels' (CONTRACT rule 4). */
+/* Area lights and their samples. All arithmetic is the kernels' (CONTRACT rule 4). */
 #include "lamp.h"
 #include "../kernels/base/shade.h"
 #include "view.h"
@@ -14,8 +14,8 @@ static ts_v3 in_hall(ts_space hall, f32 x, f32 y, f32 z)
 	                  hall.middle.z + z * hall.half.z);
 }
 
-/* Beyond the middle of the floor, where the walls and what stands at them catch light and shadow; without walls the
- * middle of the thing. */
+/* Beyond the middle of the floor, where the walls and things near them catch light and shadow; without walls the middle
+ * of the thing. */
 static ts_v3 lamp_target(const ts_info *info)
 {
 	ts_space hall = ts_view_hall(info);
@@ -73,7 +73,7 @@ void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_stand *stands, 
 	ts_store3(light->position, ts_add(target, way));
 	ts_store3(light->direction, ts_neg(ts_normalize(way)));
 	ts_store3(light->intensity, ts_v3_make(candela, candela, candela));
-	f32 turns = TS_PARAM(params, lamp_fov) / 720.0f; /* half of it */
+	f32 turns = TS_PARAM(params, lamp_fov) / 720.0f; /* half the angle */
 	set_cone(light, ts_cos_turn(turns * TS_LAMP_FULL), ts_cos_turn(turns * TS_LAMP_BORDER));
 }
 

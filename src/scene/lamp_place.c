@@ -7,7 +7,7 @@ enum { N_ACROSS = 16, N_DOWN = 9, N_POINTS = N_ACROSS * N_DOWN, N_TARGETS = 16 }
 #define ENOUGH_OF_BALL 0.5f
 #define CLEARANCE 0.02f /* of half the diagonal of the hall */
 
-/* What the eye sees. */
+/* The eye's view. */
 typedef struct {
 	const ts_rays *rays;
 	ts_v3 at[N_POINTS], normal[N_POINTS]; /* towards the eye */
@@ -35,8 +35,8 @@ static void see(sight *s, const ts_info *info, const ts_params *params)
 	}
 }
 
-/* The hall's own, the middle of its floor, the middle of what is in sight, and some of that; of a thing without walls,
- * which the lamp is to light whole, its middle alone. */
+/* The hall's own, the middle of its floor, the mean of the points in sight, and some of these; for a thing without
+ * walls, which the lamp must light whole, only its middle. */
 static void choose_targets(sight *s, const ts_info *info)
 {
 	ts_stand own[TS_N_STANDS];
@@ -51,8 +51,9 @@ static void choose_targets(sight *s, const ts_info *info)
 	for (u32 k = 3; k < N_TARGETS; k++) s->target[k] = s->n > 0 ? s->at[k * s->n / N_TARGETS] : s->target[1];
 }
 
-/* The share of the points that a lamp lights: in its cone, with lamp.fov as it comes, about the way to its target, on
- * surfaces that face it; or all around, on any surfaces, as of a closed thing at best half of them face a ball. */
+/* The share of the points that a lamp lights: in its cone, with the default lamp.fov, around the direction to its
+ * target, on surfaces that face it. Without a target: all around, on any surfaces, as at best half of those of a closed
+ * thing face a ball. */
 static f32 lit_by(const sight *s, ts_v3 lamp, const ts_v3 *target)
 {
 	u32 n = 0;
@@ -71,7 +72,7 @@ static bool is_free(const sight *s, ts_v3 lamp)
 	return ts_rays_clearance(s->rays, lamp, s->clear) >= s->clear && !ts_rays_is_inside(s->rays, lamp);
 }
 
-/* The best target from there; returns what it lights. */
+/* Finds the best target from there; returns the share that it lights. */
 static f32 aim(ts_v3 *target, const sight *s, ts_v3 lamp)
 {
 	f32 most = -1.0f;
@@ -97,7 +98,7 @@ static ts_v3 lattice(const ts_info *info, u32 i, bool spot)
 	return ts_mad(hall.middle, ts_normalize(way), spot ? ts_lamp_distance(info) : 2.0f * ts_length(hall.half));
 }
 
-/* Returns whether another place than the stand's own was found. */
+/* Returns whether it found a place other than the stand's own. */
 static bool place(ts_stand *stand, const sight *s, const ts_info *info, bool spot)
 {
 	ts_v3 lamp = ts_load3(stand->position), target = ts_load3(stand->target);

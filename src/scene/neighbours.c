@@ -1,5 +1,5 @@
-/* A k-d tree in one array: the points of a node are a range of `order`, its children the halves of it. A node is left
- * out of a search when nothing in it, by the distance to its box and by its lowest index, can be among the nearest. */
+/* A k-d tree in one array: the points of a node are a range of `order`, its children the halves of it. A search skips a
+ * node when nothing in it, by the distance to its box and by its lowest index, can be among the nearest. */
 #include "neighbours.h"
 #include <stdlib.h>
 
@@ -81,7 +81,7 @@ static void grow(ts_neighbours *tree, u32 node, u32 first, u32 n)
 	grow(tree, 2 * node + 2, first + n / 2, n - n / 2);
 }
 
-/* Of a tree whose every level halves: the right child has the larger half. */
+/* For a tree whose every level halves: the right child has the larger half. */
 static u32 nodes_for(u32 n)
 {
 	u32 levels = 1;
@@ -117,7 +117,7 @@ typedef struct {
 	const ts_neighbours *tree;
 	ts_v3 at;
 	u32 self, k, n;
-	ts_neighbour *found; /* the n so far, nearest first */
+	ts_neighbour *found; /* n neighbours so far, nearest first */
 } search;
 
 static f32 square_of(ts_v3 d) { return ts_dot(d, d); }
@@ -142,7 +142,7 @@ static void offer(search *s, u32 index)
 	s->found[place] = (ts_neighbour){square, index};
 }
 
-/* Never more than to a point of the box: each of its operations rounds the same way as a point's. */
+/* At most the square to any point of the box: each operation rounds the same way as a point's. */
 static f32 square_to(const box *b, ts_v3 p)
 {
 	ts_v3 nearest = ts_min3(ts_max3(p, b->low), b->high);

@@ -1,5 +1,5 @@
-/* Planes through neighbourhoods, and one side for all that hang together: along the edges of a minimum spanning forest,
- * whose weights are the angles between planes. The forest is Kruskal's, of weights that are rounded to 16 bits. */
+/* Planes through neighbourhoods, and one side for each connected part: along the edges of a minimum spanning forest,
+ * whose weights are the angles between planes. The forest is Kruskal's, with weights rounded to 16 bits. */
 #include "normals.h"
 #include <stdlib.h>
 #include <string.h>
@@ -7,9 +7,9 @@
 #include "surfel.h"
 
 enum { K = TS_NORMALS_NEIGHBOURS, SWEEPS = 10, WEIGHTS = 1 << 16 };
-#define THIN 9.5367431640625e-7f /* 2^-20: a variance across a line that is rounding, to that along it */
+#define THIN 9.5367431640625e-7f /* 2^-20: relative to the variance along a line, less across it is rounding */
 
-/* The normals of a cloud, and the edges from each point to its K nearest: TS_NONE where there are less. */
+/* The normals of a cloud, and the edges from each point to its K nearest: TS_NONE where there are fewer. */
 typedef struct {
 	const ts_v3 *points;
 	ts_v3 *normals;
@@ -17,10 +17,10 @@ typedef struct {
 	u32 *first; /* edge of each weight, in `order` */
 	u32 *near;
 	u32 *order; /* edges by weight */
-	u32 *link;  /* of a point towards the root of its tree: index << 1 | whether it is turned against that */
+	u32 *link;  /* from a point towards the root of its tree: index << 1 | whether the point is turned against it */
 } cloud;
 
-/* Columns of the covariance, of the neighbours and the point itself, in units of `size`. */
+/* Columns of the covariance of the neighbours and the point itself, in units of `size`. */
 static void add_covariance(ts_v3 column[3], const cloud *c, u32 i, const ts_neighbour *found, u32 m, f32 size)
 {
 	ts_v3 at[K + 1] = {{0.0f, 0.0f, 0.0f}}, mean = at[0];
@@ -37,7 +37,7 @@ static void add_covariance(ts_v3 column[3], const cloud *c, u32 i, const ts_neig
 	}
 }
 
-/* At a right angle to the two longer of the columns when those are at right angles: the covariance's eigenvectors. */
+/* Perpendicular to the two longer columns when those are perpendicular: the covariance's eigenvectors. */
 static ts_v3 normal_of(const cloud *c, u32 i, const ts_neighbour *found, u32 m)
 {
 	ts_v3 column[3] = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}}, none = column[0];
@@ -74,7 +74,7 @@ static ts_status fit_planes(cloud *c)
 
 static bool is_none(ts_v3 normal) { return normal.x == 0.0f && normal.y == 0.0f && normal.z == 0.0f; }
 
-/* The weight of an edge; WEIGHTS where there is none. */
+/* The weight of an edge; WEIGHTS: no edge. */
 static u32 weight_of(const cloud *c, u32 edge)
 {
 	if (c->near[edge] == TS_NONE) return WEIGHTS;
@@ -83,7 +83,7 @@ static u32 weight_of(const cloud *c, u32 edge)
 	return (u32)((1.0f - ts_min(ts_abs(ts_dot(a, b)), 1.0f)) * (f32)(WEIGHTS - 1));
 }
 
-/* By weight, then index. Returns how many edges there are. */
+/* Sorts by weight, then index. Returns the number of edges. */
 static u32 sort_edges(cloud *c)
 {
 	u32 *first = c->first;
@@ -110,7 +110,7 @@ static u32 root_of(u32 *link, u32 i)
 	return i << 1 | turned;
 }
 
-/* Joins the trees of both ends, the flattest edges first. */
+/* Joins the trees of both ends, flattest edges first. */
 static void grow_forest(cloud *c)
 {
 	for (u32 i = 0; i < c->n; i++) c->link[i] = i << 1;
@@ -126,7 +126,7 @@ static void grow_forest(cloud *c)
 
 static bool is_down(ts_v3 n) { return n.y < 0.0f || (n.y == 0.0f && (n.x < 0.0f || (n.x == 0.0f && n.z < 0.0f))); }
 
-/* Turns what is turned against its root; or, where the highest point would then point down, all others. */
+/* Turns points that are turned against their root; or all others, where the highest point would then point down. */
 static void choose_sides(cloud *c)
 {
 	u32 *top = c->order; /* the highest point of each root's tree, then whether the root is to be turned */

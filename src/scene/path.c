@@ -32,7 +32,7 @@ static void refuse(const reader *r, const char *text) { ts_build_fail(r->build, 
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-/* A number that ends before `end`, at that character or, with 0, at a blank. */
+/* A number before `end`, followed by that character or, with 0, by a blank. */
 static bool take(const char **at, const char *end, char behind, f32 *value)
 {
 	char *stop;
@@ -122,7 +122,7 @@ static u32 count_lines(const char *text, size_t bytes)
 	return n;
 }
 
-/* A frame's change of value i at key k: 0 at both ends, where the eye stands still beyond. */
+/* Slope of value i per frame at key k: 0 at both ends, beyond which the eye stands still. */
 static f32 slope(const reader *r, u32 k, u32 i)
 {
 	if (k == 0 || k + 1 == r->n) return 0.0f;

@@ -20,7 +20,7 @@ static f32 greatest(const f32 *m)
 	return most;
 }
 
-/* What normals need: cofactor rows are cross products of the other two rows. */
+/* Prepares normals: cofactor rows are cross products of the other two rows. */
 static void finish(ts_place *place)
 {
 	f32 *c = place->cofactor;

@@ -1,4 +1,4 @@
-/* `touchstone info`: what was loaded, and what in the file was not understood, as text or JSON. */
+/* `touchstone info`: what was loaded, and which parts of the file were not understood, as text or JSON. */
 #include "../model/core.h"
 #include "../kernels/base/num.h"
 #include "print.h"
@@ -50,7 +50,7 @@ static void figures_of(figure *f, const ts_scene *s)
 
 static const char *const light_kinds[] = {"directional", "point", "spot"};
 
-/* The value, or NULL without memory: something of it is `bad`. */
+/* The value, or NULL without memory: a part of it is `bad`. */
 static json_t *whole(json_t *value, int bad)
 {
 	if (bad == 0) return value;
@@ -146,7 +146,7 @@ static ts_status print_json(const ts_scene *scene, FILE *out)
 	return TS_OK;
 }
 
-/* Names come from files. */
+/* Cleans names, which come from files. */
 static ts_status print_name(FILE *out, const char *name)
 {
 	char *line = strdup(name);
@@ -202,7 +202,7 @@ static ts_status print_cameras(const ts_scene *s, FILE *out)
 	return TS_OK;
 }
 
-/* What --reflector takes. */
+/* Names for --reflector. */
 static ts_status print_nodes(const ts_scene *s, FILE *out)
 {
 	enum { MOST = 20 };

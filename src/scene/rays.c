@@ -53,7 +53,7 @@ static ts_v3 middle_of(const ts_scene *scene, u32 triangle)
 	return ts_add(ts_min3(ts_min3(a, b), c), ts_max3(ts_max3(a, b), c));
 }
 
-/* Sets the node's box; *low and *high receive that of the middles. */
+/* Sets the node's box; *low and *high receive the box of the middles. */
 static void bound(node *of, ts_v3 *low, ts_v3 *high, const ts_rays *rays)
 {
 	for (u32 i = 0; i < of->n; i++) {
@@ -69,7 +69,8 @@ static void bound(node *of, ts_v3 *low, ts_v3 *high, const ts_rays *rays)
 	}
 }
 
-/* Moves the triangles below the middle to the front; returns their number, or half where that would be none or all. */
+/* Moves the triangles below the middle to the front; returns their number, or half of all if that would be none or
+ * all. */
 static u32 part(ts_rays *rays, const node *of, ts_v3 low, ts_v3 high)
 {
 	ts_v3 wide = ts_sub(high, low);
@@ -136,7 +137,7 @@ static f32 inverse(f32 x)
 	return ts_abs(x) < least ? (x < 0.0f ? -STEEPEST : STEEPEST) : 1.0f / x;
 }
 
-/* Whether the ray comes into the box before `most`. */
+/* Whether the ray enters the box before `most`. */
 static bool meets(const node *box, ts_v3 from, ts_v3 slope, f32 most)
 {
 	ts_v3 a = ts_mul(ts_sub(box->low, from), slope), b = ts_mul(ts_sub(box->high, from), slope);
@@ -158,7 +159,7 @@ static bool is_seen(const ts_scene *scene, u32 triangle, f32 facing)
 	return (flags & TS_MASKED) == 0 && (facing > 0.0f || (flags & TS_DOUBLE_SIDED) != 0);
 }
 
-/* Möller and Trumbore; the distance, or most where the ray passes by or, unless `all` are asked for, through. */
+/* Möller and Trumbore; the distance, or `most` where the ray misses or, unless all are asked for, meets the back. */
 static f32 strike(const ts_scene *scene, u32 triangle, ts_v3 from, ts_v3 way, f32 most, bool all)
 {
 	ts_v3 a = corner(scene, triangle, 0);

@@ -1,6 +1,5 @@
 /* The added reflectors (EPR 4.2; METHODS 4): golden-angle phases on ellipses around the middle of the hall's floor,
- * turning as the eye does, and one radius for all, so that their mean projected diameter at frame 0 is
- * reflectors.px. */
+ * turning like the eye, and one radius for all, so that their mean projected diameter at frame 0 is reflectors.px. */
 #include "../kernels/base/pose.h"
 #include "../model/core.h"
 #include "shapes.h"
@@ -14,15 +13,15 @@
 #define WIDEST_BESIDE 0.12f /* radius beside a thing, of half the box's diagonal */
 #define TALLEST 0.25f       /* diameter, of the image's height, where rays find the places */
 #define ROOMY 1.05f         /* clearance about a mirror, in radii */
-#define CLOSE 0.984375f     /* of the mean that is asked for: what lacks, mirrors grow by in their clearance */
+#define CLOSE 0.984375f     /* of the requested mean; mirrors may grow by the rest within their clearance */
 enum { N_TRIES = 128, N_ROUNDS = 6 };
 
-/* What the places of the reflectors follow from. */
+/* Inputs of the reflectors' places. */
 typedef struct {
 	ts_space hall;
 	ts_view eye;
 	u32 n;
-	const ts_rays *rays; /* NULL: the paths alone say where the reflectors are */
+	const ts_rays *rays; /* NULL: the paths alone decide the places */
 	bool stands, open;   /* the eye stands still; there are no walls */
 } floor_plan;
 
@@ -44,7 +43,7 @@ static void plan_make(floor_plan *plan, const ts_scene *scene, const ts_params *
 	plan->open = ts_view_is_open(&scene->info);
 }
 
-/* The size of the ellipse in halves of the hall: equal areas a reflector, but not where the eye is. */
+/* The size of the ellipse in halves of the hall: equal areas per reflector, except near the eye. */
 static f32 ellipse(const floor_plan *plan, u32 i, f32 phase)
 {
 	f32 size = INNER * ts_sqrt(((f32)i + 0.5f) / (f32)plan->n);
@@ -74,7 +73,8 @@ static ts_object path(const floor_plan *plan, u32 i, f32 radius)
 	return object;
 }
 
-/* Pixels across of a sphere of radius 1 there: by its axial depth where the eye can see it, else by its distance. */
+/* Projected diameter of a unit sphere in pixels: by its axial depth where the eye can see it, otherwise by its
+ * distance. */
 static f32 pixels_across(const ts_view *eye, ts_v3 centre)
 {
 	ts_v3 d = ts_sub(centre, ts_load3(eye->eye));
@@ -86,7 +86,7 @@ static f32 pixels_across(const ts_view *eye, ts_v3 centre)
 	return 2.0f * eye->focal / distance;
 }
 
-/* Mean pixels across of balls of radius 1 at the reflectors' places of frame 0. */
+/* Mean projected diameter of unit spheres at the reflectors' places of frame 0. */
 static f32 mean_pixels_across(const floor_plan *plan, const ts_object *objects)
 {
 	f32 sum = 0.0f;
@@ -106,7 +106,7 @@ static f32 widest(const floor_plan *plan)
 
 static ts_v3 place_of(const ts_object *object) { return ts_k_pose(object, 0).centre; }
 
-/* Whether a ball of that radius may be at p in frame 0, beside the n that have places. */
+/* Whether a ball of that radius may be at p in frame 0, beside the n placed ones. */
 static bool is_free(const floor_plan *plan, ts_v3 p, f32 radius, const ts_object *objects, u32 n)
 {
 	f32 clear = radius * ROOMY;
@@ -117,7 +117,7 @@ static bool is_free(const floor_plan *plan, ts_v3 p, f32 radius, const ts_object
 	return ts_rays_clearance(plan->rays, p, clear) >= clear && !ts_rays_is_inside(plan->rays, p);
 }
 
-/* Whether the eye sees p, and a ball there covers no more than it may. */
+/* Whether the eye sees p, and a ball there is not too large in the image. */
 static bool is_seen(const floor_plan *plan, ts_v3 p, f32 radius)
 {
 	f32 depth, height = (f32)plan->eye.height;
@@ -126,7 +126,7 @@ static bool is_seen(const floor_plan *plan, ts_v3 p, f32 radius)
 	       ts_rays_free_between(plan->rays, ts_load3(plan->eye.eye), p);
 }
 
-/* Whether the reflector may keep the path that it has without rays. */
+/* Whether the reflector may keep its path without rays. */
 static bool keeps_path(const floor_plan *plan, const ts_object *object, f32 radius, const ts_object *objects, u32 n)
 {
 	ts_v3 p = place_of(object);
@@ -136,7 +136,7 @@ static bool keeps_path(const floor_plan *plan, const ts_object *object, f32 radi
 	       ts_rays_free_between(plan->rays, plan->hall.middle, p);
 }
 
-/* Candidate k: along a ray of the eye; false if it would hide a thing, or is out of the hall. */
+/* Candidate k: along a ray of the eye; false if it would hide a thing, or is outside the hall. */
 static bool candidate(ts_v3 *p, const floor_plan *plan, u32 k)
 {
 	f32 x = 0.08f + 0.84f * fraction(0.7548777f * (f32)k), y = 0.1f + 0.8f * fraction(0.56984f * (f32)k);
@@ -155,7 +155,7 @@ static bool candidate(ts_v3 *p, const floor_plan *plan, u32 k)
 	return ts_abs(in.x) <= half.x && ts_abs(in.y) <= half.y && ts_abs(in.z) <= half.z;
 }
 
-/* A path about the middle of the hall that is at p in frame 0. */
+/* A path about the middle of the hall, through p in frame 0. */
 static ts_object path_through(const floor_plan *plan, ts_v3 p, f32 radius)
 {
 	f32 hx = plan->open ? 1.0f : plan->hall.half.x, hz = plan->open ? 1.0f : plan->hall.half.z;
@@ -170,7 +170,7 @@ static ts_object path_through(const floor_plan *plan, ts_v3 p, f32 radius)
 	return object;
 }
 
-/* Whether a mirror at p covers a thing that has no walls about it. */
+/* Whether a mirror at p covers a thing without walls about it. */
 static bool covers(const floor_plan *plan, ts_v3 p, f32 radius)
 {
 	f32 distance;
@@ -184,7 +184,7 @@ static bool covers(const floor_plan *plan, ts_v3 p, f32 radius)
 	return false;
 }
 
-/* From the nearest of the n reflectors that have places. */
+/* The distance to the nearest of the n placed reflectors. */
 static f32 apart(ts_v3 p, const ts_object *objects, u32 n)
 {
 	f32 least = TS_RAYS_FAR;
@@ -192,8 +192,8 @@ static f32 apart(ts_v3 p, const ts_object *objects, u32 n)
 	return least;
 }
 
-/* Of the candidates that are free and in sight the one farthest from the others; one that covers a thing only where all
- * do. False if there is none. */
+/* Chooses the free candidate in sight that is farthest from the others; one that covers a thing only where all do.
+ * False if there is none. */
 static bool find_place(ts_object *object, const floor_plan *plan, u32 i, f32 radius, const ts_object *objects)
 {
 	f32 best = -1.0f;
@@ -214,7 +214,7 @@ static bool find_place(ts_object *object, const floor_plan *plan, u32 i, f32 rad
 	return best >= 0.0f;
 }
 
-/* Returns how many have no free place; these keep their paths. */
+/* Returns how many have no free place and keep their paths. */
 static u32 place_round(const floor_plan *plan, ts_object *objects, f32 radius)
 {
 	u32 n_lost = 0;
@@ -234,7 +234,7 @@ typedef struct {
 	u32 n_lost; /* without a free place */
 } placement;
 
-/* The radius at which the mean at these places would be what is asked for. */
+/* The radius that would give the requested mean at these places. */
 static f32 fitting_radius(const placement *p, const floor_plan *plan, f32 pixels)
 {
 	return ts_min(pixels / mean_pixels_across(plan, p->objects), widest(plan));
@@ -245,7 +245,7 @@ static void keep_paths(placement *p, const floor_plan *plan)
 	for (u32 i = 0; i < plan->n; i++) p->objects[i] = path(plan, i, p->radius);
 }
 
-/* The heights depend on the radius, a little: a few rounds settle it. */
+/* The heights depend slightly on the radius: a few rounds settle it. */
 static void place_on_paths(placement *p, const floor_plan *plan, f32 pixels)
 {
 	for (u32 round = 0; round < 4; round++) {
@@ -313,7 +313,7 @@ static u32 make_material(ts_build *build, const f32 tint[3])
 	return ts_build_material(build, &material);
 }
 
-/* Adds one of those that stand still. */
+/* Adds a static reflector. */
 static void add_standing(ts_build *build, const f32 mirror[4], u32 material)
 {
 	ts_object object = {.period = 0};
@@ -331,7 +331,7 @@ void ts_reflectors_stand(ts_build *build, const f32 (*mirrors)[4], u32 n)
 	ts_build_object(build, NULL, false);
 }
 
-/* Gives each of them its shape and tint. */
+/* Gives each moving reflector its shape and tint. */
 static void add_moving(ts_build *build, const placement *p, u32 n, const ts_params *params)
 {
 	u32 materials[N_TINTS];

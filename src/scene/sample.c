@@ -1,5 +1,5 @@
-/* Triangles, in parts that a lattice can hold, as points are sampled. Twice: to count, and to write where the sums of
- * the counts say. */
+/* Triangles, in parts that a lattice can hold, sampled as for points. Runs twice: to count, and to write at the sums of
+ * the counts. */
 #include "sample.h"
 #include <stdlib.h>
 #include "../model/core.h"
@@ -12,12 +12,12 @@ enum { SAFE = 129, CENTRE = 0, MOST_PARTS = 64 }; /* half sizes of a lattice squ
 
 typedef struct {
 	ts_arrays scene;
-	f32 s; /* samples a world unit */
+	f32 s; /* samples per world unit */
 	f32 radius;
 	bool backs; /* of two-sided triangles */
 } sampler;
 
-/* The interpolated normal, without that of a texture; the triangle's own if that is on the other side. */
+/* The interpolated normal, without the texture's; the triangle's own if that is on the other side. */
 static ts_v3 smooth_normal(const sampler *from, u32 triangle, ts_v3 weights, ts_v3 face)
 {
 	const ts_vertex *vertices = from->scene.vertices;
@@ -27,14 +27,14 @@ static ts_v3 smooth_normal(const sampler *from, u32 triangle, ts_v3 weights, ts_
 	return ts_dot(n, face) > 0.0f ? n : face;
 }
 
-/* A vector of the plane of a triangle, turned with the plane's normal to that of a surface, on the same side, by the
- * least angle. */
+/* A vector of a triangle's plane, turned by the least angle that takes the plane's normal to a surface's, on the same
+ * side. */
 static ts_v3 turn(ts_v3 a, ts_v3 plane, ts_v3 n)
 {
 	return ts_mad(a, ts_add(plane, n), -ts_dot(a, n) / (1.0f + ts_dot(plane, n)));
 }
 
-/* Writes a surfel, or with `out` NULL none. */
+/* Writes a surfel, or only counts it where `out` is NULL. */
 static void put(const sampler *from, const ts_piece *piece, const ts_align *frame, ts_v3 centre, i32 x, i32 y,
                 bool turned, ts_surfel *out)
 {
@@ -50,7 +50,7 @@ static void put(const sampler *from, const ts_piece *piece, const ts_align *fram
 	ts_store3(out->colour, ts_scale(r.base, 1.0f - r.metallic));
 }
 
-/* A sample in the part, or one that stands for a square of the lattice which no sample beside it speaks for. */
+/* A sample in the part, or one for a square of the lattice that no neighbouring sample represents. */
 static bool is_wanted(const ts_cover *safe, const ts_cover *centre, i32 x, i32 y)
 {
 	if (ts_k_touches(centre, x, y)) return true;
@@ -59,7 +59,7 @@ static bool is_wanted(const ts_cover *safe, const ts_cover *centre, i32 x, i32 y
 	return !beside && ts_k_touches(safe, x, y);
 }
 
-/* Samples a part; returns how many surfels that gives. */
+/* Samples a part; returns the number of surfels. */
 static u32 sample_part(const sampler *from, u32 triangle, const ts_part *part, ts_surfel *out)
 {
 	u32 n = 0, sides = from->backs && ts_k_is_two_sided(&from->scene, triangle) ? 2 : 1;
@@ -113,7 +113,7 @@ static double area_of(const sampler *from, u32 n)
 	return area;
 }
 
-/* At most about so many cells does the lattice touch: those inside, and a row along the border. */
+/* About the most cells that the lattice can touch: those inside, and a row along the border. */
 static double cells_of(const sampler *from, u32 n)
 {
 	double cells = 0.0, s = (double)from->s;
@@ -126,7 +126,7 @@ static double cells_of(const sampler *from, u32 n)
 	return cells;
 }
 
-/* Into places by the counts; `first` has a place more than there are triangles. */
+/* Writes at the sums of the counts; `first` has one place more than there are triangles. */
 static void sample_all(ts_build *build, const sampler *from, u64 *first)
 {
 	ts_scene *scene = build->scene;

@@ -10,7 +10,7 @@ typedef struct {
 	f32 r, y, normal_r, normal_y;
 } point;
 
-/* A profile runs upwards along the outside of the solid, so that the solid is to its left. */
+/* A profile runs upwards along the outside of the solid, with the solid to its left. */
 typedef struct {
 	point points[MAX_ROWS];
 	u32 n, segments;
@@ -78,7 +78,7 @@ static void sphere(ts_build *build, profile *p)
 	revolve(build, p);
 }
 
-/* Half as high again as wide: 0.6 and 0.8 put the rims on the unit ball. The caps have normals of their own. */
+/* Height 1.5 times the width: 0.6 and 0.8 put the rims on the unit ball. The caps have normals of their own. */
 static void cylinder(ts_build *build, profile *p)
 {
 	const f32 wide = 0.6f, high = 0.8f;

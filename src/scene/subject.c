@@ -1,5 +1,5 @@
-/* Rooms and things. A point is in a room if most rays that do not fall end at the front of a wall, and those that fall
- * at a floor; the room is worth a picture if one sees about as much of the scene in it as from outside. */
+/* Rooms and things. A point is in a room if most rays that do not fall end at the front of a wall, and falling ones at
+ * a floor; the room is the subject if about as much of the scene is visible in it as from outside. */
 #include "subject.h"
 #include "build.h"
 #include "../kernels/base/scene.h"
@@ -7,18 +7,18 @@
 
 enum { N_COLUMNS = 64, N_CROPS = 6 };
 #define FLAT 0.03125f /* of the box's height: a column this low is ground */
-#define SMALL 0.25f   /* of the whole box's area: only a thing so small is cut out of its ground */
+#define SMALL 0.25f   /* of the whole box's area: only a thing this small is cut out of its ground */
 enum { N_MARKS = 128, N_WAYS = 64, N_OUTSIDE = 8, N_FAN = 9, RANK = 2, N_WIDE = 9, N_HIGH = 5 };
 #define LOWEST_WAY (-0.25f)
 #define ENCLOSED 0.6f      /* of the rays */
-#define WORTH 0.5f         /* of what is seen from outside */
+#define WORTH 0.5f         /* of the share that is visible from outside */
 #define NEAREST 0.0078125f /* clearance of an eye, of half the diagonal of the hall */
 #define LEVEL 0.99f        /* y of a floor's normal */
 #define STEP 0.02f         /* between floors of one height, of half the box */
 #define SLOPE 0.03125f
 #define KEPT 0.95f
 
-/* Above one column of the ground. */
+/* Limits of the scene above each column of the ground. */
 typedef struct {
 	f32 low[N_COLUMNS * N_COLUMNS], high[N_COLUMNS * N_COLUMNS];
 } columns;
@@ -64,7 +64,7 @@ static void fill_columns(columns *c, const ts_info *info, const ts_scene *scene)
 	}
 }
 
-/* Draws the box in to the columns that are not flat; false if all are. */
+/* Shrinks the box to the columns that are not flat; false if all are. */
 static bool crop(ts_info *info, const columns *c)
 {
 	u32 first[2] = {N_COLUMNS, N_COLUMNS}, last[2] = {0, 0};
@@ -116,10 +116,10 @@ typedef struct {
 typedef struct {
 	const ts_rays *rays;
 	const ts_scene *scene;
-	ts_params first; /* those of frame 0 */
+	ts_params first; /* parameters of frame 0 */
 	mark marks[2 * N_MARKS];
 	u32 n_marks;
-	f32 outside; /* the greatest share of the marks that is seen from outside */
+	f32 outside; /* the greatest share of the marks that is visible from outside */
 } finder;
 
 static bool is_in(ts_v3 p, const ts_info *info)
@@ -128,7 +128,7 @@ static bool is_in(ts_v3 p, const ts_info *info)
 	return p.x >= a[0] && p.x <= b[0] && p.y >= a[1] && p.y <= b[1] && p.z >= a[2] && p.z <= b[2];
 }
 
-/* False if the triangle does not stand in the box. */
+/* False if the triangle is not in the box. */
 static bool mark_of(mark *m, f32 *size, const finder *f, const ts_info *info, u32 triangle)
 {
 	ts_v3 a, b, p[3];
@@ -167,7 +167,7 @@ static void make_marks(finder *f, const ts_info *info)
 	}
 }
 
-/* Of the marks, how many are seen from p. */
+/* The share of the marks that is visible from p. */
 static f32 share_from(const finder *f, ts_v3 p)
 {
 	u32 n = 0;
@@ -191,7 +191,7 @@ static f32 share_from_outside(const finder *f, const ts_info *info)
 	return most;
 }
 
-/* Two-sided surfaces count from their front alone: from within, the skin of a thing is a back. */
+/* Two-sided surfaces count only from their front: from within, the skin of a thing is a back. */
 static bool is_enclosed(const finder *f, ts_v3 p)
 {
 	u32 n = 0, n_hits = 0;
@@ -233,7 +233,7 @@ static bool sees(const finder *f, const ts_view *view, ts_v3 p)
 	return ts_view_holds(view, p, 0.0f, &depth) && ts_rays_free_between(f->rays, ts_load3(view->eye), p);
 }
 
-/* Whether a chosen camera sees some of the middle of the hall. */
+/* Whether a chosen camera sees marks in the middle of the hall. */
 static bool is_in_sight(const finder *f, const ts_info *info)
 {
 	ts_view view = eye_of(f, info);
@@ -254,7 +254,7 @@ static bool is_good_hall(const finder *f, const ts_info *info)
 	return info->circles == TS_CIRCLES_NOT ? is_in_sight(f, info) : is_good_eye(f, info);
 }
 
-/* Whether some of nine rays that fall end at one height on level ground. */
+/* Whether some of nine falling rays end at one height on level ground. */
 static bool has_floor(const finder *f, ts_v3 p, const ts_info *info)
 {
 	ts_space box = ts_view_box(info);
@@ -279,7 +279,7 @@ typedef struct {
 	f32 score;
 } place;
 
-/* Keeps p if it is in a room and better than what was found before. */
+/* Keeps p if it is in a room and better than the best so far. */
 static void offer(place *best, const finder *f, ts_v3 p, f32 unit, const ts_info *info)
 {
 	f32 clear = ts_rays_clearance(f->rays, p, unit);
@@ -302,7 +302,7 @@ static void search_box(place *best, const finder *f, const ts_info *info)
 	}
 }
 
-/* Along the rays of a chosen camera. */
+/* Searches along the rays of a chosen camera. */
 static void search_view(place *best, const finder *f, const ts_info *info)
 {
 	ts_view view = eye_of(f, info);
@@ -323,7 +323,7 @@ static void put_in_order(f32 *sorted, u32 n, f32 x)
 	sorted[n] = x;
 }
 
-/* How far it is up or down: the median of nine rays, or of two floors the lower. */
+/* The distance up or down: the median of nine rays, or the lower of two floors. */
 static f32 height_from(const finder *f, ts_v3 p, f32 way, f32 most, f32 apart, u32 rank)
 {
 	f32 sorted[N_FAN], distance;
@@ -335,7 +335,7 @@ static f32 height_from(const finder *f, ts_v3 p, f32 way, f32 most, f32 apart, u
 	return sorted[rank];
 }
 
-/* The third smallest of nine rays, of each the longer of two heights, as in build_walls.c. */
+/* The third smallest of nine distances, each the longer of two heights', as in build_walls.c. */
 static f32 wall_from(const finder *f, const ts_info *room, ts_v3 p, u32 axis, f32 way, f32 most)
 {
 	f32 sorted[N_FAN], height = room->box_max[1] - room->box_min[1];
@@ -378,7 +378,7 @@ static void take_room(ts_info *info, const finder *f, ts_v3 p)
 	}
 }
 
-/* How far one sees that way, on the mean of a fan as wide as the image. */
+/* The free distance in that direction: the mean of a fan as wide as the image. */
 static f32 depth_along(const finder *f, ts_v3 p, f32 turns, f32 most)
 {
 	f32 sum = 0.0f, distance;
@@ -391,7 +391,7 @@ static f32 depth_along(const finder *f, ts_v3 p, f32 turns, f32 most)
 	return sum;
 }
 
-/* An eye that stands at p and looks where it is farthest. */
+/* Puts the eye at p, looking where the free distance is greatest. */
 static void stand_at(ts_info *info, const finder *f, ts_v3 p)
 {
 	f32 best = -1.0f, most = 4.0f * ts_length(ts_view_box(info).half);
@@ -407,7 +407,7 @@ static void stand_at(ts_info *info, const finder *f, ts_v3 p)
 	ts_view_aim(info->right, info->up, info->back, p, target);
 }
 
-/* Draws the hall in until the eye stands free; where it never does it stands at p. */
+/* Shrinks the hall until the eye stands free; if that fails the eye stands at p. */
 static void free_the_eye(ts_info *info, const finder *f, ts_v3 p)
 {
 	ts_info tried = *info;

@@ -1,14 +1,14 @@
-/* Surfels from points: circles, checked ellipses, and ellipses that a map has bent. */
+/* Surfels from points: circles, checked ellipses, and ellipses deformed by a map. */
 #include "surfel.h"
 #include <stdlib.h>
 #include <string.h>
 #include "../model/core.h"
 
-#define RIGHT 0.00390625f      /* 1/256: the cosine of what still counts as a right angle */
-#define SKEW 1.52587890625e-5f /* 2^-16: more of it is not rounding */
+#define RIGHT 0.00390625f      /* 1/256: greatest cosine of a right angle */
+#define SKEW 1.52587890625e-5f /* 2^-16: more is not rounding */
 #define FACING 0.99f           /* least cosine between u x v and the normal */
 
-/* At a right angle to n, a unit vector: across it and the axis that it is farthest from. */
+/* Perpendicular to n and to the axis that n is farthest from; a unit vector. */
 static ts_v3 across(ts_v3 n)
 {
 	f32 x = ts_abs(n.x), y = ts_abs(n.y), z = ts_abs(n.z);
@@ -73,7 +73,7 @@ void ts_surfel_straighten(ts_surfel *surfel)
 
 enum { HALVES = 1 << 16 };
 
-/* The key of this rank; `high` counts them by their high halves, `low` is room for as many counts. */
+/* The key of this rank; `high` counts keys by their high halves, `low` is room for equally many counts. */
 static u32 key_of_rank(const u32 *keys, u32 n, u64 rank, const u32 *high, u32 *low)
 {
 	u32 top = 0, bottom = 0;
@@ -86,7 +86,7 @@ static u32 key_of_rank(const u32 *keys, u32 n, u64 rank, const u32 *high, u32 *l
 
 static f32 squared(ts_v3 a) { return ts_flush(ts_dot(a, a)); }
 
-/* Of squares, which have the order of what they are of, and of their bits. */
+/* Quantiles of squares, which sort like the numbers, and like their bits. */
 ts_status ts_surfel_quantiles(f32 quantile[TS_SURFEL_QUANTILES], const ts_surfel *surfels, u32 n)
 {
 	u32 *key = ts_alloc(n + (u64)2 * HALVES, sizeof *key, "radii of surfels");

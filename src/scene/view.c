@@ -1,7 +1,7 @@
 /* The eye: a camera of the scene, or on an ellipse around the middle of the hall (METHODS 2). */
 #include "view.h"
 
-#define EYE_HEIGHT 0.35f /* of the box, above its floor: inside a room the picture is that of a visitor */
+#define EYE_HEIGHT 0.35f /* of the box, above its floor: inside a room the picture is a visitor's */
 #define TARGET_HEIGHT 0.3f
 
 static ts_space space_between(ts_v3 low, ts_v3 high)
@@ -42,7 +42,7 @@ bool ts_view_is_open(const ts_info *info)
 	return box.half.x == hall.half.x && box.half.z == hall.half.z;
 }
 
-/* Since the circling eye was where it is in frame 0. */
+/* Turns of the circling eye since frame 0. */
 static f32 turns_of(const ts_params *params)
 {
 	u32 frame = TS_PARAM(params, frame) % TS_FRAMES_A_TURN * TS_PARAM(params, eye_turns);
@@ -63,9 +63,9 @@ static void circle(ts_view *view, const ts_info *info, const ts_params *params)
 	look_at(view, eye, ts_v3_make(hall.middle.x, floor + height * TARGET_HEIGHT, hall.middle.z));
 }
 
-#define HELD 0.9f /* of the image's half sides, by the box */
+#define HELD 0.9f /* of the image's half sides, for the box */
 
-/* So far from the middle of the box that all its corners are in the image. */
+/* The distance from the middle of the box at which the image has all its corners. */
 static f32 distance_to_hold(ts_v3 half, const ts_view *view, f32 tangent_up, f32 tangent_across)
 {
 	f32 distance = 0.0f;
@@ -78,7 +78,7 @@ static f32 distance_to_hold(ts_v3 half, const ts_view *view, f32 tangent_up, f32
 	return distance;
 }
 
-/* Around the box: as near as the image holds its corners, or as far as the ball about it needs. */
+/* Around the box: as near as the image holds its corners, or as far as the ball about it requires. */
 static void circle_outside(ts_view *view, const ts_info *info, const ts_params *params)
 {
 	ts_space box = ts_view_box(info);

@@ -1,6 +1,6 @@
 /* The built-in scenes by name: reading "atrium:triangles=1.05M:texels=64", choosing the detail that gives the count,
- * building. The detail is found by bisection over the same code that builds, in counting mode; what is left goes to one
- * part. A scene of surfels is a grid, which counts for itself. */
+ * building. The detail is found by bisection over the same code that builds, in counting mode; one part fills the
+ * remainder. A scene of surfels is a grid, which counts itself. */
 #include <stdio.h>
 #include "../../model/core.h"
 #include "builtin.h"
@@ -11,7 +11,7 @@ enum { TRIANGLES, TEXELS, SURFELS, N_OPTIONS };
 static const struct {
 	const char *name;
 	u32 least, most, usual;
-	bool of_surfels; /* of scenes of surfels; else of the others */
+	bool of_surfels; /* for scenes of surfels; otherwise for the others */
 } options[N_OPTIONS] = {
 	[TRIANGLES] = {"triangles", 10000, 16000000, 300000, false},
 	[TEXELS] = {"texels", 16, 512, 512, false},
@@ -60,8 +60,8 @@ void ts_builtin_camera(ts_build *build, const char *name, ts_v3 eye, f32 down)
 
 bool ts_builtin_is(const char *spec) { return find(spec) != NULL; }
 
-/* Digits, perhaps with a fraction, and perhaps k or M; counted in integers. Returns what follows, or NULL if it is none
- * or more than ten digits long. */
+/* Digits, optionally with a fraction and k or M; counted in integers. Returns the rest, or NULL if there are none or
+ * more than ten digits. */
 static const char *read_count(u64 *count, const char *text)
 {
 	u64 value = 0, scale = 1;
@@ -83,7 +83,7 @@ static const char *read_count(u64 *count, const char *text)
 	return digits > 0 ? text : NULL;
 }
 
-/* Reads one option; returns what follows it, or NULL with the build failed. */
+/* Reads one option; returns the rest, or NULL with the build failed. */
 static const char *read_option(u32 *choice, ts_build *build, const char *spec, const char *text)
 {
 	size_t length = strcspn(text, "="), which = 0;

@@ -1,15 +1,15 @@
-/* "checkerboard": surfels in a regular grid on a plane that recedes to where its squares are far smaller than a pixel,
- * what FIGURES 12 measures filters on. 64 by 256 m of squares of 1 m; the camera "receding" looks along it. */
+/* "checkerboard": surfels in a regular grid on a plane that recedes to where its squares are far smaller than a pixel;
+ * FIGURES 12 measures filters on it. 64 by 256 m of squares of 1 m; the camera "receding" looks along it. */
 #include "../build_parts.h"
 #include "builtin.h"
 #include "../checkerboard.h"
 #include "../surfel.h"
 
-enum { WIDTH = 64, TIMES = 4 }; /* as many times as long as it is wide */
+enum { WIDTH = 64, TIMES = 4 }; /* the ratio of length to width */
 #define LIGHT 0.75f
 #define DARK 0.0625f
 
-/* Squares lie by whole coordinates. */
+/* Squares lie at whole coordinates. */
 bool ts_checkerboard_at(f32 *albedo, f32 x, f32 z)
 {
 	if (!(ts_abs(x) <= 0.5f * (f32)WIDTH && z <= 0.0f && z >= -(f32)(WIDTH * TIMES))) return false;
@@ -17,7 +17,7 @@ bool ts_checkerboard_at(f32 *albedo, f32 x, f32 z)
 	return true;
 }
 
-/* The square that the centre is in gives the colour. */
+/* A surfel has the colour of the square that its centre is in. */
 static void add_surfel(ts_build *build, f32 x, f32 z, f32 radius)
 {
 	static const f32 up[3] = {0.0f, 1.0f, 0.0f};
@@ -28,7 +28,7 @@ static void add_surfel(ts_build *build, f32 x, f32 z, f32 radius)
 	ts_build_surfel(build, &s);
 }
 
-/* Columns and rows of one spacing, as many as `count` allows. */
+/* Columns and rows of equal spacing, as many as `count` allows. */
 static void add_grid(ts_build *build, u32 count, f32 splat_radius)
 {
 	u32 columns = 1;

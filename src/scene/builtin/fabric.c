@@ -1,7 +1,7 @@
 /* Painters of cloth, leather, paper and leaves. */
 #include "paint.h"
 
-/* Over-and-under threads, n an image: height in [0,1], which thread is on top in *warp. */
+/* Over-and-under threads, n per image: height in [0,1]; *warp: whether the warp is on top. */
 static f32 threads(bool *warp, f32 u, f32 v, f32 n)
 {
 	f32 x = u * n, y = v * n;
@@ -111,7 +111,7 @@ void ts_paint_leather(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 	dab->metallic = 0.0f;
 }
 
-/* One leaf, stalk at the bottom, everything beside it transparent. kind: broad, narrow. */
+/* One leaf, stalk at the bottom, with a transparent surround. kind: broad, narrow. */
 void ts_paint_leaf(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
 	f32 y = 1.0f - v, x = ts_abs(u - 0.5f) * 2.0f;

@@ -46,8 +46,8 @@ ts_place ts_place_along(ts_v3 origin, ts_v3 up)
 	return place;
 }
 
-/* The slope at a point between the steps before and after it: none at an extreme, and never so steep that it
- * overshoots. */
+/* The slope at a point between the steps before and after it: none at an extreme, and never steep enough to
+ * overshoot. */
 static f32 slope(f32 before, f32 after)
 {
 	if (before * after <= 0.0f) return 0.0f;

@@ -15,7 +15,7 @@ f32 ts_paint_ramp(f32 lo, f32 hi, f32 x)
 
 ts_v3 ts_paint_mix(ts_v3 a, ts_v3 b, f32 t) { return ts_mad(a, ts_sub(b, a), t); }
 
-/* i modulo n; most are below n as they are, and division takes longer than all the rest of the noise. */
+/* i modulo n; most are below n already, and division takes longer than all the rest of the noise. */
 static u32 wrap(i32 i, u32 n)
 {
 	i32 p = (i32)n;

@@ -1,5 +1,5 @@
-/* "plain": two mirrors and two stones on a rug, and a ground of 40 km: numbers of one picture are as far apart as in no
- * room. Edges of the ground are cut at near planes of which their ends are 2^25 times as far. */
+/* "plain": two mirrors and two stones on a rug, and a ground of 40 km: its numbers span a range like no room's. Near
+ * planes cut edges of the ground whose ends are 2^25 times as far away. */
 #include "../sources.h"
 #include "builtin.h"
 

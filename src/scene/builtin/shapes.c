@@ -94,7 +94,7 @@ typedef struct {
 	u32 k;
 } block_shape;
 
-/* Along a side of 2k + 1 cells: k of a rounded edge, one flat, k of the other edge. Gives the flat part's coordinate
+/* Along a side of 2k + 1 cells: k of a rounded edge, one flat, k of the other edge. Returns the flat part's coordinate
  * and how far around the edge (-1 to 1). */
 static f32 block_side(f32 *around, f32 s, u32 k, f32 flat)
 {

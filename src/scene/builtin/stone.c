@@ -4,7 +4,7 @@
 /* Grain in all sizes; the contrast that keeps a plain surface from looking like plastic. */
 static f32 grain(f32 u, f32 v, u32 seed) { return ts_paint_fbm(u, v, 8, 5, seed) - 0.5f; }
 
-/* Squared stone in courses of equal height, half a stone displaced: 4 by 8 stones an image. */
+/* Squared stone in courses of equal height, half a stone displaced: 4 by 8 stones per image. */
 void ts_paint_ashlar(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
 	f32 y = v * 8.0f;
@@ -62,7 +62,7 @@ void ts_paint_marble(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 	dab->metallic = 0.0f;
 }
 
-/* A floor of two marbles, 4 by 4 squares an image, with small dark squares on the corners. kind 1: set diagonally. */
+/* A floor of two marbles, 4 by 4 squares per image, with small dark squares on the corners. kind 1: set diagonally. */
 void ts_paint_tiles(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
 	f32 x = kind == 0 ? u * 4.0f : (u + v) * 4.0f;

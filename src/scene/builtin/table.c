@@ -4,7 +4,7 @@
 
 static const f32 HALF_X = 1.875f, HALF_Z = 0.5625f, TABLE = 0.75f;
 
-/* A cloth laid over the table: what reaches beyond the edge hangs, in folds. */
+/* A cloth laid over the table: it hangs beyond the edge, in folds. */
 static void tablecloth(ts_corner *c, const void *shape, f32 s, f32 t)
 {
 	const f32 hang = *(const f32 *)shape;

@@ -1,4 +1,4 @@
-/* Opening a scene: which source makes it, the reflectors that are added, the checks. */
+/* Opening a scene: the source that makes it, added reflectors, the checks. */
 #include "../../model/core.h"
 #include "../sources.h"
 #include <errno.h>

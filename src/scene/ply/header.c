@@ -23,14 +23,14 @@ typedef struct {
 	const char *at, *end;
 	bool is_lone; /* lines end in a \r alone */
 	u32 number, n_words;
-	char word[MOST_WORDS][TS_PLY_NAME]; /* what is too long is cut: no keyword is */
+	char word[MOST_WORDS][TS_PLY_NAME]; /* long words are cut: no keyword is as long */
 } line;
 
 static bool is_end(const line *l) { return l->at == l->end || *l->at == '\n' || *l->at == '\r'; }
 
 static bool is_gap(const line *l) { return *l->at == ' ' || *l->at == '\t'; }
 
-/* All lines end as the first one does: behind a lone \r an \n is the first byte of the points. */
+/* All lines end as the first one does: after a lone \r a \n would be the first byte of the points. */
 static void end_line(line *l)
 {
 	bool is_return = l->at < l->end && *l->at == '\r';
@@ -130,7 +130,7 @@ static const char *read_property(ts_ply_header *h, const line *l)
 	return NULL;
 }
 
-/* What a line between the format and end_header says; NULL, or what is wrong with it. */
+/* Reads a line between the format and end_header; returns NULL, or what is wrong. */
 static const char *read_line(ts_ply_header *h, const line *l)
 {
 	if (is_comment(l)) return NULL;
@@ -140,7 +140,7 @@ static const char *read_line(ts_ply_header *h, const line *l)
 	return h->more ? NULL : read_property(h, l);
 }
 
-/* The next line that is no comment; false with what is wrong. */
+/* The next line that is not a comment; false with what is wrong. */
 static bool next_word(line *l, const char **fault)
 {
 	do {
@@ -162,10 +162,10 @@ static const char *read_lines(ts_ply_header *header, line *l)
 	return fault;
 }
 
-/* Elements without properties have no bytes, however many they are. */
+/* Elements without properties have no bytes, however many there are. */
 static bool fits(const ts_ply_header *h, ts_build *build, const char *path, size_t n_bytes)
 {
-	size_t room = n_bytes - h->begin + (h->format == TS_PLY_ASCII); /* the last number needs no blank behind it */
+	size_t room = n_bytes - h->begin + (h->format == TS_PLY_ASCII); /* no blank need follow the last number */
 	for (const ts_ply_element *e = h->element; e < h->element + h->n_elements; e++) {
 		if (e->bytes > 0 && e->n > room / e->bytes)
 			ts_build_fail(build, "%s: element %s: %llu of at least %zu bytes each do not fit in a file of %zu bytes",
@@ -184,7 +184,7 @@ static bool fits(const ts_ply_header *h, ts_build *build, const char *path, size
 
 bool ts_ply_header_read(ts_ply_header *header, ts_build *build, const char *path, const char *file, size_t n)
 {
-	static const char mark[] = {'\xef', '\xbb', '\xbf'}; /* of the order of bytes, in UTF-8 */
+	static const char mark[] = {'\xef', '\xbb', '\xbf'}; /* the byte order mark, in UTF-8 */
 	bool has_mark = n >= sizeof mark && memcmp(file, mark, sizeof mark) == 0;
 	line l = {.at = file + (has_mark ? sizeof mark : 0), .end = file + n};
 	*header = (ts_ply_header){.n_elements = 0};

@@ -1,6 +1,6 @@
-/* Points of a PLY file as surfels: an own reader, which trusts no count. Properties: x y z, and nx ny nz, and red green
- * blue, and radius or the half-axes u_x u_y u_z v_x v_y v_z; the others are ignored. Normals and radii that are not
- * there are estimated by the neighbours. */
+/* Points of a PLY file as surfels: a reader of our own, which trusts no count. Properties: x y z, and nx ny nz, and red
+ * green blue, and radius or the half-axes u_x u_y u_z v_x v_y v_z; the others are ignored. Missing normals and radii
+ * are estimated from the neighbours. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ typedef struct {
 } point;
 #define AT(field) (offsetof(point, field) / sizeof(f32))
 
-/* What is known, in groups that a file has whole or not at all. */
+/* Known properties, in groups that a file has whole or not at all. */
 enum { CENTRE, NORMAL, COLOUR, AXES, RADIUS, N_GROUPS };
 static const struct {
 	const char *name;
@@ -39,8 +39,8 @@ typedef struct {
 	const char *path;
 	ts_ply_header header;
 	u32 n, n_properties;             /* of the points */
-	const ts_ply_property *property; /* theirs */
-	u32 field[TS_PLY_PROPERTIES];    /* of each; TS_NONE: ignored */
+	const ts_ply_property *property; /* of the points */
+	u32 field[TS_PLY_PROPERTIES];    /* of each property; TS_NONE: ignored */
 	bool has[N_GROUPS];
 	ts_ply_body body;
 } reader;
@@ -78,7 +78,7 @@ static void choose_fields(reader *in)
 	if (in->header.more) ts_build_note(in->build, "elements behind the points are ignored");
 }
 
-/* Colours of integers are sRGB-coded, as everywhere; of a float linear. */
+/* Integer colours are sRGB-coded, as everywhere; float ones linear. */
 static void check_colours(reader *in)
 {
 	for (u32 i = 0; i < in->n_properties; i++) {
@@ -89,7 +89,7 @@ static void check_colours(reader *in)
 	}
 }
 
-/* A number of text must fit its type, as a binary number does by its bytes. */
+/* A number in text must fit its type, as a binary number always does. */
 static void check_number(reader *in, u32 i, const ts_ply_property *p, double value)
 {
 	const ts_ply_kind *kind = &ts_ply_kinds[p->type];
@@ -174,7 +174,7 @@ typedef struct {
 	f32 *radii;
 } cloud;
 
-/* Points that their neighbours give no size or no normal are left out. */
+/* Points whose neighbours give no size or no normal are left out. */
 static void add_estimated(reader *in, cloud *c)
 {
 	u32 n_same = 0, n_line = 0;
@@ -207,7 +207,7 @@ static bool fits_in_memory(reader *in)
 	return !ts_build_failed(in->build);
 }
 
-/* Normals and radii by the neighbours, for which all points must be known first. */
+/* Estimates normals and radii from the neighbours, once all points are known. */
 static void estimate(reader *in, cloud *c, u32 neighbours)
 {
 	if (c->points == NULL || c->centres == NULL || c->normals == NULL || c->radii == NULL) {
@@ -260,7 +260,7 @@ static void read_all(reader *in, u32 neighbours)
 	add_all(in, neighbours);
 }
 
-/* As ts_input_read returns a file. */
+/* A copy like the result of ts_input_read. */
 static char *copied(size_t *n, const ts_scene_file *from)
 {
 	char *copy = ts_alloc(from->n_bytes + 1, 1, from->name);
