@@ -1,4 +1,4 @@
-/* Which tables `bench` has. */
+/* The tables of `bench`. */
 #include <assert.h>
 #include <stdlib.h>
 #include "bench.h"
@@ -21,7 +21,7 @@ double ts_median(double *values, u32 n)
 	return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-/* The parameters are as typed; each row says how many mirrors or pixels it has. */
+/* The parameters are as typed; each row has its own number of mirrors or pixels. */
 void ts_bench_head(ts_report *report, const ts_job *job, bool sized)
 {
 	const ts_params *p = &job->params;
@@ -56,7 +56,7 @@ ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job, const c
 	return TS_OK;
 }
 
-/* What concerns no family. */
+/* Tables of no family. */
 static const ts_bench_row general[] = {
 	{"backends", "each stage in C and on every device, of one frame by one --method (epr); and builds",
      "truth " TS_BENCH_FILES, .run = ts_bench_backends, .runs = 5},

@@ -2,7 +2,7 @@
 #include "../kernels/base/bench.h"
 #include "bench.h"
 
-enum { OFFERS = 1 << 23 }; /* at least */
+enum { OFFERS = 1 << 23 }; /* per launch, at least */
 
 static const ts_launch bench_min = TS_LAUNCH(bench_min, TS_ALL);
 

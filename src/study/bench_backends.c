@@ -1,5 +1,5 @@
-/* `bench backends`: each stage in C and on every device, on the same frame, beside what bounds scattering. The columns
- * take turns within a run, so that whatever else the machine does meets all alike; the first turn is not counted. */
+/* `bench backends`: each stage in C and on every device, on the same frame, beside limits of scattering. The columns
+ * take turns within a run, so that other load on the machine affects all equally; the first turn is not counted. */
 #include <stdlib.h>
 #include "bench_backends.h"
 

@@ -17,7 +17,8 @@ static int remove_one(const char *path, const struct stat *info, int kind, struc
 	return remove(path);
 }
 
-/* What moves the driver's cache, so that an empty one can be had and the user's is not touched; NULL: not known. */
+/* The variable that moves the driver's cache, so that tests have an empty one and the user's is left alone; NULL: not
+ * known. */
 static const char *cache_variable(const ts_bench_column *column)
 {
 	if (column->kind == &ts_cuda_kind) return "CUDA_CACHE_PATH";

@@ -1,18 +1,18 @@
-/* One scene with one number of mirrors or lights, by several methods that take turns: whatever else the machine does
- * meets all alike. */
+/* One scene with one number of mirrors or lights, by several methods that take turns, so that other load on the machine
+ * affects all equally. */
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "bench_case.h"
 #include "truths.h"
 #include "words.h"
 
-/* Whose image is taken. */
+/* The variant whose image is kept. */
 typedef struct {
 	ts_bench_case *c;
 	u32 variant;
 } seen;
 
-/* Nobody has set it. */
+/* Whether nobody has set a parameter. */
 static bool is_free(const ts_params *params, const ts_job *job, const char *name)
 {
 	char here[64], there[64];
@@ -27,7 +27,7 @@ static bool is_free(const ts_params *params, const ts_job *job, const char *name
 	return strcmp(here, there) == 0;
 }
 
-/* With a job only what is free. */
+/* With a job, sets only free parameters. */
 static ts_status set(ts_params *params, const ts_job *job, const char *list)
 {
 	char item[64];
@@ -54,7 +54,7 @@ ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 va
 	return ts_bench_set(params, c->variants[variant].set);
 }
 
-/* Again with surfels if it has none and needs some. */
+/* Opens it again with surfels if it has none and needs some. */
 static ts_status open_scene(ts_bench_case *c)
 {
 	ts_status status = ts_scene_load(&c->scene, c->spec, &c->params, &c->job->scene.options);
@@ -85,7 +85,7 @@ ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params
 	return status;
 }
 
-/* With the truth that starts from the run. */
+/* Also makes the truth that starts from the run. */
 static ts_status take_image(ts_run *run, void *user)
 {
 	seen *s = user;
@@ -110,7 +110,7 @@ static ts_status run_variant(ts_bench_case *c, u32 v, bool first)
 	return ts_measure_run(&c->measures[v], c->methods[v], c->scene, &params, &how, takes ? take_image : NULL, &s);
 }
 
-/* A truth that no run of a variant has made. */
+/* Makes a truth that no variant's run has made. */
 static ts_status make_truth(ts_bench_case *c)
 {
 	ts_picture pictures[TS_MAX_TRUTHS] = {{.name = ""}};
@@ -123,7 +123,7 @@ static ts_status make_truth(ts_bench_case *c)
 	return status;
 }
 
-/* Keeps what the next frame is compared with. */
+/* Keeps the images that the next frame is compared with. */
 static void end_frame(ts_bench_case *c)
 {
 	for (u32 v = 0; v < c->n_variants; v++) {

@@ -1,4 +1,4 @@
-/* The paper's row beside ours. */
+/* The paper's rows beside ours. */
 #include <ctype.h>
 #include <math.h>
 #include <string.h>

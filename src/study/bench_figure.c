@@ -16,7 +16,7 @@ static double parameter(const ts_params *params, const char *name)
 	return ts_strtod(text, NULL);
 }
 
-/* Of the stages that ran; `none` if there are none. */
+/* Sums the stages that ran; `none` if none did. */
 static double milliseconds(const ts_measure *m, const char *list, double none)
 {
 	char stage[32];
@@ -52,7 +52,7 @@ static double counted(const ts_measure *m, const char *name)
 	return counter != NULL ? (double)counter->value : NAN;
 }
 
-/* NAN where the error is infinite, or asks for triangles of light and there are none. */
+/* NAN where the error is infinite, or needs triangles of light and there are none. */
 static double light_error(const ts_picture *reference, const ts_picture *image, ts_figure_kind kind, u32 width,
                           u32 height)
 {
@@ -83,7 +83,7 @@ static double error(const ts_bench_case *c, const ts_bench_figure *f)
 	return f->kind == TS_FIGURE_PSNR ? found.psnr : f->kind == TS_FIGURE_SSIM ? found.ssim : found.rmse;
 }
 
-/* The change of an image itself is that beyond a reference that stays. */
+/* An image's own change is measured against a constant reference. */
 static double flicker(const ts_bench_case *c, const ts_bench_figure *f)
 {
 	const ts_picture *image = &c->images[f->a], *other = &c->images[f->b];
@@ -93,7 +93,7 @@ static double flicker(const ts_bench_case *c, const ts_bench_figure *f)
 	                          TS_PARAM(&c->params, height));
 }
 
-/* NAN of images that were not kept. */
+/* NAN for images that were not kept. */
 static double seen(const ts_picture *image, size_t n_pixels)
 {
 	size_t n = 0;

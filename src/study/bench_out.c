@@ -1,4 +1,4 @@
-/* What a table of `bench` leaves: its report on standard output and, with -o, in a folder, each table as CSV too. */
+/* The output of a table of `bench`: its report on standard output and, with -o, in a folder, each table also as CSV. */
 #include <stdlib.h>
 #include "../output/file.h"
 #include "bench.h"

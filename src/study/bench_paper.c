@@ -1,4 +1,4 @@
-/* Measuring a paper's table. Times are medians, and ratios are of one run. */
+/* Measuring a paper's table. Times are medians, and ratios are taken within one run. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,8 +18,8 @@ typedef struct {
 	size_t n_lines, capacity;
 } work;
 
-/* The figures of a run: means over its frames, and what follows from the means. Only times differ from the first run's,
- * which alone has pictures. */
+/* The figures of a run: means over its frames, and figures computed from the means. Only times differ from the first
+ * run's, which alone has pictures. */
 static ts_status run_frames(double *values, ts_paper_line *line, u32 run, ts_bench_case *c, const work *w)
 {
 	const ts_bench_figure *figures = w->table->figures;
@@ -61,7 +61,7 @@ static ts_status run_case(ts_paper_line *line, const double *before, ts_bench_ca
 	return status;
 }
 
-/* The figures of the line before, if it is of the same scene. */
+/* The figures of the line before, if it has the same scene. */
 static const double *before(const work *w, const ts_paper_line *line)
 {
 	bool same = line > w->lines && strcmp(line[-1].scene, line->scene) == 0;
@@ -95,7 +95,7 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	return status;
 }
 
-/* What a row varies: a number of objects, or the size of the image. */
+/* Sets what the rows vary: the number of objects, or the size of the image. */
 static ts_status vary(u32 *objects, ts_params *params, const ts_paper_table *table, const char *item)
 {
 	if (table->objects_param == NULL) {
@@ -107,7 +107,7 @@ static ts_status vary(u32 *objects, ts_params *params, const ts_paper_table *tab
 	return status == TS_OK ? ts_params_set(params, table->objects_param, item) : status;
 }
 
-/* A row as it comes: the figures of the first part. */
+/* Prints a row when it is measured: the figures of the first part. */
 static void say_line(const ts_paper_table *table, const ts_paper_line *line)
 {
 	char text[512];
@@ -159,7 +159,7 @@ static ts_status add_scene(void *user, const char *spec)
 	return status;
 }
 
-/* Everything that is typed is read once before hours of work. */
+/* Checks all typed lists once before hours of work. */
 static ts_status check_lists(const work *w, const char *scenes)
 {
 	const char *objects = w->job->objects;
@@ -233,7 +233,7 @@ static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 	return status;
 }
 
-/* The typed parameters with those of the table; `first` goes before its defaults. */
+/* The typed parameters with those of the table; `first` has priority over its defaults. */
 static ts_status set_params(ts_params *params, const ts_job *job, const ts_paper_table *table, const char *first)
 {
 	bool sized = table->size == NULL || job->sized;

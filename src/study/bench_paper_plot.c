@@ -5,7 +5,7 @@
 #include "bench.h"
 #include "bench_paper.h"
 
-/* Of one scene. */
+/* Plots one scene. */
 static ts_status plot_scene(const ts_paper_table *table, const ts_paper_line *lines, u32 n, u32 scene)
 {
 	const ts_paper_plot *of = table->plot;

@@ -1,4 +1,5 @@
-/* The pictures of a table's rows: of methods, of the truth, and of what tells methods from the first of them. */
+/* The pictures of a table's rows: of methods, of the truth, and of the differences between methods and the first of
+ * them. */
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "../image/about.h"
@@ -7,10 +8,10 @@
 
 typedef struct {
 	const ts_bench_case *c;
-	char row[160]; /* what names of files begin with */
+	char row[160]; /* begins file names */
 } place;
 
-/* The file shows `shows`, with the parameters of the variant. */
+/* Writes a file that shows `shows`, with the parameters of the variant. */
 static ts_status write_picture(const place *p, const char *name, const char *shows, const u8 *srgb, u32 variant)
 {
 	char file[256];

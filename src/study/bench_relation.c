@@ -1,4 +1,4 @@
-/* What must hold of a table that is no paper's table of rows. */
+/* Claims about a table that is not a paper's table of rows. */
 #include <assert.h>
 #include <string.h>
 #include "bench.h"

@@ -1,4 +1,4 @@
-/* What a paper's table prints: its parts, ours above the paper's, and whether the paper's claims hold here. */
+/* The report of a paper's table: its parts, ours above the paper's, and whether the paper's claims hold here. */
 #include <math.h>
 #include <string.h>
 #include "bench_paper.h"
@@ -55,7 +55,7 @@ static void report_part(ts_report *report, const ts_paper_table *table, const ts
 	ts_report_table(report, &s.table);
 }
 
-/* Says that a time is not judged, where others kept the machine busy. */
+/* Reports that a time is not judged because other processes kept the machine busy. */
 static bool is_busy(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *lines,
                     u32 n)
 {
@@ -137,7 +137,7 @@ static void verdict_of_rows(ts_table *t, const ts_paper_table *table, const ts_p
 	ts_table_text(t, text);
 }
 
-/* Pairs of rows in which both figures rise, of those in which both differ. */
+/* Counts pairs of rows in which both figures differ, and those in which both rise. */
 static void rising_row(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *lines,
                        u32 n)
 {
@@ -161,7 +161,7 @@ static void rising_row(ts_table *t, const ts_paper_table *table, const ts_paper_
 	verdict_of_rows(t, table, r, lines, n, 10 * rise >= 9 * pairs);
 }
 
-/* Of the rows of a scene: the least of one by the one before, or the greatest by the least. */
+/* Over the rows of a scene: the least ratio to the row before, or the ratio of the greatest to the least. */
 static double change(const ts_paper_relation *r, const ts_paper_line *lines, u32 n, bool paper)
 {
 	double least = INFINITY, most = 0, step = INFINITY, before = NAN;

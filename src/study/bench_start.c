@@ -1,5 +1,5 @@
-/* `bench start`: how long a backend takes to its first frames; and the same in a process of its own, where nothing is
- * loaded or compiled yet. */
+/* `bench start`: the time until a backend's first frames; also in a process of its own, where nothing is loaded or
+ * compiled yet. */
 #include <fcntl.h>
 #include <spawn.h>
 #include <stdlib.h>
@@ -61,7 +61,7 @@ ts_status ts_bench_start(const ts_job *job)
 	return status;
 }
 
-/* What was typed, but of this backend. */
+/* The typed arguments, for this backend. */
 static void child_arguments(char **to, const ts_job *job, char *backend, char *device)
 {
 	u32 n = 0, n_options = job->n_typed;

@@ -2,7 +2,7 @@
 #include <string.h>
 #include "bench_backends.h"
 
-/* The texts of a table with a column a backend, and perhaps one a ratio. */
+/* The texts of a table with one column per backend, and optionally one per ratio. */
 typedef struct {
 	ts_column column[TS_MAX_COLUMNS];
 	char key[TS_MAX_COLUMNS][32], head[TS_MAX_COLUMNS][48];
@@ -86,7 +86,7 @@ void ts_bench_print_times(const ts_bench_table *table)
 	ts_report_table(table->report, &t);
 }
 
-/* What a stage counts, by its own time. */
+/* A stage's counter divided by its time. */
 static void counter_row(ts_table *t, const ts_bench_table *table, const char *name, const char *counter, u32 stage)
 {
 	ts_table_text(t, name);

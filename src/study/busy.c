@@ -1,4 +1,4 @@
-/* Others' processor time, by /proc/stat. */
+/* Other processes' processor time, from /proc/stat. */
 #include "busy.h"
 #include <math.h>
 #include <stdio.h>
@@ -7,8 +7,7 @@
 
 #define SHARE 0.1 /* of the processors */
 
-/* User, nice, system, interrupts and the share of other machines, which the first line counts in ticks; it counts idle
- * time between them. */
+/* User, nice, system, interrupts and steal time, which the first line counts in ticks, with idle time between them. */
 static bool read_all(double *seconds)
 {
 	double user, nice, system, idle, waits, hard, soft, stolen;

@@ -1,4 +1,4 @@
-/* `bench list`: all that the papers show, with the verdict of the last runs that scripts/verdicts made. */
+/* `bench list`: all claims of the papers, with the verdict of the last runs of scripts/verdicts. */
 #include "claims.h"
 #include <assert.h>
 #include <string.h>

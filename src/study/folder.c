@@ -1,4 +1,4 @@
-/* The folder of results: what it may replace, and what report.json says of it. */
+/* The folder of results: what it may replace, and what report.json records about it. */
 #include <stdlib.h>
 #include "../output/file.h"
 #include "folder.h"

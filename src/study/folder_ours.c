@@ -1,5 +1,5 @@
-/* What --force may replace. A report.json or vectors.json is untrusted: its names are only compared with those that
- * are in the folder. */
+/* What --force may replace. A report.json or vectors.json is untrusted: its names are only compared with those in the
+ * folder. */
 #include <dirent.h>
 #include <errno.h>
 #include <jansson.h>
@@ -30,7 +30,7 @@ static bool are_names(const json_t *files)
 	return all;
 }
 
-/* NULL in *files: there is none that this program wrote. */
+/* NULL in *files: no list by this program. */
 static ts_status read_list(json_t **files, const char *dir, const char *name)
 {
 	char path[PATH_BYTES];

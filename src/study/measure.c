@@ -1,4 +1,4 @@
-/* Running a method and keeping what is worth telling. */
+/* Running a method and keeping its figures. */
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,7 +28,7 @@ static void measure_faces(ts_measure *m, const ts_frame *frame)
 	m->mean_diameter = m->n_in_sight > 0 ? (double)sum / m->n_in_sight : 0;
 }
 
-/* Rays through the texels of what the stage wrote, where they can judge it. */
+/* Judges texels that the stage wrote by rays through them, where that is possible. */
 static ts_status judge_texels(ts_measure *m, const ts_run *run, const ts_stage *stage)
 {
 	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
@@ -118,7 +118,7 @@ static void keep_buffers(ts_run *run, const ts_buffer_id *ids)
 	for (; *ids != TS_N_BUFFERS; ids++) run->keep[*ids] = true;
 }
 
-/* What is looked at after the run: by truths that start from it, by families, and what the eye sees. */
+/* Keeps buffers that are read after the run, by truths that start from it and by families, and the eye's view. */
 static void keep_for_after(ts_run *run, const ts_effect *effect)
 {
 	assert(keeps != NULL);
@@ -130,7 +130,7 @@ static void keep_for_after(ts_run *run, const ts_effect *effect)
 	}
 }
 
-/* Somebody looks at what stages make, or at all that they count. */
+/* Whether buffers of stages, or all their counts, are read. */
 static bool is_looked_at(const ts_measure *m)
 {
 	return m->whole || m->rays || m->pictures != NULL || m->trace != NULL || m->viewer != NULL;
@@ -196,7 +196,7 @@ const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage)
 	return NULL;
 }
 
-/* The parameter that alone sets more than half of a method's memory; NULL: there is none. */
+/* The parameter that alone sets more than half of a method's memory; NULL: none. */
 static const char *largest_param(const ts_pipeline *method, const ts_params *params, u64 bytes)
 {
 	assert(lowers != NULL);
@@ -209,7 +209,7 @@ static const char *largest_param(const ts_pipeline *method, const ts_params *par
 	return NULL;
 }
 
-/* What takes most of a method's memory beside its image. */
+/* The largest part of a method's memory except its image. */
 static const char *what_to_lower(const ts_pipeline *method, const ts_params *params, u64 bytes)
 {
 	const char *param = largest_param(method, params, bytes);
@@ -217,7 +217,7 @@ static const char *what_to_lower(const ts_pipeline *method, const ts_params *par
 	return method->lower != NULL ? method->lower : method->effect->lower;
 }
 
-/* The truth of `truths` that needs most memory; NULL if none needs more than *bytes, which becomes what is needed. */
+/* The truth of `truths` that needs most memory; NULL if none needs more than *bytes, which becomes its need. */
 static const ts_truth_kind *largest_truth(u64 *bytes, u32 truths, const ts_pipeline *method, const ts_scene *scene,
                                           const ts_params *params)
 {

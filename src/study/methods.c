@@ -1,4 +1,4 @@
-/* Which pipelines --method names. */
+/* The pipelines that --method names. */
 #include <string.h>
 #include "methods.h"
 #include "words.h"

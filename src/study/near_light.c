@@ -1,10 +1,10 @@
-/* Pixels near a triangle of light: the image is quartered until a part is small, and a part goes on with those
- * triangles whose balls meet the box about its places. */
+/* Pixels near a triangle of light: the image is quartered down to small parts, each with those triangles whose balls
+ * meet the box about its places. */
 #include "near_light.h"
 #include <stdlib.h>
 #include "../kernels/base/records.h"
 
-enum { SMALL = 8 }; /* pixels a side of parts that are not quartered */
+enum { SMALL = 8 }; /* pixels per side of parts that are not quartered */
 
 typedef struct {
 	double middle[3], square; /* of the side */
@@ -27,7 +27,7 @@ typedef struct {
 
 static bool is_sky(const ts_gpixel *pixel) { return pixel->depth == 1.0f; }
 
-/* False of sky alone. */
+/* False if there is only sky. */
 static bool box_of(box *found, const work *w, const part *a)
 {
 	bool any = false;
@@ -46,7 +46,7 @@ static bool box_of(box *found, const work *w, const part *a)
 	return any;
 }
 
-/* A box may be one place. */
+/* The box may be a point. */
 static bool meets(const ball *b, const box *of)
 {
 	double square = 0;
@@ -58,7 +58,7 @@ static bool meets(const ball *b, const box *of)
 	return square <= b->square;
 }
 
-/* The balls that meet the box come first; how many of n they are. */
+/* Moves the balls that meet the box to the front; returns their number. */
 static u64 choose(ball *balls, u64 n, const box *of)
 {
 	u64 first = 0;
@@ -101,7 +101,7 @@ static void mark(const work *w, const part *a, u64 n)
 	for (int k = 0; k < 4; k++) mark(w, &quarters[k], n);
 }
 
-/* Texels that send no light on have no triangle. */
+/* Texels that reflect no light have no triangle. */
 static u64 take_balls(ball *balls, const ts_patch *patches, u64 n_patches)
 {
 	u64 n = 0;

@@ -1,6 +1,6 @@
-/* "Did you mean": the offered name at the least edit distance from what was typed, if it is near: an insertion,
- * deletion, exchange or transposition of letters is one edit, and a third of the typed letters may be edited. A word
- * without a point or hyphen is also compared with what stands between those of the name, which counts as one edit
+/* "Did you mean": the offered name at the least edit distance from the typed one, if it is near. An insertion,
+ * deletion, exchange or transposition of letters is one edit, and at most a third of the typed letters may be edited. A
+ * word without a point or hyphen is also compared with the parts of the name between these, which counts as one edit
  * more. */
 #include <stdio.h>
 #include <string.h>

@@ -11,7 +11,7 @@
 
 static u64 n_pixels(const ts_params *params) { return (u64)TS_PARAM(params, width) * TS_PARAM(params, height); }
 
-/* By pixels, over their samples. */
+/* Over the samples of pixels. */
 static void count_lit(ts_picture *picture, const ts_run *run)
 {
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
@@ -36,7 +36,7 @@ static void count_lit(ts_picture *picture, const ts_run *run)
 	}
 }
 
-/* By any sample. */
+/* Seen by any sample. */
 static void mark_seen(ts_picture *picture, const ts_run *run)
 {
 	u64 n;
@@ -135,7 +135,7 @@ void ts_picture_truth_name(char *name, size_t bytes, const ts_truth_kind *kind)
 	for (; *name != 0; name++) *name = (char)tolower(*name);
 }
 
-/* Takes over what all rays say of the chosen pixels. */
+/* Takes over the results of all rays at the chosen pixels. */
 static ts_status keep_chosen(ts_picture *picture, ts_picture *all, const ts_params *params)
 {
 	u32 n = TS_PARAM(params, width) * TS_PARAM(params, height);
@@ -149,7 +149,7 @@ static ts_status keep_chosen(ts_picture *picture, ts_picture *all, const ts_para
 	return TS_OK;
 }
 
-/* What it traces, shown by its stage. */
+/* Traces a truth, and shows its stage. */
 static ts_status trace(ts_picture *picture, const ts_truth_kind *kind, ts_truth *tree, ts_run *run,
                        ts_sampling *sampling)
 {
@@ -177,7 +177,7 @@ static ts_status trace_all(ts_picture *picture, const ts_truth_kind *kind, ts_tr
 	return status;
 }
 
-/* Sets what the rays of this picture cost: the seconds of all threads, divided by their number. */
+/* Sets the cost of this picture's rays: the seconds of all threads, divided by their number. */
 static void keep_cost(ts_picture *picture, const ts_truth_cost *before, const ts_truth *tree, u32 threads)
 {
 	ts_truth_cost after = ts_truth_cost_of(tree);

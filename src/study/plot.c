@@ -4,7 +4,7 @@
 
 enum { WIDTH = 800, HEIGHT = 560, LEFT = 70, RIGHT = 770, TOP = 50, BOTTOM = 500, LEGEND = 560 };
 
-/* Told apart by any eye (Okabe and Ito 2002). */
+/* Distinguishable with any colour vision (Okabe and Ito 2002). */
 static const char *const colours[TS_PLOT_CURVES] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00"};
 
 /* From values to pixels, evenly or logarithmically. */
@@ -13,7 +13,7 @@ typedef struct {
 	bool even;
 } axis;
 
-/* What is not more than 0 has no logarithm: it stands at the low end. */
+/* A value that is not above 0 has no logarithm: it stands at the low end. */
 static double place(axis a, double value)
 {
 	double from_low = value > a.low ? log(value / a.low) : 0;
@@ -21,7 +21,7 @@ static double place(axis a, double value)
 	return a.from + (a.to - a.from) * share;
 }
 
-/* A fifth more on either side than the points need; of even steps a third more above, where the legend stands. */
+/* A fifth wider on either side than the points; with even steps a third higher above, for the legend. */
 static axis axis_of(const ts_plot *plot, bool across)
 {
 	double least = INFINITY, most = -INFINITY;
@@ -78,7 +78,7 @@ static void tick(FILE *out, axis a, double value, bool across)
 	}
 }
 
-/* At 1, 2 and 5 times the powers of ten, or at these alone if they are many; where the axis is short at even steps. */
+/* At 1, 2 and 5 times the powers of ten, or only at these if there are many; on a short axis at even steps. */
 static void ticks(FILE *out, axis a, bool across)
 {
 	double length = a.high - a.low, power = pow(10, floor(log10(a.low))), step = pow(10, floor(log10(length)));

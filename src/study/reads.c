@@ -1,4 +1,4 @@
-/* Who reads which parameter, as the runs of scripts/reads noted it. */
+/* Which stages, methods and truths read a parameter, from the notes of scripts/reads. */
 #include "reads.h"
 #include <string.h>
 #include "../model/table.h"
@@ -56,7 +56,7 @@ bool ts_reads_named(const char *effect, const char *method, const char *param)
 	return ts_reads_method(ts_pipeline_find(effect, method), NULL, param);
 }
 
-/* Marks the stages that the buffer comes from. */
+/* Marks the stages that contribute to the buffer. */
 static void mark_makers(const ts_pipeline *method, ts_buffer_id id, bool marked[TS_N_BUFFERS])
 {
 	const ts_step *maker = ts_pipeline_maker(method, id);

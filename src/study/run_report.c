@@ -1,4 +1,4 @@
-/* What every report of measurements opens with: by which program, and how it was run. */
+/* The head of every report of measurements: the program, and how it was run. */
 #include <string.h>
 #include "../model/json.h"
 #include "table.h"

@@ -1,5 +1,5 @@
-/* `bench speed`: stages, what else would draw the same views, and what the machine allows, in one run. Rows take turns,
- * so that whatever else the machine does meets all alike; a first turn is not counted. */
+/* `bench speed`: stages, other ways to draw the same views, and limits of the machine, in one run. Rows take turns, so
+ * that other load on the machine affects all equally; a first turn is not counted. */
 #include <stdlib.h>
 #include <string.h>
 #include "speed_work.h"
@@ -23,7 +23,7 @@ static void offer(ts_nearest *nearest, char *names, size_t bytes, const char *na
 	snprintf(names + used, bytes - used, "%s%s", used != 0 ? ", " : "", name);
 }
 
-/* Also lists them. */
+/* Offers all names, and lists them. */
 static void offer_names(ts_nearest *nearest, char *names, size_t bytes)
 {
 	names[0] = 0;

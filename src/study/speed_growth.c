@@ -9,7 +9,7 @@
 
 enum { POINTS = 16, SPEC_BYTES = 96 };
 
-/* The times of a growth by one method: of the whole frame, and of the stages that are told. */
+/* The times of a growth by one method: of the whole frame, and of the listed stages. */
 typedef struct {
 	const char *method;
 	u32 n;
@@ -35,7 +35,7 @@ static const ts_column law_columns[] = {{"growth", "growth", false},
                                         {"steepest", "steepest", true},
                                         {0}};
 
-/* A number, perhaps with k or M; of a size its pixels. */
+/* A number, optionally with k or M; for a size its pixels. */
 static double number(const char *text)
 {
 	char *rest;
@@ -105,7 +105,7 @@ static ts_status measure_point(curves *c, ts_speed *speed, const char *value)
 	return status == TS_SKIPPED ? TS_OK : status;
 }
 
-/* Threads beyond those that were asked for are not. */
+/* Whether a value is measured: threads beyond those requested are not. */
 static bool is_asked(const ts_speed *speed, const ts_speed_growth *growth, const char *value)
 {
 	return strcmp(growth->param, "threads") != 0 || number(value) <= speed->job->how.threads;
@@ -127,7 +127,7 @@ static double slope(const double *value, const ts_speed_value *time, u32 a, u32 
 	return log(time[b].median / time[a].median) / log(value[b] / value[a]);
 }
 
-/* The exponent of the power law with the least squares of logarithms. */
+/* The exponent of the power law with the least squared error of logarithms. */
 static double exponent(const double *value, const ts_speed_value *time, u32 n)
 {
 	double x = 0, y = 0, xx = 0, xy = 0;

@@ -1,11 +1,11 @@
-/* What memory allows: scattered minima and streams. */
+/* Limits of memory: scattered minima and streams. */
 #include "speed_limits.h"
 #include <stdlib.h>
 #include "../backends/wide.h"
 
 enum { BLOCK = 64, OFFERS = 1 << 24, STREAM_WORDS = 1 << 24, PASSES = 4 };
 
-/* Texels for a block of offers, and what is offered, by a hash of their numbers. */
+/* Texels for a block of offers, and the offers' keys, from a hash of their numbers. */
 static void choose(u32 *at, u64 *key, u32 first, u32 n_texels)
 {
 	for (u32 i = 0; i < BLOCK; i++) {
@@ -17,7 +17,7 @@ static void choose(u32 *at, u64 *key, u32 first, u32 n_texels)
 	}
 }
 
-/* The next block's texels are on their way while this one's are lowered. */
+/* The next block's texels are prefetched while this one's are lowered. */
 TS_WIDE(void, offer, (u64 * texels, u32 n_texels, u32 first, u32 n), (texels, n_texels, first, n))
 {
 	u32 at[2][BLOCK];

@@ -7,7 +7,8 @@
 
 const u32 ts_speed_mib[TS_SPEED_SIZES] = {1, 16, 128};
 
-/* Behind the first ": " of the first line of /proc/cpuinfo that begins with "model name"; "" if there is none. */
+/* The text after the first ": " of the first line of /proc/cpuinfo that begins with "model name"; "" if there is
+ * none. */
 static void read_model(char *text, size_t bytes)
 {
 	char line[256];
@@ -23,7 +24,7 @@ static void read_model(char *text, size_t bytes)
 	fclose(in);
 }
 
-/* "32 KiB, 1024 KiB, 32768 KiB": those for data that the system knows. */
+/* "32 KiB, 1024 KiB, 32768 KiB": data caches that the system reports. */
 static void read_caches(char *text, size_t bytes)
 {
 	size_t used = 0;

@@ -1,4 +1,4 @@
-/* A bare point renderer: the least that drawing as many points into cubes can take. */
+/* A bare point renderer: a lower limit of drawing as many points into cubes. */
 #include <math.h>
 #include <stdlib.h>
 #include "../backends/wide.h"

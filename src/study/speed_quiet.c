@@ -4,14 +4,14 @@
 #include <time.h>
 #include "speed_work.h"
 
-#define SLOWER 1.1 /* than at best is no longer quiet */
-#define LOAD 0.5   /* of the last minute, a processor */
+#define SLOWER 1.1 /* than the best loop is not quiet */
+#define LOAD 0.5   /* of the last minute, per processor */
 
 enum { STEPS = 1 << 21, LOOPS = 3, FIRST_LOOPS = 20 };
 
-static volatile u64 kept; /* so that the loop is not left out */
+static volatile u64 kept; /* keeps the loop from being optimized away */
 
-/* One loop by each thread, of steps that wait for each other: the slowest thread's seconds. */
+/* One loop by each thread, of dependent steps: the slowest thread's seconds. */
 static double loop(u32 threads)
 {
 	double slowest = 0;
@@ -39,7 +39,7 @@ static double best_of(u32 loops, u32 threads)
 	return best;
 }
 
-/* Of the last minute; NAN where the system does not say. */
+/* Of the last minute; NAN where the system does not report it. */
 static double load_now(void)
 {
 	double load;

@@ -1,4 +1,4 @@
-/* A scene of `bench speed` with its methods, and what they are compared with. */
+/* A scene of `bench speed` with its methods, and the ways to draw that they are compared with. */
 #include <math.h>
 #include <string.h>
 #include "bench_case.h"
@@ -11,7 +11,7 @@ static bool has_method(const ts_job *job, const char *method)
 	return job->method == NULL || strcmp(job->method, "all") == 0 || ts_words_listed(job->method, method);
 }
 
-/* The rays of the views as truths cast them. */
+/* Casts the rays of the views as truths do. */
 static ts_status cast_truth(ts_speed_frame *frame, const ts_run *run)
 {
 	ts_truth *truth;
@@ -22,7 +22,7 @@ static ts_status cast_truth(ts_speed_frame *frame, const ts_run *run)
 	return TS_OK;
 }
 
-/* What rays and points need of the first frame. */
+/* Takes the inputs of rays and points from the first frame. */
 static ts_status take(ts_run *run, void *user)
 {
 	ts_speed_frame *frame = user;
@@ -130,7 +130,7 @@ ts_status ts_speed_set_open(ts_speed_set *set, const char *spec, const ts_speed_
 	return status == TS_OK ? open_frames(set, of, job, runs) : status;
 }
 
-/* A row that has nothing to measure has no values. */
+/* A row with nothing to measure has no values. */
 static ts_status run_or_none(ts_speed_row *row, bool there, u32 run, ts_quiet *quiet)
 {
 	if (there) return ts_speed_row_run(row, run, quiet);

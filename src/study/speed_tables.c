@@ -1,4 +1,4 @@
-/* The tables of `bench speed`: limits, stages, and figures made of both. */
+/* The tables of `bench speed`: limits, stages, and figures computed from both. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -97,7 +97,7 @@ void ts_table_keep(ts_table *table, const char *pattern)
 }
 
 /* Bytes of the first line of `text`: as many words as fit in `width`, at least one. A word ends before a blank, or
- * behind a bar or an asterisk. */
+ * after a bar or an asterisk. */
 static size_t line_bytes(const char *text, size_t width)
 {
 	size_t bytes = 0, n = strlen(text);
@@ -113,7 +113,7 @@ static const char *next_line(const char *text, size_t width)
 	return text + strspn(text, " ");
 }
 
-/* Bytes of the longest line of a text that is at most `most` wide where words allow. */
+/* Bytes of the longest line of a text wrapped to `most` where words allow. */
 static size_t text_width(const char *text, size_t most)
 {
 	size_t widest = 0;
@@ -124,7 +124,7 @@ static size_t text_width(const char *text, size_t most)
 	return widest;
 }
 
-/* The same of a column, head included. */
+/* The same for a column, with its head. */
 static size_t column_width(const ts_table *table, u32 column, size_t most)
 {
 	size_t widest = text_width(table->columns[column].head, most);
@@ -135,7 +135,8 @@ static size_t column_width(const ts_table *table, u32 column, size_t most)
 	return widest;
 }
 
-/* Sets the widths of columns whose text, or figures, are wrapped to so much where words allow. Returns the table's. */
+/* Sets the widths of columns whose text or figures are wrapped to these widths where words allow. Returns the
+ * table's. */
 static size_t wrap_columns(const ts_table *table, size_t text, size_t figures, size_t *width)
 {
 	size_t whole = 0;
@@ -146,8 +147,8 @@ static size_t wrap_columns(const ts_table *table, size_t text, size_t figures, s
 	return whole;
 }
 
-/* A table that is too wide as it is has its text wrapped, narrower where long words ask for it; text of the last column
- * takes what the others leave. */
+/* If a table is too wide its text is wrapped, narrower where long words require it; text of the last column takes the
+ * remaining width. */
 static void choose_widths(const ts_table *table, size_t *width)
 {
 	size_t whole = wrap_columns(table, SIZE_MAX, SIZE_MAX, width);

@@ -21,7 +21,7 @@ static bool is_of(const char *buffer, const char *stage)
 	return strncmp(buffer, stage, n) == 0 && buffer[n] == '.';
 }
 
-/* Stages of the method, and "scene". */
+/* Keeps the buffers of stages of the method, and of "scene". */
 static ts_status keep_only(ts_trace_options *options, const ts_pipeline *method, const char *stages)
 {
 	char name[32];
@@ -41,7 +41,7 @@ static ts_status keep_only(ts_trace_options *options, const ts_pipeline *method,
 	return TS_OK;
 }
 
-/* With several samples the eye's buffers are several pictures. */
+/* With several samples the eye's buffers hold several pictures. */
 static ts_status read_crop(u32 crop[4], const ts_params *params, const char *text)
 {
 	const char *list = text;
@@ -72,7 +72,7 @@ ts_status ts_tracing_make(ts_tracing *tracing, const ts_job *job, const ts_pipel
 	return output->crop != NULL ? read_crop(options->crop, &job->params, output->crop) : TS_OK;
 }
 
-/* Free bytes where `dir` is, or will be: the nearest folder above it that exists. */
+/* Free bytes at `dir`, or at the nearest folder above it that exists. */
 static u64 room_at(const char *dir)
 {
 	char path[4096];
@@ -98,7 +98,7 @@ ts_status ts_tracing_check(const ts_tracing *tracings, const ts_pipeline *const 
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 			options.without[id] |= i > 0 && options.shared != NULL && ts_emit_is_scene((ts_buffer_id)id);
 		}
-		/* How small compressed files are, only writing shows; a disk that fills leaves nothing behind. */
+		/* Sizes of compressed files are only known by writing; a disk that fills leaves nothing behind. */
 		if (!options.compress) need += ts_trace_estimate(methods[i], scene, params, &options);
 	}
 	if (need <= room) return TS_OK;

@@ -1,4 +1,4 @@
-/* Which ground truths --truth names. */
+/* The ground truths that --truth names. */
 #include "truths.h"
 #include <stdio.h>
 #include <string.h>

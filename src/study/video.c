@@ -1,4 +1,4 @@
-/* Videos by ffmpeg, in a process of its own that writes to memory: the folder of results gets whole videos only. */
+/* Videos by ffmpeg, in a process of its own that writes to memory: the folder of results gets complete videos only. */
 #define _GNU_SOURCE
 #include "video.h"
 #include <errno.h>
@@ -15,12 +15,12 @@
 
 enum { OUT = 3, BLOCK = 1 << 16 };
 
-/* Sides are even, as the format wants them; one thread and no dates, so that two runs give the same bytes. */
+/* Sides are even, as the format requires; one thread and no dates, so that two runs give the same bytes. */
 #define PICTURES "-nostdin", "-v", "error", "-f", "image2", "-framerate", TS_VIDEO_RATE, "-pattern_type", "glob"
 #define SHAPE "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "16", "-pix_fmt", "yuv420p"
 #define SAME "-threads", "1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1"
 
-/* 0, or errno; then *ended is how it ended. */
+/* 0, or errno; then *ended is ffmpeg's status. */
 static int encode(int *ended, const char *pattern, int out, int complaints)
 {
 	char *from = (char *)(uintptr_t)pattern;
@@ -38,7 +38,7 @@ static int encode(int *ended, const char *pattern, int out, int complaints)
 	return waitpid(child, ended, 0) == child ? 0 : errno;
 }
 
-/* What ffmpeg complained of, or that it was not there. */
+/* ffmpeg's complaint, or that there is no ffmpeg. */
 static void explain(char *why, size_t why_bytes, int error, int complaints)
 {
 	char line[200] = "";

@@ -1,4 +1,4 @@
-/* Copies of buffers for viewers, by the rules that families have handed in. */
+/* Copies of buffers for viewers, by the rules that families have registered. */
 #include "viewer.h"
 #include <assert.h>
 #include <stdio.h>

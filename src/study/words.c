@@ -1,4 +1,4 @@
-/* Reading words that were typed. */
+/* Reading typed words. */
 #include "words.h"
 #include <errno.h>
 #include <stdio.h>
@@ -42,7 +42,7 @@ ts_status ts_words_size(ts_params *params, const char *text, const char *what)
 	return status != TS_OK ? status : ts_params_set(params, "height", x + 1);
 }
 
-/* A whole number up to the most that the parameter `frame` may be, behind which *text moves. */
+/* A whole number up to the greatest value of the parameter `frame`; *text moves behind it. */
 static bool take_frame(u32 *frame, const char **text)
 {
 	char *end;
