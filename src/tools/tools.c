@@ -1,4 +1,4 @@
-/* The families, in the order in which their rows stand in the tables of the engines. */
+/* The families, in the order of their rows in the engines' tables. */
 #include "tools.h"
 #include "../methods/tools/family.h"
 
@@ -16,7 +16,7 @@ static const ts_family_tools *const families[] = {
 
 enum { N_FAMILIES = sizeof families / sizeof *families };
 
-/* Hands `use` the lists of all families that have one, ended by NULL. */
+/* Passes to `use` the lists of all families that have one, ended by NULL. */
 #define HAND(use, type, list) \
 	do { \
 		static const type *lists[N_FAMILIES + 1]; \

@@ -24,7 +24,7 @@ static u64 all_rows(const ts_run *run, ts_buffer_id id)
 	return ts_axis_size(&ts_buffer_shape(id)->axis[0], &sizes);
 }
 
-/* Where memory has another byte order than files, a copy is taken. */
+/* Where memory and files differ in byte order, a copy is converted. */
 static ts_status give(ts_chunk *chunk, ts_take_chunk *take, void *user)
 {
 	if (TS_LITTLE_ENDIAN) return take(user, chunk);

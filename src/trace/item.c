@@ -14,7 +14,7 @@
 
 static bool is_plain(const char *name) { return name[0] != 0 && name[0] != '.' && strchr(name, '/') == NULL; }
 
-/* The folder that traces of one run share must be one, for a link would lead out of it. */
+/* The folder that traces of one run share must not be a link, which could lead elsewhere. */
 static ts_status check_scene(const char *dir)
 {
 	char path[TS_PATH];
@@ -61,7 +61,7 @@ int ts_item_open(const char *path, ts_trust trust, u64 *bytes)
 	return file;
 }
 
-/* Whether a compressed file is one by its name: names of version 1 say nothing. */
+/* Whether a file's name marks it as compressed: names of version 1 do not. */
 static bool is_packed(const char *path, ts_trust trust) { return trust != TS_IN_FOLDER && ts_packed_is(path); }
 
 static ts_status read_header(ts_npy *npy, const char *path, ts_buffer_id id, ts_trust trust)
@@ -85,7 +85,7 @@ static ts_status read_header(ts_npy *npy, const char *path, ts_buffer_id id, ts_
 	return ts_npy_parse(npy, path, head, n, bytes, descr, ts_buffer_table[id].element_bytes);
 }
 
-/* As many dimensions as the shape of records.def has, and where that holds a number, that number. */
+/* Whether the file has as many dimensions as the shape in records.def, and its numbers where that has some. */
 static bool fits(ts_buffer_id id, const ts_npy *npy)
 {
 	const ts_shape *shape = ts_buffer_shape(id);
@@ -163,7 +163,7 @@ const void *ts_item_unpack(const ts_trace_item *item, ts_buffer_id id)
 	return data;
 }
 
-/* Kernels read numbers where they stand. */
+/* Kernels read numbers in place. */
 static bool is_aligned(const void *data, ts_buffer_id id)
 {
 	const ts_fields fields = ts_fields_of(id);
@@ -211,7 +211,7 @@ void ts_item_clear(ts_trace_item *item)
 	*item = (ts_trace_item){.path = NULL};
 }
 
-/* The first dimension follows from what was computed, not from the scene and the parameters. */
+/* Whether the first dimension is a result, and does not follow from the scene and the parameters. */
 static bool is_computed(ts_buffer_id id)
 {
 	bool computed = false;

@@ -7,7 +7,7 @@
 typedef struct {
 	ts_trace *trace;
 	const ts_keep *keep;
-	u64 filled[TS_N_BUFFERS]; /* bytes that are there */
+	u64 filled[TS_N_BUFFERS]; /* bytes so far */
 } keeper;
 
 static bool is_kept(const keeper *k, ts_buffer_id id) { return k->keep->whole || k->keep->keep[id]; }

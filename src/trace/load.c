@@ -51,7 +51,7 @@ static ts_status check_item(const ts_trace_item *item, ts_buffer_id id)
 	return ts_refuse("%s: %" PRIu64 " elements are more than 32-bit indices can name", item->path, item->npy.shape[0]);
 }
 
-/* Chooses the files and refuses what cannot be loaded. */
+/* Chooses the files and refuses those that cannot be loaded. */
 static ts_status choose(ts_load *load, const ts_buffer_id *ids)
 {
 	char missing[512] = "";
@@ -59,7 +59,7 @@ static ts_status choose(ts_load *load, const ts_buffer_id *ids)
 	load->item[TS_B_scene_info] = ts_load_item(load->reference, load->candidate, TS_B_scene_info);
 	for (; *ids != TS_N_BUFFERS; ids++) {
 		load->item[*ids] = ts_load_item(load->reference, load->candidate, *ids);
-		/* Scenes without do as the hall says, the eye as scene.info, and objects as scene.object. */
+		/* Without these the hall gives the stands, scene.info the eye's path, and scene.object the motions. */
 		bool spared = *ids == TS_B_scene_stand || *ids == TS_B_scene_path || *ids == TS_B_scene_motion;
 		if (load->item[*ids] != NULL || spared || used >= sizeof missing) continue;
 		used += (size_t)snprintf(missing + used, sizeof missing - used, "%s%s", used > 0 ? ", " : "",
@@ -73,7 +73,7 @@ static ts_status choose(ts_load *load, const ts_buffer_id *ids)
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		if (load->item[id] == NULL) continue;
 		if (check_item(load->item[id], (ts_buffer_id)id) != TS_OK) return TS_ERROR;
-		u64 more = load->item[id]->npy.n * ts_buffer_table[id].element_bytes; /* of a file: fits */
+		u64 more = load->item[id]->npy.n * ts_buffer_table[id].element_bytes; /* fits, as a file's size does */
 		bytes = more > UINT64_MAX - bytes ? UINT64_MAX : bytes + more;
 	}
 	if (bytes <= ts_memory_limit()) return TS_OK;
@@ -92,7 +92,7 @@ static ts_status read_all(ts_load *load)
 	return TS_OK;
 }
 
-/* Stages ask the scene for some arrays and counts. Those of what was not loaded are empty. */
+/* Gives stages the scene's arrays and counts; those that were not loaded are empty. */
 static void make_scene(ts_load *load)
 {
 	ts_scene *scene = &load->scene;

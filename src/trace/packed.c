@@ -1,4 +1,4 @@
-/* Frames of zstd, a block of the file at a time. */
+/* Frames of zstd, one block of the file at a time. */
 #include "packed.h"
 #include <assert.h>
 #include <errno.h>
@@ -13,7 +13,7 @@
 
 enum { LEVEL = 3, WINDOW_LOG = 23, BLOCK = 1 << 16 };
 
-/* No block of a frame holds more than the first for each time that the file has the second. */
+/* Most bytes that a block of a frame unpacks to, and fewest that it takes in the file. */
 enum { MOST_OF_BLOCK = 1 << 17, LEAST_BLOCK = 4 };
 
 bool ts_packed_is(const char *name)
@@ -82,7 +82,7 @@ static ts_status refill(unpacker *u)
 	return TS_OK;
 }
 
-/* NULL with the message set; else by end(). */
+/* NULL with the message set; otherwise to be released by end(). */
 static unpacker *begin(int file, const char *path)
 {
 	unpacker *u = ts_alloc_zero(1, sizeof *u, path);
@@ -103,7 +103,7 @@ static void end(unpacker *u)
 	free(u);
 }
 
-/* The next bytes, *got of them: fewer than were asked for where the frame ends. */
+/* The next bytes, *got of them: fewer than requested where the frame ends. */
 static ts_status unpack(unpacker *u, void *to, size_t bytes, size_t *got)
 {
 	ZSTD_outBuffer out = {to, bytes, 0};
@@ -119,7 +119,7 @@ static ts_status unpack(unpacker *u, void *to, size_t bytes, size_t *got)
 	return TS_OK;
 }
 
-/* How many bytes the frame says it holds. */
+/* The frame's stated number of bytes. */
 static ts_status find_held(const unpacker *u, u64 *held)
 {
 	struct stat info;

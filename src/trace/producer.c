@@ -1,4 +1,4 @@
-/* What this build says of itself. */
+/* This build's description of itself. */
 #include "producer.h"
 #include "../model/core.h"
 #include "../kernels/base/compat.h"

@@ -165,7 +165,7 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 	return add_params(trace, path, json_object_get(root, "params"));
 }
 
-/* The whole of a small file, ended by 0; by free(). */
+/* All of a small file, ended by 0; to be released by free(). */
 static char *read_text(const char *path, size_t *n)
 {
 	u64 bytes;
@@ -273,7 +273,7 @@ ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *la
 	return status;
 }
 
-/* The pipeline that makes the buffer, or any. */
+/* A pipeline that makes the buffer, otherwise any. */
 static const ts_pipeline *pipeline_of(ts_buffer_id id)
 {
 	const ts_pipeline *const *p = ts_pipelines();

@@ -5,7 +5,7 @@
 #include "describe.h"
 #include "producer.h"
 
-/* The elements, as far as a reader holds them at once. */
+/* Writes the elements, as many at once as the reader holds. */
 static ts_status put_elements(ts_file *file, ts_digest *digest, const ts_trace_item *item, ts_buffer_id id)
 {
 	const size_t bytes = ts_buffer_table[id].element_bytes;
@@ -57,10 +57,10 @@ static ts_status add_buffer(json_t *list, const ts_trace *trace, ts_buffer_id id
 	return json_array_append_new(list, entry) == 0 ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 }
 
-/* What trace.json says; takes the list over. NULL without memory. */
+/* The members of trace.json; takes the list over. NULL without memory. */
 static json_t *describe(const ts_trace *trace, const char *producer, json_t *list)
 {
-	ts_run run = {.backend = NULL}; /* what a backend in C says of itself */
+	ts_run run = {.backend = NULL}; /* gives the description of a backend in C */
 	const ts_pipeline *p = trace->pipeline;
 	ts_c_begin(&run.c, 1);
 	json_t *who = producer == NULL ? ts_producer(&run) : json_pack("{s:o}", "name", ts_text_json(producer));

@@ -7,7 +7,7 @@
 #include "reader.h"
 
 static const ts_where_rule *const *lists;
-static _Thread_local bool failed; /* a row that is there could not be read */
+static _Thread_local bool failed; /* an existing row could not be read */
 
 void ts_where_use(const ts_where_rule *const *rules) { lists = rules; }
 
@@ -42,7 +42,7 @@ const char *ts_where_face(u32 face)
 	return faces[face % 6];
 }
 
-/* Of views that are no cubes' faces. */
+/* For views that are not faces of cubes. */
 static bool where_view(char *text, const ts_trace *reference, u64 texel)
 {
 	ts_offscreen view;
@@ -81,7 +81,7 @@ static bool where_image(char *text, const ts_trace *reference, ts_buffer_id id, 
 	return true;
 }
 
-/* Of a buffer that has a picture of each sample. */
+/* For a buffer with one picture per sample. */
 static bool where_sample(char *text, const ts_trace *reference, ts_buffer_id id, u64 element)
 {
 	ts_view eye;
@@ -93,7 +93,7 @@ static bool where_sample(char *text, const ts_trace *reference, ts_buffer_id id,
 	return true;
 }
 
-/* Of a row of all pixels, one after the other, and of all samples of them; false: its shape is another. */
+/* For one row of all pixels, and then of their further samples; false: the buffer has another shape. */
 static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, u64 element)
 {
 	ts_view eye;
@@ -107,7 +107,7 @@ static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, 
 	return true;
 }
 
-/* What is of no family. */
+/* Rules of no family. */
 static const ts_where_rule general[] = {
 	{TS_DIM_texels, where_texel, NULL},
 	{TS_DIM_height, where_image, NULL},
@@ -124,7 +124,7 @@ static bool where_by(const ts_where_rule *rule, char *text, const ts_trace *refe
 	return false;
 }
 
-/* False of what has no more to say of its place than its number. */
+/* False if only the number of the element is known. */
 static bool find(char *text, const ts_trace *reference, ts_buffer_id id, u64 index)
 {
 	assert(lists != NULL);
@@ -135,7 +135,7 @@ static bool find(char *text, const ts_trace *reference, ts_buffer_id id, u64 ind
 	return found;
 }
 
-/* What the first dimension counts; of a product the last. */
+/* The noun of the first dimension; for a product, of its last factor. */
 static const char *noun(const ts_axis *axis)
 {
 	bool named = axis->n_factors != 0 && axis->number == 1;

@@ -13,11 +13,11 @@ struct ts_trace_writer {
 	ts_sums sums;
 	ts_trace_file files[TS_N_BUFFERS];
 	ts_file open[TS_N_BUFFERS];
-	ts_packer *packer[TS_N_BUFFERS]; /* of the files that are open; NULL: not compressed */
+	ts_packer *packer[TS_N_BUFFERS]; /* of the open files; NULL: not compressed */
 	u64 left[TS_N_BUFFERS];          /* bytes that the file still lacks */
 };
 
-/* `left` says how many bytes of the file are to come after these. */
+/* `left`: bytes of the file that follow these. */
 static ts_status put(ts_trace_writer *w, ts_buffer_id id, const void *data, u64 bytes, u64 left)
 {
 	if (bytes == 0) return TS_OK;
@@ -42,7 +42,7 @@ static void name_file(ts_trace_writer *w, ts_buffer_id id)
 	         w->options.compress ? TS_PACKED_SUFFIX : "");
 }
 
-/* What trace.json says of the file, but for its digest. */
+/* Notes the file for trace.json, except its digest. */
 static void note_file(ts_trace_writer *w, const ts_chunk *chunk)
 {
 	ts_trace_file *file = &w->files[chunk->id];
@@ -107,7 +107,7 @@ static ts_status take(void *user, const ts_chunk *chunk)
 {
 	ts_trace_writer *w = user;
 	bool complete = !chunk->first && !w->sums.digest[chunk->id].begun;
-	if (complete && chunk->bytes == 0) return TS_OK; /* a cube out of sight, behind the last that is in sight */
+	if (complete && chunk->bytes == 0) return TS_OK; /* a cube out of sight, after the last one in sight */
 	if (chunk->first && begin_file(w, chunk) != TS_OK) return TS_ERROR;
 	ts_status status = is_cropped(w, chunk->id)
 	                       ? put_crop(w, chunk)
@@ -116,7 +116,7 @@ static ts_status take(void *user, const ts_chunk *chunk)
 	return w->left[chunk->id] == 0 ? close_file(w, chunk->id) : TS_OK;
 }
 
-/* A buffer of the scene, in one part. Its file is written once for all traces that have the same. */
+/* A buffer of the scene, in one part. Its file is written once for all traces with the same scene. */
 static ts_status take_scene(void *user, const ts_chunk *chunk)
 {
 	ts_trace_writer *w = user;
@@ -160,7 +160,7 @@ ts_status ts_trace_write_stage(ts_trace_writer *writer, const ts_run *run, const
 	return ts_emit_stage(run, stage, take, writer);
 }
 
-/* The least that a reader must know. */
+/* The lowest version that has all features of the trace. */
 static int version_of(const ts_trace_writer *w)
 {
 	bool beyond = false;

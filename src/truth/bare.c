@@ -14,10 +14,10 @@ enum {
 
 struct ts_bare {
 	ts_tree tree;
-	f32 *position; /* as Embree shares it: xyz, and 4 bytes beyond the last */
+	f32 *position; /* as Embree requires it: xyz, and 4 bytes beyond the last */
 	u32 *corner;
 	ts_camera_k *views;
-	f32 *from;  /* how far from its eye each view's rays begin: they leave the reflector whose middle that is */
+	f32 *from;  /* how far from its eye each view's rays begin: outside the reflector that has its middle there */
 	u64 *first; /* texel of each view; then of all */
 	u32 n_views;
 	f32 *depth;
@@ -52,7 +52,7 @@ static ts_status grow_tree(ts_bare *bare, const ts_run *run)
 	return ts_tree_build(&bare->tree);
 }
 
-/* Where they began at the eye all would hit that reflector from inside. */
+/* Rays from the eye itself would all hit that reflector from inside. */
 static f32 begin_of(const ts_run *run, u32 v)
 {
 	if (!ts_run_has_cubes(run)) return 0.0f;
@@ -122,7 +122,7 @@ void ts_bare_free(ts_bare *bare)
 
 u64 ts_bare_n_rays(const ts_bare *bare) { return bare->first[bare->n_views]; }
 
-/* Sets the rays through a square of texels; its directions are one deep along the axis, so that `tfar` is a depth. */
+/* Sets the rays through a square of texels; directions have length 1 along the axis, so that `tfar` is a depth. */
 static void aim(struct RTCRayHit16 *rays, int *valid, const ts_bare *bare, u32 v, i32 x0, i32 y0)
 {
 	const ts_camera_k *view = &bare->views[v];
@@ -183,7 +183,7 @@ void ts_bare_cast(ts_bare *bare, u32 threads)
 	}
 }
 
-/* A row of packets as a truth asks for them. */
+/* Casts a row of packets like a truth. */
 static void cast_truth_rows(const ts_bare *bare, const ts_truth *truth, u32 v, i32 y)
 {
 	struct RTCRayHit16 rays __attribute__((aligned(64)));

@@ -1,4 +1,4 @@
-/* What truths start from: the first steps of a method of their effect. */
+/* The start of truths: the first steps of a method of their effect. */
 #include "../methods/pipeline.h"
 #include "query.h"
 

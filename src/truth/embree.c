@@ -1,5 +1,5 @@
 /* Rays into the triangles: Embree finds the nearest, our own kernel measures the hit (METHODS 17).
- * Filters see what the rasters see: facing by the ray's origin, alpha at the hit's footprint, the masked reflector. */
+ * Filters apply the rasters' rules: facing by the ray's origin, alpha at the hit's footprint, the masked reflector. */
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -40,7 +40,7 @@ static bool passes(const ts_truth *truth, const ts_truth_query *query, u32 trian
 	return !ts_truth_is_cut(truth, query, triangle, corner.n);
 }
 
-/* Of single rays, one lane at a time. */
+/* For single rays, one lane at a time. */
 static void filter(const struct RTCFilterFunctionNArguments *arguments)
 {
 	const ts_truth_part *part = arguments->geometryUserPtr;
@@ -91,7 +91,7 @@ ts_truth_cost ts_truth_cost_of(const ts_truth *truth)
 	return (ts_truth_cost){rays, 1e-9 * (double)nanoseconds};
 }
 
-/* The clock would cost as much as a tenth of a ray: one of some stands for them. */
+/* Reading the clock costs up to a tenth of a ray, so only some rays are timed. */
 ts_truth_hit ts_truth_cast(const ts_truth *truth, const ts_truth_query *query)
 {
 	static _Thread_local u32 turn;

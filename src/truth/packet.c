@@ -1,32 +1,32 @@
 /* Packets of rays find what each of their rays would find alone, in one traversal.
  *
- * Ties. Packets and single rays divide in other ways: of triangles that are as far to a rounding either may be the
- * nearest. What a ray accepts ends its traversal not there but AS_FAR behind it. So the filter sees all that is as near
- * as the nearest, and keeps the second nearest distance. Where that is within AS_FAR of the nearest the single ray is
- * asked.
+ * Ties. Packets and single rays divide differently: of triangles whose distances are equal to a rounding either may be
+ * the nearest. So an accepted hit ends the traversal not there but AS_FAR behind it, so that the filter sees all hits
+ * as near as the nearest, and keeps the second nearest distance. Where that is within AS_FAR of the nearest the ray is
+ * cast alone.
  *
- * Facing. To look a triangle up is to wait for memory. The filter guesses facing by the normal that Embree hands on,
- * notes the guess, and has the triangle fetched. When the packet has ended each guess is compared with the arithmetic
- * of ts_k_is_facing. If all of a ray's were right, it met the triangles that it would have met without guesses. If one
- * was not, the triangle is seen so much edge-on that Embree's roundings decide, and the single ray is asked. */
+ * Facing. Looking a triangle up waits for memory. The filter guesses facing by Embree's normal, notes the guess, and
+ * prefetches the triangle. After the packet each guess is compared with the arithmetic of ts_k_is_facing. If all
+ * guesses of a ray were right, it met the triangles that it would have met without guesses. If one was wrong, the
+ * triangle is seen so nearly edge-on that Embree's rounding decides, and the ray is cast alone. */
 #include <assert.h>
 #include <math.h>
 #include <string.h>
 #include "../backends/wide.h"
 #include "parts.h"
 
-#define AS_FAR 0.0000152587890625f /* 2^-16: distances that do not differ more are as far */
+#define AS_FAR 0.0000152587890625f /* 2^-16: distances that differ by less count as equal */
 
 enum { PACKET = TS_TRUTH_PACKET, MOST_GUESSES = 64 };
 
-/* Of each lane -1 or 0. */
+/* -1 or 0 for each lane. */
 typedef struct {
 	i32 asked[PACKET], faces[PACKET];
 	const ts_truth_facet *facet;
 } guess;
 
 typedef struct {
-	f32 nearest[PACKET], second[PACKET]; /* distances of what passes */
+	f32 nearest[PACKET], second[PACKET]; /* distances of accepted hits */
 	i32 doubt[PACKET];                   /* -1: the ray must be cast alone */
 	const ts_truth_query *queries;
 	bool masks; /* some ray passes a reflector */
@@ -34,7 +34,7 @@ typedef struct {
 	guess guesses[MOST_GUESSES];
 } packet;
 
-/* Lanes that met another primitive than the first are not followed. */
+/* Stops lanes that met another primitive than the first. */
 TS_WIDE(void, leave_others, (i32 *restrict valid, i32 *restrict doubt, const u32 *restrict met, u32 primitive),
         (valid, doubt, met, primitive))
 {
@@ -45,7 +45,7 @@ TS_WIDE(void, leave_others, (i32 *restrict valid, i32 *restrict doubt, const u32
 	}
 }
 
-/* The normal (b - a) x (c - a) and the ray's direction say on which side of the triangle the ray begins. */
+/* The normal (b - a) x (c - a) and the ray's direction give the side of the triangle on which the ray begins. */
 TS_WIDE(void, guess_facing,
         (i32 *restrict valid, guess *restrict g, const struct RTCRay16 *restrict ray,
          const struct RTCHit16 *restrict hit),
@@ -60,7 +60,7 @@ TS_WIDE(void, guess_facing,
 	}
 }
 
-/* As ts_k_is_facing has it for a single-sided triangle. */
+/* Like ts_k_is_facing for a single-sided triangle. */
 TS_WIDE(void, prove_facing, (i32 *restrict doubt, const guess *restrict g, const struct RTCRay16 *restrict ray),
         (doubt, g, ray))
 {
@@ -72,7 +72,7 @@ TS_WIDE(void, prove_facing, (i32 *restrict doubt, const guess *restrict g, const
 	}
 }
 
-/* Accepts what is nearer than all before, and moves the ray's end there and AS_FAR beyond. */
+/* Accepts hits nearer than all before, and moves the ray's end to AS_FAR beyond them. */
 TS_WIDE(void, accept_nearest, (i32 *restrict valid, f32 *restrict t, f32 *restrict nearest, f32 *restrict second),
         (valid, t, nearest, second))
 {
@@ -86,7 +86,7 @@ TS_WIDE(void, accept_nearest, (i32 *restrict valid, f32 *restrict t, f32 *restri
 	}
 }
 
-/* Beyond MOST_GUESSES the rays that ask for more are asked alone. */
+/* Rays that need more than MOST_GUESSES are cast alone. */
 static void guess_and_fetch(packet *p, i32 *valid, const ts_truth_facet *facet, const struct RTCRay16 *ray,
                             const struct RTCHit16 *hit)
 {
@@ -100,7 +100,7 @@ static void guess_and_fetch(packet *p, i32 *valid, const ts_truth_facet *facet, 
 	guess_facing(valid, g, ray, hit);
 }
 
-/* Reflectors that rays pass, and alpha. */
+/* Applies masked reflectors and alpha. */
 static void filter_rest(const packet *p, i32 *valid, const ts_truth_part *part, u32 primitive)
 {
 	const ts_truth_facet *facet = &part->facet[primitive];
@@ -114,7 +114,7 @@ static void filter_rest(const packet *p, i32 *valid, const ts_truth_part *part, 
 	}
 }
 
-/* Sets valid[i] to 0 of those that do not accept the triangle. */
+/* Sets valid[i] to 0 for rays that do not accept the triangle. */
 static void meet(packet *p, const ts_truth_part *part, i32 *valid, struct RTCRay16 *ray, const struct RTCHit16 *hit)
 {
 	u32 first = 0;
@@ -129,22 +129,22 @@ static void meet(packet *p, const ts_truth_part *part, i32 *valid, struct RTCRay
 	accept_nearest(valid, ray->tfar, p->nearest, p->second);
 }
 
-/* What `meet` reads. */
+/* Fields that `meet` reads. */
 static const u32 ray_fields[] = {offsetof(struct RTCRay, dir_x), offsetof(struct RTCRay, dir_y),
                                  offsetof(struct RTCRay, dir_z), offsetof(struct RTCRay, tfar)};
 static const u32 hit_fields[] = {offsetof(struct RTCHit, Ng_x), offsetof(struct RTCHit, Ng_y),
                                  offsetof(struct RTCHit, Ng_z), offsetof(struct RTCHit, primID)};
 
-/* Lane i of a packet of n: n of each field follow in the order of the single ray's or hit's fields. */
+/* Lane i of a packet of n: each field has n values, in the order of the single ray's or hit's fields. */
 static char *lane(void *fields, u32 offset, u32 n, u32 i) { return (char *)fields + offset * n + i * sizeof(u32); }
 
-/* Copies of lane i of n what `meet` reads to lane `to` of 16. */
+/* Copies the fields that `meet` reads from lane i of n to lane `to` of 16. */
 static void widen(void *wide, u32 to, void *narrow, u32 n, u32 i, const u32 fields[4])
 {
 	for (u32 k = 0; k < 4; k++) memcpy(lane(wide, fields[k], PACKET, to), lane(narrow, fields[k], n, i), sizeof(u32));
 }
 
-/* Where Embree deals packets to narrower ones their lanes are brought back to their places. */
+/* Where Embree splits packets into narrower ones, lanes return to their places. */
 static void meet_narrow(packet *p, const struct RTCFilterFunctionNArguments *a)
 {
 	struct RTCRay16 ray;
@@ -180,7 +180,7 @@ static void filter(const struct RTCFilterFunctionNArguments *arguments)
 	}
 }
 
-/* Sets ray i of a packet; one that goes nowhere is not valid. */
+/* Sets ray i of a packet; one without a direction is not valid. */
 static int aim(struct RTCRayHit16 *rays, u32 i, const ts_truth_query *query)
 {
 	rays->ray.org_x[i] = query->origin.x;

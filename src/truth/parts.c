@@ -1,5 +1,5 @@
-/* Deals a truth's triangles out to geometries of Embree: see parts.h. The order of the triangles, which decides between
- * those that are as far, does not depend on where one part ends and the next begins. */
+/* Distributes a truth's triangles among geometries of Embree: see parts.h. The order of the triangles, which decides
+ * between equal distances, does not depend on the borders of parts. */
 #include "parts.h"
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +21,8 @@ static ts_truth_facet facet_of(const ts_arrays *scene, u32 triangle)
 	return facet;
 }
 
-/* Appends to the n triangles those that no ray passes, or the others; how many there are then. None without an area. */
+/* Appends to the n triangles those that no ray passes, or the others; returns their new number. Skips those without an
+ * area. */
 static u32 append(ts_truth *truth, u32 n, bool solid)
 {
 	const ts_arrays *scene = &truth->scene;
@@ -41,7 +42,7 @@ static void add_part(ts_truth *truth, u32 first, u32 n, const ts_truth_facet *fa
 		(ts_truth_part){.truth = truth, .triangle = truth->triangle + first, .facet = facet, .n = n, .kind = kind};
 }
 
-/* Long runs of one kind, and what lies between them. */
+/* Splits off long runs of one kind, and the triangles between them. */
 static void split(ts_truth *truth, u32 first, u32 n)
 {
 	const ts_truth_facet *facet = truth->facet;

@@ -4,7 +4,7 @@
 #include "work.h"
 
 enum { STREAM_ITEMS = 9, STREAM_PIXELS = 10 };                  /* of ts_random */
-enum { CHUNK_RAYS = 1 << 18, LEAST_CHUNK = 256, CHUNK = 4096 }; /* between two signs of progress */
+enum { CHUNK_RAYS = 1 << 18, LEAST_CHUNK = 256, CHUNK = 4096 }; /* between two reports of progress */
 
 u64 ts_share_item(const ts_share *share, u64 j)
 {
@@ -52,7 +52,7 @@ static u64 count(const ts_truth_asked *asked, const ts_sampling *sampling)
 	return n;
 }
 
-/* Those of [first, end) that are asked; how many. */
+/* Keeps those of [first, end) that are to be traced; returns their number. */
 static u32 ask_group(const ts_truth_asked *asked, const ts_sampling *s, u64 first, u64 end, u64 share)
 {
 	u64 place[TS_ASKED];

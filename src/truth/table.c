@@ -1,4 +1,4 @@
-/* The ground truths that families have handed in. */
+/* The ground truths that families have registered. */
 #include "table.h"
 #include <assert.h>
 

@@ -1,4 +1,4 @@
-/* The rules that families have handed in: see texels.h. */
+/* The rules that families have registered: see texels.h. */
 #include "texels.h"
 #include <assert.h>
 

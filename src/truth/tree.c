@@ -15,7 +15,7 @@ static void on_error(void *user, enum RTCError code, const char *text)
 	ts_first_error_keep(&tree->error, (int)code, text);
 }
 
-/* Refuses what would take Embree beyond its share of the machine. */
+/* Refuses memory beyond Embree's share of the machine. */
 static bool on_memory(void *user, ssize_t bytes, bool post)
 {
 	ts_tree *tree = user;

@@ -2,7 +2,7 @@
 #include "work.h"
 #include "../model/core.h"
 
-static const double first = 0.5, lengthy = 10; /* seconds: to measure before an estimate; the least one to print */
+static const double first = 0.5, lengthy = 10; /* seconds: measured before an estimate; least printed one */
 
 ts_work ts_work_begin(const char *label, u64 rays)
 {

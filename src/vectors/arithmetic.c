@@ -1,4 +1,4 @@
-/* Primitives: what IEEE 754 defines, one operation each and the two that compilers like to fuse (CONTRACT rules 4 to
+/* Primitives: operations that IEEE 754 defines, one each, and the two that compilers like to fuse (CONTRACT rules 4 to
  * 6). */
 #include "../kernels/vectors/vectors_number.h"
 #include "row.h"
@@ -43,7 +43,7 @@ WORD_ITEM(compare_flush, ts_k_vector_order(flushed(A), flushed(B)))
 FLOAT_ITEM(round_down_flush, ts_floor(flushed(A)))
 FLOAT_ITEM(round_down_truncate, truncf(A))
 
-/* |x| towards zero: cut below the 24 bits that a float holds. */
+/* |x| towards zero: cut below a float's 24 bits. */
 static f32 truncated(u64 x, bool negative)
 {
 	u32 n = 0;
@@ -59,7 +59,7 @@ FLOAT_ITEM(from_u32_truncate, truncated(in[0], false))
 FLOAT_ITEM(from_i64_truncate, truncated(magnitude(ts_row_i64(in, 0)), ts_row_i64(in, 0) < 0))
 FLOAT_ITEM(from_i64_twice, (f32)(double)ts_row_i64(in, 0))
 
-/* Beside the middle between two floats by less than a double can tell. */
+/* So near the middle between two floats that a double cannot distinguish it. */
 static void relate_i64(u32 *in, u32 random)
 {
 	if ((random & 3) != 0) return;

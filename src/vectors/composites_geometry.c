@@ -21,7 +21,7 @@ static void relate_point(u32 *in, u32 random)
 
 enum { O = 0, D = 3, TA = 6, TB = 9, TC = 12, N = 15 };
 
-/* Towards the triangle as a rule; now and then along its plane, or no way at all. */
+/* Towards the triangle as a rule; now and then along its plane, or a zero vector. */
 static void relate_hit(u32 *in, u32 random)
 {
 	ts_relate_triangle(in + TA, in + TB, in + TC, &random);
@@ -35,7 +35,7 @@ static void relate_hit(u32 *in, u32 random)
 	if (k == 1) ts_relate_v3(in + D, ts_v3_make(0, 0, 0));
 }
 
-/* Along the normal, across it, or nearly; no normal, no way. */
+/* Along the normal, across it, or nearly; a zero normal or vector. */
 static void relate_footprint(u32 *in, u32 random)
 {
 	u32 *d = in + 1, *n = in + 4;
@@ -50,7 +50,7 @@ static void relate_footprint(u32 *in, u32 random)
 
 enum { PERIOD = 3, MOVES = 33, POSE_FRAME = 36, N_MOTION = 37, POSE_N = 41 };
 
-/* On an ellipse, as the file says, mirrored or not; an object that stands still, a file without motions. */
+/* On an ellipse, by the file's motion, mirrored or not; a static object, a file without motions. */
 static void relate_pose(u32 *in, u32 random)
 {
 	if (ts_once_in(&random, 8)) in[PERIOD] = 0;
@@ -61,7 +61,7 @@ static void relate_pose(u32 *in, u32 random)
 
 enum { FOCAL = 2, CLIP_NEAR = 3, CORNERS = 5 };
 
-/* Corners before and behind, in the plane, and so far aside that the range of snapping ends. */
+/* Corners in front and behind, in the plane, and so far aside that the range of snapping ends. */
 static void relate_clip(u32 *in, u32 random)
 {
 	if (in[FOCAL] == 0) ts_relate_f32(in + FOCAL, 0.5f * (f32)in[0]);

@@ -29,7 +29,7 @@ static void relate_weights(u32 *in, u32 random)
 
 enum { FRAME = 12, CENTRE_X = 33 };
 
-/* The piece's own lattice, and a sample that it touches or nearly. */
+/* The piece's own lattice, and a sample that it touches or nearly touches. */
 static void relate_centre(u32 *in, u32 random)
 {
 	ts_piece piece;

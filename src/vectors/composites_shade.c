@@ -1,4 +1,4 @@
-/* Composites of what is seen (kernels/vectors/composites_shade.h). */
+/* Composites of visible surfaces (kernels/vectors/composites_shade.h). */
 #include "../kernels/vectors/composites_shade.h"
 #include "relate.h"
 
@@ -75,7 +75,7 @@ static void relate_vertex(u32 *vertex, u32 *random)
 	ts_relate_shares(vertex + 16, 4);
 }
 
-/* An image of two levels; each of the five textures is it or none; uv in space now and then without area. */
+/* An image of two levels; each of the five textures is that or none; sometimes uv without area. */
 static void relate_texture(u32 *in, u32 *random)
 {
 	static const u32 image[6] = {2, 2, 2};
@@ -109,7 +109,7 @@ static void relate_surface(u32 *in, u32 random)
 
 enum { BIAS_P = 19, BIAS_N = 22, BIAS_Z = 25 };
 
-/* A point before the view, its axial depth, and normals towards the view, along it, and away. */
+/* A point in front of the view, its axial depth, and normals towards the view, along it, and away. */
 static void relate_bias(u32 *in, u32 random)
 {
 	ts_view of;

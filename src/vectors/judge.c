@@ -1,4 +1,4 @@
-/* A port's outputs against ours, bit by bit, and which well-known fault would have made them. */
+/* Compares a port's outputs with ours, bit by bit, and finds which well-known fault would explain them. */
 #include "row.h"
 
 static i64 ordinal(u32 u)
@@ -58,7 +58,7 @@ static void locate(ts_vector_verdict *r, const ts_vector *v, const u32 *out, con
 	if (!r->first_nan) r->first_apart = distance(spot.column->type, out + spot.word, found + spot.word);
 }
 
-/* The fault that reproduces most, and the one to name for the first, which these faults reproduce. */
+/* The fault that reproduces most items, and the fault to name for the first item, one of these. */
 static void choose(ts_vector_verdict *r, u32 first_faults)
 {
 	u32 most = 0;

@@ -2,7 +2,7 @@
 #include <assert.h>
 #include "row.h"
 
-/* Items from each of these on are drawn otherwise. */
+/* From each of these on, items are drawn in another style. */
 enum { MIXED_FROM = 1024, MODERATE_FROM = 2048, BITS_FROM = 2560, FAULTS_FROM = 3072 };
 enum { STREAM_TESTS = 6, MAX_TRIES = 256, NEIGHBOURS = 5 };
 
@@ -33,7 +33,7 @@ static const u32 special[] = {
 /* clang-format on */
 enum { N_SPECIAL = sizeof special / sizeof special[0] };
 
-/* The value of the column's range that these bits stand for. */
+/* Maps bits to a value of the column's range. */
 static u32 fold_f32(u32 u, const ts_vector_column *c)
 {
 	u32 low = (u32)c->low, high = (u32)c->high, sign = c->is_signed ? u & 0x80000000u : 0;
@@ -129,7 +129,7 @@ static bool enumerate(const ts_vector *v, u32 i, u32 *row)
 	return true;
 }
 
-/* What lies in the column's range stays as it is; else the nearest that does. */
+/* The value, or the nearest in the column's range. */
 static u32 limit_f32(u32 u, const ts_vector_column *c)
 {
 	u32 exponent = u >> 23 & 255, sign = c->is_signed ? u & 0x80000000u : 0;
@@ -169,8 +169,7 @@ static bool is_finite(const ts_vector *v, const u32 *out)
 	return true;
 }
 
-/* From FAULTS_FROM on each fault in turn shall show; but libm, which differs from system to system, chooses no input.
- * */
+/* From FAULTS_FROM on each fault in turn must show; but libm, which differs between systems, chooses no input. */
 static bool is_telling(const ts_vector *v, u32 i, const u32 *row, const u32 *out)
 {
 	u32 n = 0, faulty[TS_VECTOR_WORDS];

@@ -1,4 +1,4 @@
-/* Primitives of what items share: keys, minima, sums, prefix sums, Morton codes (CONTRACT rules 24 to 30). */
+/* Primitives of shared memory: keys, minima, sums, prefix sums, Morton codes (CONTRACT rules 24 to 30). */
 #include "../kernels/vectors/vectors_memory.h"
 #include "row.h"
 
@@ -6,7 +6,7 @@ static f32 depth_of_24_bits(f32 depth) { return (f32)(rint(fmin((double)depth, 1
 
 WIDE_ITEM(key_depth24, ts_k_vector_packed(depth_of_24_bits(A), in[1]))
 
-/* Of each only the 24 bits of depth below sign and the highest of the exponent count. */
+/* Only the 24 bits of depth below the sign and the highest bit of the exponent count. */
 static void key_min_depth24(u32 *out, const u32 *in)
 {
 	u64 a = ts_row_u64(in, 0), b = ts_row_u64(in, 2);

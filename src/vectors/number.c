@@ -9,7 +9,7 @@ static void clamped_chosen(u32 *out, const u32 *in)
 }
 FLOAT_ITEM(clamped_flushed, ts_clamp(flushed(A), flushed(B), flushed(C)))
 
-/* By a comparison and a choice, which keeps a denormal, or by an instruction, which flushes it. */
+/* With a comparison and a choice, which keeps a denormal, or with an instruction, which flushes it. */
 FLOAT_ITEM(least_chosen, flushed(B) < flushed(A) ? B : A)
 FLOAT_ITEM(least_flushed, ts_min(flushed(A), flushed(B)))
 FLOAT_ITEM(greatest_chosen, flushed(A) < flushed(B) ? B : A)
@@ -18,7 +18,7 @@ FLOAT_ITEM(greatest_flushed, ts_max(flushed(A), flushed(B)))
 FLOAT_ITEM(least_builtin, A == B ? ts_u2f(in[0] | in[1]) : A < B ? A : B)
 FLOAT_ITEM(greatest_builtin, A == B ? ts_u2f(in[0] & in[1]) : A < B ? B : A)
 
-/* The two that are ordered. */
+/* Orders the limits. */
 static void relate_clamp(u32 *in, u32 random)
 {
 	(void)random;
@@ -50,7 +50,7 @@ static i32 fixed(f32 x, i32 frac, i32 bits, rounding how)
 WORD_ITEM(fix_away, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2), AWAY))
 WORD_ITEM(fix_down, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2), DOWN))
 
-/* The formats in use, and what would fill 31 bits. */
+/* The formats in use, and values that would fill 31 bits. */
 static void relate_fix(u32 *in, u32 random)
 {
 	static const u32 format[][2] = {{8, 23}, {8, 30}, {8, 12}, {24, 25}, {0, 23}, {16, 31}};
@@ -65,7 +65,7 @@ static void relate_fix(u32 *in, u32 random)
 	in[0] = (in[0] & 0x80000000u) | (u32)exponent << 23 | (((in[0] & 0x7fffffu) & ~mask) | (mask + 1) >> 1);
 }
 
-/* Towards zero nothing becomes infinite. */
+/* Rounding towards zero, nothing becomes infinite. */
 static f32 half(f32 x, rounding how)
 {
 	int e = ilogb((double)x) < -14 ? -14 : ilogb((double)x);
@@ -108,7 +108,7 @@ FLOAT_ITEM(cosine_builtin, (f32)cos(TURN *reduced(A)))
 
 FLOAT_ITEM(angle_builtin, (f32)atan2((double)A, (double)B))
 
-/* Three times in four of sizes that differ by less than a factor of four. */
+/* Three times in four the sizes differ by less than a factor of four. */
 static void relate_angle(u32 *in, u32 random)
 {
 	if ((random & 3) == 0 || in[0] == 0 || in[1] == 0) return;

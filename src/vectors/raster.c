@@ -13,7 +13,7 @@ static void project_reciprocal(u32 *out, const u32 *in)
 	ts_set_v2(out, ts_v2_make((f32)view.width * 0.5f + x, (f32)view.height * 0.5f - y));
 }
 
-/* A point that the image shows, and not in front of the eye's nose. */
+/* A point in the image, and not close to the eye. */
 static void relate_project(u32 *in, u32 random)
 {
 	(void)random;
@@ -78,7 +78,7 @@ static void relate_quotient(u32 *in, u32 random)
 	if ((random & 3) < 3) ts_set_u64(in, 0, (u64)(a / 2 / b * b + (i64)(random & 3) - 1));
 }
 
-/* One coordinate the same. */
+/* One coordinate is equal. */
 static void relate_top_left(u32 *in, u32 random)
 {
 	if ((random & 3) == 1) in[2] = in[0];
@@ -108,7 +108,7 @@ static void relate_covers(u32 *in, u32 random)
 	}
 }
 
-/* Half the size that is in use, triangles of a few pixels, and a pixel near the first corner. */
+/* A half size of 128 or 129, triangles of a few pixels, and a pixel near the first corner. */
 static void relate_touches(u32 *in, u32 random)
 {
 	for (u32 k = 0; k < 6 && (random & 7) != 0; k++) in[k] = (u32)(ts_row_i32(in, k) % 1024);

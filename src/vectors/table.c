@@ -1,5 +1,5 @@
-/* All primitives as one list, and what follows from their columns. The rows stand beside the functions they name, those
- * of families in methods/<family>/vectors.c. */
+/* All primitives as one list, and properties of their columns. The rows stand beside the functions they name, those of
+ * families in methods/<family>/vectors.c. */
 #include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -17,7 +17,7 @@ static const ts_vector_set composites = {&launch_composites, true,
 	TS_TABLES(ts_composites_geometry, ts_composites_shade, ts_composites_lattice)};
 /* clang-format on */
 
-/* What all methods share. */
+/* Primitives that all methods share. */
 static const ts_vector_set *const shared[] = {&primitives, &composites, NULL};
 
 static const ts_vector_set *const none = NULL;

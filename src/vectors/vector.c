@@ -104,7 +104,7 @@ static void blend_first(u32 *out, const u32 *in)
 	ts_set_v3(out, mad_fused(mad_fused(ts_scale(ts_row_v3(in, 6), w.y), ts_row_v3(in, 3), w.x), ts_row_v3(in, 9), w.z));
 }
 
-/* Nearly the same products twice, so that what rounding took away is all that is left. */
+/* Nearly equal products, so that their difference is mostly rounding. */
 static void relate_products(u32 *in, u32 random)
 {
 	if ((random & 3) == 0) return;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "row.h"
 
-/* Room for one primitive: what goes in, what is right, what the backend makes of it. */
+/* Memory for one primitive: inputs, right outputs, the backend's outputs. */
 typedef struct {
 	_Alignas(8) u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 	_Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
@@ -26,7 +26,7 @@ static ts_status compute(ts_backend *backend, rows *r, const ts_vector_place *at
 	return status == TS_OK ? recalled : status;
 }
 
-/* Other faults may look like a flush here and there. */
+/* Other faults may occasionally look like a flush. */
 static void learn(ts_measured *a, const ts_vector *v, const ts_vector_verdict *verdict)
 {
 	a->contracts |= verdict->n_explained[TS_FAULT_FMA] != 0;
@@ -34,7 +34,8 @@ static void learn(ts_measured *a, const ts_vector *v, const ts_vector_verdict *v
 	if (strcmp(v->name, "add") == 0) a->rounds_to_nearest = verdict->n_wrong == verdict->n_explained[TS_FAULT_FLUSH];
 }
 
-/* The contract holds with denormals flushed too: its kernels flush what would tell (CONTRACT rule 11). */
+/* The contract also holds with denormals flushed: its kernels flush values that would show the difference (CONTRACT
+ * rule 11). */
 static bool is_right(const ts_vector_verdict *verdict)
 {
 	return verdict->n_wrong == verdict->n_explained[TS_FAULT_FLUSH];
