@@ -174,7 +174,7 @@ static ts_status list_outputs(const outputs *o, const ts_stage *stage)
 	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
 		if (!o->load->run.frame.buffer[*id].made) continue;
 		if (ts_verdicts_add(v, reference, *id) != TS_OK) return TS_ERROR;
-		if (ts_verdicts_tell(v, &o->judged[*id]) != TS_OK) return TS_ERROR;
+		if (ts_verdicts_add_replay(v, &o->judged[*id]) != TS_OK) return TS_ERROR;
 	}
 	return ts_verdicts_end(v, reference, candidate != NULL ? candidate : reference);
 }

@@ -147,8 +147,8 @@ ts_status ts_device_at(ts_device_info *device, const char *backend, uint32_t i)
 	const ts_backend_kind *kind;
 	ts_device devices[TS_MAX_DEVICES];
 	if (TS_LACKS(device) || TS_LACKS(backend)) return TS_ERROR;
-	ts_device_info told;
-	if (ts_api_room(device->bytes, sizeof told, sizeof told, "ts_device_info") != TS_OK) return TS_ERROR;
+	ts_device_info info;
+	if (ts_api_room(device->bytes, sizeof info, sizeof info, "ts_device_info") != TS_OK) return TS_ERROR;
 	if (ts_backend_find(&kind, ts_backend_kinds, backend) != TS_OK) return TS_ERROR;
 	pthread_mutex_lock(&drivers);
 	const u32 n = kind->devices(devices);
@@ -158,9 +158,9 @@ ts_status ts_device_at(ts_device_info *device, const char *backend, uint32_t i)
 		return TS_SKIPPED;
 	}
 	const ts_device *d = &devices[i];
-	told = (ts_device_info){device->bytes, "", d->rounded, d->denormals, d->atomics, d->memory, d->most};
-	memcpy(told.name, d->name, sizeof told.name);
-	*device = told;
+	info = (ts_device_info){device->bytes, "", d->rounded, d->denormals, d->atomics, d->memory, d->most};
+	memcpy(info.name, d->name, sizeof info.name);
+	*device = info;
 	return TS_OK;
 }
 

@@ -42,7 +42,7 @@ static ts_status take_question(ts_question *q, const ts_explain_options *o, cons
 	return o->kernel != NULL ? take_kernel(q, o->kernel) : TS_OK;
 }
 
-static ts_status tell(json_t **answer, const ts_told_what *what, bool as_text)
+static ts_status make_answer(json_t **answer, const ts_told_what *what, bool as_text)
 {
 	size_t number;
 	*answer = as_text ? ts_explain_lines(what) : ts_explain_json(what);
@@ -63,7 +63,7 @@ static ts_status explain(json_t **answer, const ts_explain_options *o, const ts_
 	if (status == TS_OK && other != NULL) status = ts_explain(&b, stage, &question, trace, other);
 	if (status == TS_OK) {
 		const ts_told_what what = {stage, &question, trace, inputs, other, &a, other != NULL ? &b : NULL};
-		status = tell(answer, &what, o->as_text != 0);
+		status = make_answer(answer, &what, o->as_text != 0);
 	}
 	ts_explain_end(&b);
 	ts_explain_end(&a);
@@ -74,15 +74,15 @@ ts_status ts_explain_item(ts_context *context, ts_tree **answer, const ts_explai
                           const ts_trace *trace, const ts_trace *inputs, const ts_trace *other)
 {
 	ts_explain_options ours = {0};
-	json_t *told = NULL;
+	json_t *made = NULL;
 	if (TS_LACKS(answer)) return TS_ERROR;
 	*answer = NULL;
 	if (TS_LACKS(context) || TS_LACKS(options) || TS_LACKS(trace)) return TS_ERROR;
 	if (ts_api_options(&ours, sizeof ours, options, "ts_explain_options") != TS_OK) return TS_ERROR;
 	const char *stage = ours.stage;
 	if (TS_LACKS(stage) || ts_api_enter(context) != TS_OK) return TS_ERROR;
-	ts_status status = explain(&told, &ours, trace, inputs, other);
+	ts_status status = explain(&made, &ours, trace, inputs, other);
 	ts_api_leave();
-	*answer = (ts_tree *)told;
+	*answer = (ts_tree *)made;
 	return status;
 }

@@ -56,12 +56,13 @@ static ts_status add_picture(ts_trace *trace, const ts_golden_dir *dir)
 
 static ts_status read_all(ts_trace *trace, const ts_golden_dir *dir)
 {
-	ts_golden_said said;
+	ts_golden_settings settings;
 	ts_golden golden;
-	if (ts_golden_read_params(&said, dir) != TS_OK) return TS_ERROR;
-	trace->pipeline = ts_pipeline_find(said.effect, said.method);
-	if (trace->pipeline == NULL) return ts_fail("%s: %s by %s: no such method", dir->path, said.effect, said.method);
-	trace->params = ts_pipeline_params(trace->pipeline, &said.params);
+	if (ts_golden_read_params(&settings, dir) != TS_OK) return TS_ERROR;
+	trace->pipeline = ts_pipeline_find(settings.effect, settings.method);
+	if (trace->pipeline == NULL)
+		return ts_fail("%s: %s by %s: no such method", dir->path, settings.effect, settings.method);
+	trace->params = ts_pipeline_params(trace->pipeline, &settings.params);
 	trace->has_params = true;
 	snprintf(trace->producer, sizeof trace->producer, "golden");
 	ts_status status = ts_golden_read(&golden, dir, trace->pipeline);

@@ -71,13 +71,13 @@ ts_status ts_html_add_trace(ts_html *page, const ts_trace *trace)
 }
 
 /* Parses the caller's JSON, which must be an object. */
-static json_t *read_said(const char *text)
+static json_t *parse_object(const char *text)
 {
 	json_error_t error;
-	json_t *said = json_loads(text, 0, &error);
-	if (json_is_object(said)) return said;
-	ts_fail("json: %s", said != NULL ? "an object would be right" : error.text);
-	json_decref(said);
+	json_t *tree = json_loads(text, 0, &error);
+	if (json_is_object(tree)) return tree;
+	ts_fail("json: %s", tree != NULL ? "an object would be right" : error.text);
+	json_decref(tree);
 	return NULL;
 }
 
@@ -103,26 +103,26 @@ ts_status ts_html_add_verdicts(ts_html *page, const ts_verdicts *verdicts, const
 	if (ts_api_options(&ours, sizeof ours, options, "ts_compare_options") != TS_OK) return TS_ERROR;
 	if (ts_api_relax(&relaxations, &ours) != TS_OK || ts_relax_check(&relaxations) != TS_OK) return TS_ERROR;
 	if (match(verdicts->comparison, reference, candidate) != TS_OK) return TS_ERROR;
-	json_t *said = json != NULL ? read_said(json) : json_incref(verdicts->tree);
-	ts_status status = said != NULL ? ts_api_enter(page->context) : TS_ERROR;
+	json_t *tree = json != NULL ? parse_object(json) : json_incref(verdicts->tree);
+	ts_status status = tree != NULL ? ts_api_enter(page->context) : TS_ERROR;
 	if (status == TS_OK) {
-		status = ts_page_add_comparison(page->inner, verdicts->comparison, reference, candidate, &relaxations, said);
+		status = ts_page_add_comparison(page->inner, verdicts->comparison, reference, candidate, &relaxations, tree);
 		ts_api_leave();
 	}
-	json_decref(said);
+	json_decref(tree);
 	return status;
 }
 
 ts_status ts_html_add_pair(ts_html *page, const char *json)
 {
 	if (TS_LACKS(page) || TS_LACKS(json)) return TS_ERROR;
-	json_t *said = read_said(json);
-	ts_status status = said != NULL ? ts_api_enter(page->context) : TS_ERROR;
+	json_t *tree = parse_object(json);
+	ts_status status = tree != NULL ? ts_api_enter(page->context) : TS_ERROR;
 	if (status == TS_OK) {
-		status = ts_page_add_picture_comparison(page->inner, said);
+		status = ts_page_add_picture_comparison(page->inner, tree);
 		ts_api_leave();
 	}
-	json_decref(said);
+	json_decref(tree);
 	return status;
 }
 

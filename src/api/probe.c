@@ -68,7 +68,7 @@ static void make(void)
 			row *r = &rows[n_rows++];
 			ts_probe_methods(r->methods, part);
 			r->info = (ts_probe_info){ts_probe_option(subject), r->methods, part->view != NULL ? part->view->form : "",
-			                          part->tells};
+			                          part->reports};
 		}
 	}
 }

@@ -94,26 +94,26 @@ ts_status ts_vector_words(ts_context *context, uint32_t *in, uint32_t *out, cons
 	return TS_OK;
 }
 
-static void tell_fault(const char **name, const char **remedy, ts_vector_fault fault)
+static void name_fault(const char **name, const char **remedy, ts_vector_fault fault)
 {
 	*name = fault != TS_N_FAULTS ? ts_vector_fault_table[fault].name : NULL;
 	*remedy = fault != TS_N_FAULTS ? ts_vector_fault_table[fault].remedy : NULL;
 }
 
 /* Some items are wrong. */
-static void tell(ts_vector_judged *judged, const ts_vector *vector, const ts_vector_verdict *v)
+static void report_wrong(ts_vector_judged *judged, const ts_vector *vector, const ts_vector_verdict *v)
 {
 	const ts_vector_spot spot = ts_vector_out_spot(vector, v->first_element);
 	judged->n_wrong = v->n_wrong;
 	judged->first = v->first;
 	judged->first_word = spot.word;
-	tell_fault(&judged->fault, &judged->remedy, v->fault);
+	name_fault(&judged->fault, &judged->remedy, v->fault);
 	judged->n_explained = v->fault != TS_N_FAULTS ? v->n_explained[v->fault] : 0;
 	judged->first_column = (u32)(spot.column - vector->out);
 	judged->first_element = spot.element;
 	judged->first_nan = v->first_nan;
 	judged->first_apart = v->first_apart;
-	tell_fault(&judged->first_fault, &judged->first_remedy, v->first_fault);
+	name_fault(&judged->first_fault, &judged->first_remedy, v->first_fault);
 }
 
 /* The struct's first version ended here. */
@@ -123,15 +123,15 @@ ts_status ts_vector_check(ts_context *context, ts_vector_judged *judged, const c
 {
 	ts_vector_verdict verdict = {.n_wrong = 0};
 	if (TS_LACKS(context) || TS_LACKS(judged) || TS_LACKS(primitive) || TS_LACKS(found)) return TS_ERROR;
-	ts_vector_judged told = {.bytes = judged->bytes};
-	if (ts_api_room(told.bytes, LEAST_BYTES, sizeof told, "ts_vector_judged") != TS_OK) return TS_ERROR;
+	ts_vector_judged result = {.bytes = judged->bytes};
+	if (ts_api_room(result.bytes, LEAST_BYTES, sizeof result, "ts_vector_judged") != TS_OK) return TS_ERROR;
 	if (ts_api_enter_alone(context) != TS_OK) return TS_ERROR;
 	const ts_api_words *w = &context->words;
 	ts_status status = find(context, primitive);
 	if (status == TS_OK) verdict = ts_vector_judge(w->vector, w->in, w->out, found);
 	ts_api_leave();
 	if (status != TS_OK) return status;
-	if (verdict.n_wrong > 0) tell(&told, w->vector, &verdict);
-	memcpy(judged, &told, told.bytes < sizeof told ? told.bytes : sizeof told);
+	if (verdict.n_wrong > 0) report_wrong(&result, w->vector, &verdict);
+	memcpy(judged, &result, result.bytes < sizeof result ? result.bytes : sizeof result);
 	return verdict.n_wrong > 0 ? TS_DIFFERENT : TS_OK;
 }

@@ -11,7 +11,7 @@ typedef struct {
 	char field[64], spot[64], reference[TS_VALUE_TEXT], candidate[TS_VALUE_TEXT], line[TS_DIFFERENCE_TEXT];
 } difference;
 
-struct ts_told {
+struct ts_verdict_details {
 	char first[TS_FIRST_TEXT], line[TS_LINE_TEXT], note[TS_LINE_TEXT], inputs[TS_INPUTS_TEXT];
 	ts_field_count fields[TS_MAX_FIELDS];
 	u32 n_fields, n;         /* n: differences of the list */
@@ -28,25 +28,26 @@ ts_verdicts *ts_verdicts_make(u32 most)
 	return NULL;
 }
 
-static void tell_values(difference *to, ts_buffer_id id, const ts_difference *d)
+static void put_values(difference *to, ts_buffer_id id, const ts_difference *d)
 {
 	const ts_fields fields = ts_fields_of(id);
-	ts_divergence *told = &to->divergence;
+	ts_divergence *divergence = &to->divergence;
 	snprintf(to->field, sizeof to->field, "%s", fields.field[d->field].name);
 	ts_difference_field(to->spot, id, d);
 	ts_difference_show(to->reference, id, d, d->ref);
 	ts_difference_show(to->candidate, id, d, d->cand);
-	told->component = d->component;
-	told->reference_bits = d->ref;
-	told->candidate_bits = d->cand;
-	told->ulps = ts_compare_ulps(id, d);
-	told->bytes = ts_sum_of(id) != NULL ? 0 : fields.field[d->field].bytes;
+	divergence->component = d->component;
+	divergence->reference_bits = d->ref;
+	divergence->candidate_bits = d->cand;
+	divergence->ulps = ts_compare_ulps(id, d);
+	divergence->bytes = ts_sum_of(id) != NULL ? 0 : fields.field[d->field].bytes;
 }
 
 /* Difference i; if the list is empty, the difference of the whole buffer. */
-static void tell_difference(ts_told *told, const ts_verdict_info *info, ts_buffer_id id, const ts_verdict *v, u32 i)
+static void put_difference(ts_verdict_details *details, const ts_verdict_info *info, ts_buffer_id id,
+                           const ts_verdict *v, u32 i)
 {
-	difference *to = &told->differences[i];
+	difference *to = &details->differences[i];
 	to->divergence = (ts_divergence){.stage = info->stage,
 	                                 .buffer = info->buffer,
 	                                 .how = ts_compare_how(TS_UNEQUAL),
@@ -55,40 +56,41 @@ static void tell_difference(ts_told *told, const ts_verdict_info *info, ts_buffe
 	                                 .spot = to->spot,
 	                                 .reference = to->reference,
 	                                 .candidate = to->candidate,
-	                                 .inputs = told->inputs,
-	                                 .line = i == 0 ? told->line : to->line};
+	                                 .inputs = details->inputs,
+	                                 .line = i == 0 ? details->line : to->line};
 	if (i >= v->list.n) return;
 	const ts_named *named = &v->list.items[i];
 	to->divergence.how = ts_compare_how(named->difference.how);
 	to->divergence.element = named->difference.element;
 	to->divergence.where = named->where;
 	ts_compare_difference(to->line, id, named);
-	if (named->difference.how == TS_UNEQUAL) tell_values(to, id, &named->difference);
+	if (named->difference.how == TS_UNEQUAL) put_values(to, id, &named->difference);
 }
 
-static ts_told *tell(const ts_verdicts *v, const ts_verdict_info *info, const ts_trace *reference, ts_buffer_id id)
+static ts_verdict_details *make_details(const ts_verdicts *v, const ts_verdict_info *info, const ts_trace *reference,
+                                        ts_buffer_id id)
 {
 	const ts_verdict *judged = &v->comparison->verdict[id];
 	const ts_fields fields = ts_fields_of(id);
 	const u32 n = judged->list.n > 0 ? judged->list.n : 1;
-	ts_told *told = ts_alloc_zero(1, sizeof *told, "verdicts");
-	if (told == NULL) return NULL;
-	told->differences = ts_alloc_zero(n, sizeof *told->differences, "verdicts");
-	if (told->differences == NULL) {
-		free(told);
+	ts_verdict_details *details = ts_alloc_zero(1, sizeof *details, "verdicts");
+	if (details == NULL) return NULL;
+	details->differences = ts_alloc_zero(n, sizeof *details->differences, "verdicts");
+	if (details->differences == NULL) {
+		free(details);
 		return NULL;
 	}
-	ts_compare_inputs(told->inputs, v->comparison, reference, id);
-	ts_compare_first(told->first, id, judged);
-	ts_compare_line(told->line, v->comparison, reference, id);
-	if (!ts_compare_note(told->note, id, judged)) told->note[0] = 0;
-	told->n = judged->list.n;
+	ts_compare_inputs(details->inputs, v->comparison, reference, id);
+	ts_compare_first(details->first, id, judged);
+	ts_compare_line(details->line, v->comparison, reference, id);
+	if (!ts_compare_note(details->note, id, judged)) details->note[0] = 0;
+	details->n = judged->list.n;
 	for (u32 f = 0; f < fields.n && fields.n > 1; f++) {
 		if (judged->n_field[f] > 0)
-			told->fields[told->n_fields++] = (ts_field_count){fields.field[f].name, judged->n_field[f]};
+			details->fields[details->n_fields++] = (ts_field_count){fields.field[f].name, judged->n_field[f]};
 	}
-	for (u32 i = 0; i < n; i++) tell_difference(told, info, id, judged, i);
-	return told;
+	for (u32 i = 0; i < n; i++) put_difference(details, info, id, judged, i);
+	return details;
 }
 
 ts_status ts_verdicts_add(ts_verdicts *v, const ts_trace *reference, ts_buffer_id id)
@@ -122,18 +124,18 @@ ts_status ts_verdicts_add(ts_verdicts *v, const ts_trace *reference, ts_buffer_i
 	                          .file = "",
 	                          .text = ""};
 	if (judged->judgement == TS_UNLIKE) {
-		ts_told *told = v->told[v->n] = tell(v, info, reference, id);
-		if (told == NULL) return TS_ERROR;
-		info->first = told->first;
-		info->line = told->line;
-		info->note = told->note;
-		if (id == v->comparison->first) v->first = &told->differences[0].divergence;
+		ts_verdict_details *details = v->details[v->n] = make_details(v, info, reference, id);
+		if (details == NULL) return TS_ERROR;
+		info->first = details->first;
+		info->line = details->line;
+		info->note = details->note;
+		if (id == v->comparison->first) v->first = &details->differences[0].divergence;
 	}
 	v->n++;
 	return TS_OK;
 }
 
-ts_status ts_verdicts_tell(ts_verdicts *v, const ts_judged *judged)
+ts_status ts_verdicts_add_replay(ts_verdicts *v, const ts_judged *judged)
 {
 	const u32 b = v->n - 1;
 	if (judged->item == NULL) return TS_OK;
@@ -152,7 +154,10 @@ ts_status ts_verdicts_end(ts_verdicts *v, const ts_trace *reference, const ts_tr
 	return v->tree != NULL ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "verdicts: out of memory");
 }
 
-static const ts_told *told_at(const ts_verdicts *v, size_t b) { return v != NULL && b < v->n ? v->told[b] : NULL; }
+static const ts_verdict_details *details_at(const ts_verdicts *v, size_t b)
+{
+	return v != NULL && b < v->n ? v->details[b] : NULL;
+}
 
 const ts_verdict_info *ts_verdicts_at(const ts_verdicts *v, size_t i)
 {
@@ -163,14 +168,14 @@ const ts_divergence *ts_verdicts_first(const ts_verdicts *v) { return v != NULL 
 
 const ts_divergence *ts_verdicts_difference(const ts_verdicts *v, size_t b, size_t i)
 {
-	const ts_told *told = told_at(v, b);
-	return told != NULL && i < told->n ? &told->differences[i].divergence : NULL;
+	const ts_verdict_details *details = details_at(v, b);
+	return details != NULL && i < details->n ? &details->differences[i].divergence : NULL;
 }
 
 const ts_field_count *ts_verdicts_field(const ts_verdicts *v, size_t b, size_t i)
 {
-	const ts_told *told = told_at(v, b);
-	return told != NULL && i < told->n_fields ? &told->fields[i] : NULL;
+	const ts_verdict_details *details = details_at(v, b);
+	return details != NULL && i < details->n_fields ? &details->fields[i] : NULL;
 }
 
 ts_tree *ts_verdicts_tree(const ts_verdicts *v)
@@ -197,8 +202,8 @@ void ts_verdicts_free(ts_verdicts *v)
 {
 	if (v == NULL) return;
 	for (u32 b = 0; b < v->n; b++) {
-		if (v->told[b] != NULL) free(v->told[b]->differences);
-		free(v->told[b]);
+		if (v->details[b] != NULL) free(v->details[b]->differences);
+		free(v->details[b]);
 		free(v->file[b]);
 		free(v->text[b]);
 	}

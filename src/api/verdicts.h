@@ -6,12 +6,12 @@
 #include <touchstone/compare.h>
 #include "../replay/judge.h"
 
-typedef struct ts_told ts_told;
+typedef struct ts_verdict_details ts_verdict_details;
 
 struct ts_verdicts {
 	ts_comparison *comparison;
 	ts_verdict_info info[TS_N_BUFFERS];
-	ts_told *told[TS_N_BUFFERS];                   /* of each buffer; NULL: it does not differ */
+	ts_verdict_details *details[TS_N_BUFFERS];     /* of each buffer; NULL: it does not differ */
 	char *file[TS_N_BUFFERS], *text[TS_N_BUFFERS]; /* of each replay; NULL: none */
 	u32 n;
 	const ts_divergence *first; /* NULL: nothing differs */
@@ -27,7 +27,7 @@ ts_verdicts *ts_verdicts_make(u32 most);
 /* Adds the verdict on a buffer. Its strings belong to the comparison, which must not change any more. */
 ts_status ts_verdicts_add(ts_verdicts *verdicts, const ts_trace *reference, ts_buffer_id id);
 /* Adds to the last verdict the facts that only a replay gives. */
-ts_status ts_verdicts_tell(ts_verdicts *verdicts, const ts_judged *judged);
+ts_status ts_verdicts_add_replay(ts_verdicts *verdicts, const ts_judged *judged);
 /* Ends the list with the facts of the verdicts' tree. */
 ts_status ts_verdicts_end(ts_verdicts *verdicts, const ts_trace *reference, const ts_trace *candidate);
 

@@ -14,9 +14,9 @@ static const char *const edited[TS_N_KERNELS] = {
 
 bool ts_fast_edited(ts_kernel kernel)
 {
-	static atomic_bool said[TS_N_KERNELS];
+	static atomic_bool reported[TS_N_KERNELS];
 	if (edited[kernel] == NULL) return false;
-	if (!atomic_exchange(&said[kernel], true)) {
+	if (!atomic_exchange(&reported[kernel], true)) {
 		ts_say("%s runs without its fast path: the kernel was edited before the build", edited[kernel]);
 	}
 	return true;

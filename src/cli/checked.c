@@ -59,24 +59,24 @@ static json_t *names_of(const ts_goldens *goldens)
 	return NULL;
 }
 
-static ts_status tell(const ts_goldens *goldens, const ts_checked *checked, u32 n, ts_status status)
+static ts_status report_checks(const ts_goldens *goldens, const ts_checked *checked, u32 n, ts_status status)
 {
 	ts_outcomes outcomes;
 	char relaxed[TS_RELAXED_TEXT];
 	ts_relaxed_text(relaxed, goldens->cli);
 	const found f = {goldens, &outcomes, relaxed};
-	ts_telling telling = {"golden check", &outcomes, relaxed, names_of(goldens), status, report_found, true,
-	                      NULL,           NULL,      &f};
-	ts_status told = telling.cases != NULL ? ts_outcomes_begin(&outcomes, "case", "touchstone.golden") : TS_ERROR;
-	if (told == TS_OK) {
+	ts_outcomes_output output = {"golden check", &outcomes, relaxed, names_of(goldens), status, report_found, true,
+	                             NULL,           NULL,      &f};
+	ts_status reported = output.cases != NULL ? ts_outcomes_begin(&outcomes, "case", "touchstone.golden") : TS_ERROR;
+	if (reported == TS_OK) {
 		for (u32 i = 0; i < n; i++) add(&outcomes, &checked[i]);
-		told = ts_tell(goldens->cli, &telling, goldens->cli->job.output.json);
+		reported = ts_outcomes_report(goldens->cli, &output, goldens->cli->job.output.json);
 		ts_outcomes_end(&outcomes);
 	}
-	json_decref(telling.cases);
-	return told;
+	json_decref(output.cases);
+	return reported;
 }
 
-void ts_golden_failed(const ts_cli *cli, ts_status status) { ts_tell_failed(cli, "golden check", status); }
+void ts_golden_failed(const ts_cli *cli, ts_status status) { ts_outcomes_report_failed(cli, "golden check", status); }
 
-ts_golden_teller *const ts_golden_tell = tell;
+ts_golden_reporter *const ts_golden_report = report_checks;

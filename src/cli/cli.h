@@ -60,7 +60,7 @@ typedef struct {
 	const char *baseline, *skip; /* files */
 	const char *junit, *markdown;
 	bool tap;
-	bool told; /* the files of --junit and --markdown are written */
+	bool reported; /* the files of --junit and --markdown are written */
 } ts_judging;
 
 /* The command line as it was typed. Strings belong to argv. */

@@ -23,14 +23,14 @@ json_t *ts_client_json(ts_tree *tree)
 	return json;
 }
 
-ts_status ts_client_page(const ts_cli *cli, const char *said,
-                         ts_status (*put)(ts_html *page, const char *said, const void *user), const void *user)
+ts_status ts_client_page(const ts_cli *cli, const char *json,
+                         ts_status (*put)(ts_html *page, const char *json, const void *user), const void *user)
 {
 	ts_context *context;
 	ts_html *page = NULL;
 	if (ts_client_open(&context, cli) != TS_OK) return TS_ERROR;
 	ts_status status = ts_html_open(context, &page, NULL);
-	if (status == TS_OK) status = put(page, said, user);
+	if (status == TS_OK) status = put(page, json, user);
 	if (status == TS_OK) status = ts_html_write(page, cli->job.output.report);
 	ts_html_close(page);
 	ts_context_close(context);

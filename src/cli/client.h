@@ -13,8 +13,8 @@ ts_status ts_client_open(ts_context **context, const ts_cli *cli);
 json_t *ts_client_json(ts_tree *tree);
 
 /* Writes the page of --report, which `put` fills. */
-ts_status ts_client_page(const ts_cli *cli, const char *said,
-                         ts_status (*put)(ts_html *page, const char *said, const void *user), const void *user);
+ts_status ts_client_page(const ts_cli *cli, const char *json,
+                         ts_status (*put)(ts_html *page, const char *json, const void *user), const void *user);
 
 /* The relaxations as options of the library, without --ignore, and with the picture of --mask: 1 where it is not black.
  * options->mask points to *mask; release it by free(), also on failure. */

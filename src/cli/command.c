@@ -69,7 +69,7 @@ static ts_status read_task(task *t, int argc, char **argv)
 	return TS_OK;
 }
 
-static void tell_failed(const task *t, ts_status status)
+static void report_failure(const task *t, ts_status status)
 {
 	if (t->command != NULL && t->command->failed != NULL) t->command->failed(&t->cli, status);
 }
@@ -80,7 +80,7 @@ static int end(const task *t, ts_status status)
 	if (status != TS_ERROR && ts_file_print("", 0) != TS_OK) status = TS_ERROR;
 	if (status == TS_ERROR || status == TS_SKIPPED) {
 		fprintf(stderr, "%s: %s\n", ts_program, ts_error_message());
-		tell_failed(t, status);
+		report_failure(t, status);
 	}
 	return (int)status;
 }
@@ -122,7 +122,7 @@ static int run_worker(task *t)
 	size_t kept = t->command->kept;
 	if (kept > 0 && (t->cli.steps = ts_worker_memory(kept)) == NULL) return end(t, ts_fail("no memory for the worker"));
 	int code = ts_worker_run(run, t, t->cli.steps, t->cli.worker.seconds, t->cli.worker.mib);
-	if (getpid() == own && code == TS_ERROR && ts_error_message()[0] != 0) tell_failed(t, TS_ERROR);
+	if (getpid() == own && code == TS_ERROR && ts_error_message()[0] != 0) report_failure(t, TS_ERROR);
 	return code;
 }
 

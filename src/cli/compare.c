@@ -163,18 +163,18 @@ static ts_status draw_all(const void *user)
 	return ts_compare_draw(&c->of);
 }
 
-static ts_status put_all(ts_html *page, const char *said, const void *user)
+static ts_status put_all(ts_html *page, const char *json, const void *user)
 {
 	const comparison *c = user;
 	const ts_compared *of = &c->of;
 	if (ts_html_add_trace(page, of->reference) != TS_OK || ts_html_add_trace(page, of->candidate) != TS_OK)
 		return TS_ERROR;
-	return ts_html_add_verdicts(page, of->verdicts, of->reference, of->candidate, &of->options, said);
+	return ts_html_add_verdicts(page, of->verdicts, of->reference, of->candidate, &of->options, json);
 }
 
-static ts_status show_all(const ts_cli *cli, const char *said, const void *user)
+static ts_status show_all(const ts_cli *cli, const char *json, const void *user)
 {
-	return ts_client_page(cli, said, put_all, user);
+	return ts_client_page(cli, json, put_all, user);
 }
 
 static void report_all(ts_report *report, const void *user)
@@ -187,7 +187,7 @@ static void report_all(ts_report *report, const void *user)
 	ts_report_value(report, "stages", json_incref(c->outcomes.rows));
 }
 
-static ts_status tell(ts_cli *cli, comparison *c)
+static ts_status report_verdicts(ts_cli *cli, comparison *c)
 {
 	char class_name[64], relaxed[TS_RELAXED_TEXT];
 	snprintf(class_name, sizeof class_name, "touchstone.%s", c->of.of->method);
@@ -196,11 +196,11 @@ static ts_status tell(ts_cli *cli, comparison *c)
 	if (ts_outcomes_begin(&c->outcomes, "stage", class_name) != TS_OK) return TS_ERROR;
 	ts_compare_outcomes(&c->outcomes, &c->of, &c->lists);
 	ts_status status = ts_outcomes_count(&c->outcomes, TS_FAILED) > 0 ? TS_DIFFERENT : TS_OK;
-	const ts_telling telling = {"compare",  &c->outcomes, relaxed,  c->cases, status,
-	                            report_all, false,        draw_all, show_all, c};
+	const ts_outcomes_output output = {"compare",  &c->outcomes, relaxed,  c->cases, status,
+	                                   report_all, false,        draw_all, show_all, c};
 	const size_t n = json_array_size(c->cases);
 	if (c->cases != NULL && cli->job.shard.index > n) ts_shard_say_empty(cli->job.shard, n);
-	return ts_tell(cli, &telling, true) == TS_OK ? status : TS_ERROR;
+	return ts_outcomes_report(cli, &output, true) == TS_OK ? status : TS_ERROR;
 }
 
 ts_status ts_compare_command(ts_cli *cli)
@@ -211,7 +211,7 @@ ts_status ts_compare_command(ts_cli *cli)
 	comparison c = {.cli = cli};
 	ts_status status = open_sides(&c.of, cli, is);
 	if (status == TS_OK) status = judge(&c);
-	if (status != TS_ERROR) status = tell(cli, &c);
+	if (status != TS_ERROR) status = report_verdicts(cli, &c);
 	ts_outcomes_end(&c.outcomes);
 	ts_compare_lists_free(&c.lists);
 	close_all(&c.of);
@@ -221,4 +221,4 @@ ts_status ts_compare_command(ts_cli *cli)
 	return status;
 }
 
-void ts_compare_failed(const ts_cli *cli, ts_status status) { ts_tell_failed(cli, "compare", status); }
+void ts_compare_failed(const ts_cli *cli, ts_status status) { ts_outcomes_report_failed(cli, "compare", status); }

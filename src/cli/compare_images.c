@@ -246,33 +246,34 @@ static ts_status show_picture(ts_html *page, const picture *p, const char *path)
 	return status;
 }
 
-static ts_status put_images(ts_html *page, const char *said, const void *user)
+static ts_status put_images(ts_html *page, const char *json, const void *user)
 {
 	const images *s = user;
 	for (u32 i = 0; i < 2; i++) {
 		if (show_picture(page, &s->p[i], s->cli->arguments[i]) != TS_OK) return TS_ERROR;
 	}
-	return ts_html_add_pair(page, said);
+	return ts_html_add_pair(page, json);
 }
 
-static ts_status show_images(const ts_cli *cli, const char *said, const void *user)
+static ts_status show_images(const ts_cli *cli, const char *json, const void *user)
 {
-	return ts_client_page(cli, said, put_images, user);
+	return ts_client_page(cli, json, put_images, user);
 }
 
-static ts_status tell(ts_cli *cli, const images *s)
+static ts_status report_outcomes(ts_cli *cli, const images *s)
 {
 	ts_outcomes outcomes;
 	char text[LINE], relaxed[TS_RELAXED_TEXT];
 	const ts_status found = s->same ? TS_OK : TS_DIFFERENT;
-	const ts_telling telling = {"compare", &outcomes, relaxed, NULL, found, report_images, false, draw, show_images, s};
+	const ts_outcomes_output output = {"compare",     &outcomes, relaxed, NULL,        found,
+	                                   report_images, false,     draw,    show_images, s};
 	ts_relaxed_text(relaxed, cli);
 	ts_status status = ts_outcomes_begin(&outcomes, "image", "touchstone.images");
 	if (status == TS_OK) {
 		ts_outcomes_add(&outcomes, cli->arguments[1], s->same ? "same" : "different", s->same ? TS_PASSED : TS_FAILED,
 		                "", ts_seconds() - cli->began);
 		for (u64 i = 0; line_of(text, s, i); i++) ts_outcomes_line(&outcomes, text);
-		status = ts_tell(cli, &telling, true);
+		status = ts_outcomes_report(cli, &output, true);
 	}
 	ts_outcomes_end(&outcomes);
 	return status;
@@ -283,7 +284,7 @@ ts_status ts_compare_images(ts_cli *cli)
 	images s = {.cli = cli};
 	ts_status status = open_images(&s);
 	if (status == TS_OK) status = judge(&s);
-	if (status == TS_OK) status = tell(cli, &s);
+	if (status == TS_OK) status = report_outcomes(cli, &s);
 	free(s.p[0].pixels);
 	free(s.p[1].pixels);
 	free(s.mask);

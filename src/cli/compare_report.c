@@ -38,17 +38,17 @@ void ts_compare_more(ts_report *report, const ts_compared *c, size_t place, cons
 }
 
 /* Differences as JSON; their notes as text, too. */
-static void tell_unlike(ts_report *report, const ts_compared *c)
+static void report_unlike(ts_report *report, const ts_compared *c)
 {
 	const ts_verdict_info *v;
 	const char *key;
-	json_t *value, *said = ts_client_json(ts_verdicts_tree(c->verdicts));
+	json_t *value, *tree = ts_client_json(ts_verdicts_tree(c->verdicts));
 	for (size_t i = 0; (v = ts_verdicts_at(c->verdicts, i)) != NULL; i++) {
 		if (v->note[0] != 0) ts_report_line(report, "%s", v->note);
 	}
-	report->failed |= said == NULL;
-	json_object_foreach (said, key, value) ts_report_value(report, key, json_incref(value));
-	json_decref(said);
+	report->failed |= tree == NULL;
+	json_object_foreach (tree, key, value) ts_report_value(report, key, json_incref(value));
+	json_decref(tree);
 }
 
 /* The stage and the buffer of a verdict, from the tables; NULL: none. */
@@ -110,7 +110,7 @@ void ts_compare_report(ts_report *report, const ts_compared *c, const char *rela
 	}
 	ts_report_table(report, &table);
 	ts_report_line(report, "%s", "");
-	tell_unlike(report, c);
+	report_unlike(report, c);
 	size_t place = 0;
 	v = first != NULL ? ts_compared_find(c, first->buffer, &place) : NULL;
 	if (v != NULL && !forced) advise(report, c, v);

@@ -15,7 +15,7 @@ ts_merger *const ts_merge_renders = NULL;
 #else
 #define REPORTS TS_OPT(QUIET)
 #define FAILED .failed = NULL
-ts_golden_teller *const ts_golden_tell = NULL;
+ts_golden_reporter *const ts_golden_report = NULL;
 #endif
 
 const ts_command ts_command_table[] = {

@@ -40,12 +40,12 @@ static ts_status ask(ts_explain_options *o, char name[NAME], const ts_cli *cli)
 }
 
 /* Only the number of lines left out begins with a digit. */
-static void tell_line(ts_report *report, const char *line)
+static void print_line(ts_report *report, const char *line)
 {
 	ts_report_line(report, "%s%s", line, line[0] >= '0' && line[0] <= '9' ? ": --lines" : "");
 }
 
-static ts_status tell(ts_tree *tree, bool json)
+static ts_status print_answer(ts_tree *tree, bool json)
 {
 	ts_report report;
 	const char *key;
@@ -53,7 +53,7 @@ static ts_status tell(ts_tree *tree, bool json)
 	size_t i;
 	if (answer == NULL) return TS_ERROR;
 	ts_report_begin(&report, json);
-	json_array_foreach (answer, i, value) tell_line(&report, json_string_value(value));
+	json_array_foreach (answer, i, value) print_line(&report, json_string_value(value));
 	json_object_foreach (answer, key, value) ts_report_value(&report, key, json_incref(value));
 	json_decref(answer);
 	return ts_report_end(&report);
@@ -72,7 +72,7 @@ ts_status ts_explain_command(ts_cli *cli)
 	if (status == TS_OK && cli->n_arguments > 1) status = ts_trace_open(context, &other, cli->arguments[1]);
 	if (status == TS_OK && cli->inputs != NULL) status = ts_trace_open(context, &inputs, cli->inputs);
 	if (status == TS_OK) status = ts_explain_item(context, &answer, &options, trace, inputs, other);
-	if (status != TS_ERROR && tell(answer, cli->job.output.json) != TS_OK) status = TS_ERROR;
+	if (status != TS_ERROR && print_answer(answer, cli->job.output.json) != TS_OK) status = TS_ERROR;
 	ts_trace_close(inputs);
 	ts_trace_close(other);
 	ts_trace_close(trace);

@@ -128,5 +128,5 @@ void ts_case_path(char path[TS_CASE_PATH], const ts_goldens *goldens, const ts_c
 
 ts_status ts_case_compute(ts_golden *golden, const ts_goldens *goldens, const ts_case *c, const ts_how *how)
 {
-	return ts_golden_make(golden, c->name, c->pipeline, &c->said, goldens->dir.path, ts_golden_by.open, how);
+	return ts_golden_make(golden, c->name, c->pipeline, &c->settings, goldens->dir.path, ts_golden_by.open, how);
 }

@@ -14,7 +14,7 @@ enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_TEXT = TS_GOLDEN_TEXT };
 typedef struct {
 	char name[TS_CASE_NAME]; /* of a-z, 0-9 and -: also its folder */
 	const ts_pipeline *pipeline;
-	ts_golden_said said;
+	ts_golden_settings settings;
 	bool small; /* small files are stored as they are */
 } ts_case;
 
@@ -87,8 +87,8 @@ const char *ts_checked_stage(const ts_checked *checked);
 const char *ts_case_word(ts_case_end end);
 /* Reports the checks of a command that ends with `status`, in the forms of --json, --tap, --junit and -o; NULL in a
  * program without these options. Each program has its own. */
-typedef ts_status ts_golden_teller(const ts_goldens *goldens, const ts_checked *checked, u32 n, ts_status status);
-extern ts_golden_teller *const ts_golden_tell;
+typedef ts_status ts_golden_reporter(const ts_goldens *goldens, const ts_checked *checked, u32 n, ts_status status);
+extern ts_golden_reporter *const ts_golden_report;
 
 /* The actions. */
 ts_status ts_golden_check_action(const ts_goldens *goldens);

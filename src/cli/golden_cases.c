@@ -94,7 +94,7 @@ static ts_status take_places(ts_case *c, const ts_cli *cli)
 	for (u32 option = 0; option < TS_N_OPTIONS; option++) {
 		const char *name = ts_option_table[option].name;
 		for (u32 i = 0; i < cli->n_typed && status == TS_OK && ts_place_is(name); i++) {
-			if (cli->typed[i].option == option) status = ts_golden_place(&c->said, name, cli->typed[i].text);
+			if (cli->typed[i].option == option) status = ts_golden_place(&c->settings, name, cli->typed[i].text);
 		}
 	}
 	return status;
@@ -104,12 +104,12 @@ static ts_status take_line(ts_case *c, ts_cli *cli)
 {
 	const char *scene = cli->arguments[1];
 	if (find_method(c, cli) != TS_OK) return TS_ERROR;
-	snprintf(c->said.effect, sizeof c->said.effect, "%s", c->pipeline->effect->name);
-	snprintf(c->said.method, sizeof c->said.method, "%s", c->pipeline->name);
-	c->said.params = cli->job.params;
+	snprintf(c->settings.effect, sizeof c->settings.effect, "%s", c->pipeline->effect->name);
+	snprintf(c->settings.method, sizeof c->settings.method, "%s", c->pipeline->name);
+	c->settings.params = cli->job.params;
 	if (strlen(scene) >= TS_GOLDEN_SCENE) return ts_fail("\"%.60s...\": beyond %d bytes", scene, TS_GOLDEN_SCENE - 1);
-	strcpy(c->said.scene, scene);
-	return take_places(c, cli) == TS_OK ? ts_golden_bound(&c->said) : TS_ERROR;
+	strcpy(c->settings.scene, scene);
+	return take_places(c, cli) == TS_OK ? ts_golden_bound(&c->settings) : TS_ERROR;
 }
 
 static ts_status read_case(ts_goldens *goldens, char *line)

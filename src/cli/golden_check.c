@@ -219,17 +219,17 @@ ts_status ts_golden_check_action(const ts_goldens *goldens)
 	u32 n = 0;
 	for (u32 i = 0; i < goldens->n_chosen; i++) {
 		if (!ts_shard_has(cli->job.shard, i)) continue;
-		bool told = n < kept->steps.n;
-		if (told)
+		bool printed = n < kept->steps.n;
+		if (printed)
 			recall(&checked[n], goldens, goldens->chosen[i]);
 		else
 			take_step(kept, goldens, goldens->chosen[i]);
-		if (!told && print && print_line(&checked[n], cli->job.output.quiet) != TS_OK) return TS_ERROR;
+		if (!printed && print && print_line(&checked[n], cli->job.output.quiet) != TS_OK) return TS_ERROR;
 		n++;
 	}
 	if (cli->job.shard.of > 0 && n == 0) ts_shard_say_empty(cli->job.shard, goldens->n_chosen);
 	ts_status status = sum_up(cli, checked, n, print && !cli->job.output.quiet);
-	if (ts_golden_tell != NULL && ts_golden_tell(goldens, checked, n, status) != TS_OK) return TS_ERROR;
+	if (ts_golden_report != NULL && ts_golden_report(goldens, checked, n, status) != TS_OK) return TS_ERROR;
 	if (status != TS_OK && status != TS_DIFFERENT) return sum_up(cli, checked, n, false);
 	return status;
 }

@@ -198,17 +198,17 @@ ts_status ts_merge_rows(ts_cli *cli, const ts_parts *parts)
 	if (status == TS_OK) status = merge_reports(&m);
 	if (status == TS_OK) {
 		const char *relaxed = json_string_value(json_object_get(m.root, "relaxations"));
-		const ts_telling telling = {parts->command,
-		                            &m.outcomes,
-		                            relaxed != NULL ? relaxed : "",
-		                            NULL,
-		                            parts->status,
-		                            report_merged,
-		                            true,
-		                            copy_pictures,
-		                            NULL,
-		                            &m};
-		status = ts_tell(cli, &telling, true);
+		const ts_outcomes_output output = {parts->command,
+		                                   &m.outcomes,
+		                                   relaxed != NULL ? relaxed : "",
+		                                   NULL,
+		                                   parts->status,
+		                                   report_merged,
+		                                   true,
+		                                   copy_pictures,
+		                                   NULL,
+		                                   &m};
+		status = ts_outcomes_report(cli, &output, true);
 	}
 	ts_outcomes_end(&m.outcomes);
 	json_decref(m.root);

@@ -160,7 +160,7 @@ static ts_status ask(const ts_cli *cli, ts_context *context, const ts_trace *tra
 	return ts_probe_triangle(context, answer, trace, cli->place.triangle);
 }
 
-static ts_status tell(const ts_cli *cli, json_t *answer)
+static ts_status print_answer(const ts_cli *cli, json_t *answer)
 {
 	ts_report report;
 	const char *key;
@@ -184,7 +184,7 @@ ts_status ts_probe_command(ts_cli *cli)
 	if (status == TS_OK) status = ts_trace_open(context, &trace, cli->arguments[0]);
 	if (status == TS_OK) status = ask(cli, context, trace, &tree);
 	json_t *answer = ts_client_json(tree);
-	if (status == TS_OK) status = answer != NULL ? tell(cli, answer) : TS_ERROR;
+	if (status == TS_OK) status = answer != NULL ? print_answer(cli, answer) : TS_ERROR;
 	json_decref(answer);
 	ts_trace_close(trace);
 	ts_context_close(context);
@@ -196,11 +196,11 @@ void ts_probe_help(void)
 {
 	const ts_probe_info *row;
 	const char *option = "";
-	char tells[512];
+	char text[512];
 	for (size_t i = 0; (row = ts_probe_at(i)) != NULL; option = row->option, i++) {
 		if (strcmp(row->option, option) != 0) printf("\nWhat %s also shows:\n", row->option);
-		snprintf(tells, sizeof tells, "%s%s%s%s", row->view[0] != 0 ? "VIEW " : "", row->view,
+		snprintf(text, sizeof text, "%s%s%s%s", row->view[0] != 0 ? "VIEW " : "", row->view,
 		         row->view[0] != 0 ? ": " : "", row->answer);
-		ts_help_item(row->methods, tells);
+		ts_help_item(row->methods, text);
 	}
 }

@@ -32,12 +32,12 @@ static ts_status add_verdicts(const contents *c, const ts_compared *of)
 	ts_report_begin(&report, true);
 	ts_compare_report(&report, of, "");
 	ts_status status = ts_report_check(&report);
-	char *said = status == TS_OK ? json_dumps(report.root, JSON_COMPACT) : NULL;
-	if (status == TS_OK && said == NULL) status = ts_fail("the page: out of memory");
+	char *json = status == TS_OK ? json_dumps(report.root, JSON_COMPACT) : NULL;
+	if (status == TS_OK && json == NULL) status = ts_fail("the page: out of memory");
 	if (status == TS_OK) {
-		status = ts_html_add_verdicts(c->page, of->verdicts, of->reference, of->candidate, &of->options, said);
+		status = ts_html_add_verdicts(c->page, of->verdicts, of->reference, of->candidate, &of->options, json);
 	}
-	free(said);
+	free(json);
 	ts_report_discard(&report);
 	return status;
 }

@@ -180,7 +180,7 @@ static json_t *times_json(const ts_series *series)
 	return NULL;
 }
 
-static ts_status tell(ts_series *series)
+static ts_status report_render(ts_series *series)
 {
 	const ts_job *job = series->job;
 	ts_status status = ts_series_add(series);
@@ -211,7 +211,7 @@ static ts_status make(ts_series *series)
 {
 	ts_status status = make_pictures(series);
 	if (status == TS_OK && series->fetched == NULL) status = ts_render_compare(series->render);
-	if (status == TS_OK) status = tell(series);
+	if (status == TS_OK) status = report_render(series);
 	if (status == TS_OK) status = keep_before(series);
 	series->n_done++;
 	ts_progress("renders", series->n_done, series->n_all);

@@ -7,7 +7,7 @@
 #include "relaxed.h"
 #include "sharded.h"
 
-static ts_status write_files(ts_report *report, const ts_cli *cli, const ts_telling *t)
+static ts_status write_files(ts_report *report, const ts_cli *cli, const ts_outcomes_output *t)
 {
 	ts_status status = t->draw != NULL ? t->draw(t->user) : TS_OK;
 	if (status != TS_OK) return status;
@@ -19,7 +19,7 @@ static ts_status write_files(ts_report *report, const ts_cli *cli, const ts_tell
 	return ts_sharded_write(report, cli, &sharded);
 }
 
-static ts_status write_folder(ts_report *report, const ts_cli *cli, const ts_telling *t)
+static ts_status write_folder(ts_report *report, const ts_cli *cli, const ts_outcomes_output *t)
 {
 	ts_status status = ts_results_begin(cli->job.output.dir, cli->job.output.force);
 	if (status == TS_OK) status = write_files(report, cli, t);
@@ -28,7 +28,7 @@ static ts_status write_folder(ts_report *report, const ts_cli *cli, const ts_tel
 	return status;
 }
 
-static ts_status write_junit(const ts_cli *cli, const ts_telling *t)
+static ts_status write_junit(const ts_cli *cli, const ts_outcomes_output *t)
 {
 	ts_junit junit;
 	char suite[64];
@@ -39,7 +39,7 @@ static ts_status write_junit(const ts_cli *cli, const ts_telling *t)
 	return ts_junit_end(&junit, t->relaxed, ts_seconds() - cli->began);
 }
 
-static ts_status write_markdown(const ts_cli *cli, const ts_telling *t)
+static ts_status write_markdown(const ts_cli *cli, const ts_outcomes_output *t)
 {
 	ts_file_text text;
 	if (cli->judging.markdown == NULL) return TS_OK;
@@ -48,15 +48,15 @@ static ts_status write_markdown(const ts_cli *cli, const ts_telling *t)
 	return ts_file_text_write(&text, cli->judging.markdown);
 }
 
-static ts_status write_page(const ts_report *report, const ts_cli *cli, const ts_telling *t)
+static ts_status write_page(const ts_report *report, const ts_cli *cli, const ts_outcomes_output *t)
 {
-	char *said = json_dumps(report->root, JSON_COMPACT);
-	ts_status status = said != NULL ? t->show(cli, said, t->user) : ts_fail("the page: out of memory");
-	free(said);
+	char *json = json_dumps(report->root, JSON_COMPACT);
+	ts_status status = json != NULL ? t->show(cli, json, t->user) : ts_fail("the page: out of memory");
+	free(json);
 	return status;
 }
 
-static ts_status print_tap(const ts_telling *t)
+static ts_status print_tap(const ts_outcomes_output *t)
 {
 	ts_file_text text;
 	if (ts_file_text_begin(&text, "the verdicts") != TS_OK) return TS_ERROR;
@@ -64,7 +64,7 @@ static ts_status print_tap(const ts_telling *t)
 	return ts_file_text_print(&text);
 }
 
-ts_status ts_tell(ts_cli *cli, const ts_telling *t, bool print)
+ts_status ts_outcomes_report(ts_cli *cli, const ts_outcomes_output *t, bool print)
 {
 	ts_report report;
 	ts_report_begin(&report, cli->job.output.json);
@@ -76,7 +76,7 @@ ts_status ts_tell(ts_cli *cli, const ts_telling *t, bool print)
 	if (status == TS_OK) {
 		status = write_junit(cli, t);
 		if (status == TS_OK) status = write_markdown(cli, t);
-		cli->judging.told = status == TS_OK;
+		cli->judging.reported = status == TS_OK;
 	}
 	if (status == TS_OK && cli->job.output.dir != NULL) status = write_folder(&report, cli, t);
 	if (status == TS_OK && cli->job.output.report != NULL) status = write_page(&report, cli, t);
@@ -86,23 +86,23 @@ ts_status ts_tell(ts_cli *cli, const ts_telling *t, bool print)
 	return status;
 }
 
-void ts_tell_failed(const ts_cli *cli, const char *command, ts_status status)
+void ts_outcomes_report_failed(const ts_cli *cli, const char *command, ts_status status)
 {
 	ts_outcomes outcomes;
 	char class_name[64], relaxed[TS_RELAXED_TEXT], why[1024];
 	bool skipped = status == TS_SKIPPED;
 	snprintf(why, sizeof why, "%s", ts_error_message());
-	if (cli->judging.told) return;
+	if (cli->judging.reported) return;
 	if (skipped && cli->judging.tap) printf("1..0 # SKIP %s\n", why);
 	if (cli->judging.junit == NULL && cli->judging.markdown == NULL) return;
 	snprintf(class_name, sizeof class_name, "touchstone.%.*s", (int)strcspn(command, " "), command);
-	const ts_telling telling = {.command = command, .outcomes = &outcomes, .relaxed = relaxed};
+	const ts_outcomes_output output = {.command = command, .outcomes = &outcomes, .relaxed = relaxed};
 	ts_relaxed_text(relaxed, cli);
 	if (ts_outcomes_begin(&outcomes, "case", class_name) == TS_OK) {
 		ts_outcomes_add(&outcomes, "comparison", "not compared", skipped ? TS_LEFT_OUT : TS_BROKEN, skipped ? why : "",
 		                0);
 		if (!skipped) ts_outcomes_line(&outcomes, why);
-		if (!outcomes.failed && write_junit(cli, &telling) == TS_OK) write_markdown(cli, &telling);
+		if (!outcomes.failed && write_junit(cli, &output) == TS_OK) write_markdown(cli, &output);
 	}
 	ts_outcomes_end(&outcomes);
 }

@@ -15,11 +15,11 @@ typedef struct {
 	bool lines;                          /* the report has the lines of the outcomes */
 	ts_status (*draw)(const void *user); /* pictures into the folder of -o; NULL: none */
 	/* Writes the page of --report, of both sides and of the report as JSON; NULL: there is no page. */
-	ts_status (*show)(const ts_cli *cli, const char *said, const void *user);
+	ts_status (*show)(const ts_cli *cli, const char *json, const void *user);
 	const void *user;
-} ts_telling;
+} ts_outcomes_output;
 /* Writes all output that cli asks for. `print`: also prints the report, unless it was printed as it came. */
-ts_status ts_tell(ts_cli *cli, const ts_telling *telling, bool print);
+ts_status ts_outcomes_report(ts_cli *cli, const ts_outcomes_output *output, bool print);
 /* Writes the file of --junit if nothing was judged, by TS_ERROR or TS_SKIPPED; the latter as TAP too. */
-void ts_tell_failed(const ts_cli *cli, const char *command, ts_status status);
+void ts_outcomes_report_failed(const ts_cli *cli, const char *command, ts_status status);
 #endif

@@ -22,7 +22,7 @@ static const ts_column columns[] = {
 };
 
 /* Adds a line below the table. */
-__attribute__((format(printf, 2, 3))) static void tell(check *c, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void add_line(check *c, const char *format, ...)
 {
 	va_list arguments;
 	va_start(arguments, format);
@@ -60,7 +60,7 @@ static value_text print_value(ts_vector_type type, const u32 *row)
 }
 
 /* One line of text and an array of values, for the elements of a column; `row` points to its first word. */
-static json_t *tell_values(check *c, const char *name, const ts_vector_column_info *of, const u32 *row)
+static json_t *report_values(check *c, const char *name, const ts_vector_column_info *of, const u32 *row)
 {
 	FILE *out = c->details.out;
 	json_t *list = json_array();
@@ -77,24 +77,24 @@ static json_t *tell_values(check *c, const char *name, const ts_vector_column_in
 }
 
 /* A line and a member of an object for each of n columns. */
-static json_t *tell_columns(check *c, const char *before, const ts_vector_column_info *of, u32 n, const u32 *row)
+static json_t *report_columns(check *c, const char *before, const ts_vector_column_info *of, u32 n, const u32 *row)
 {
 	char name[80];
 	json_t *all = json_object();
 	for (u32 i = 0; i < n; i++) {
 		snprintf(name, sizeof name, "%s%s", before, of[i].name);
-		json_object_set_new(all, of[i].name, tell_values(c, name, &of[i], row + of[i].word));
+		json_object_set_new(all, of[i].name, report_values(c, name, &of[i], row + of[i].word));
 	}
 	return all;
 }
 
 /* For records an object of the columns, otherwise the array. */
-static json_t *tell_outputs(check *c, const ts_vector_info *v, const char *what, const u32 *row)
+static json_t *report_outputs(check *c, const ts_vector_info *v, const char *what, const u32 *row)
 {
 	char before[40];
-	if (!v->record) return tell_values(c, what, v->outputs, row);
+	if (!v->record) return report_values(c, what, v->outputs, row);
 	snprintf(before, sizeof before, "%s ", what);
-	return tell_columns(c, before, v->outputs, v->n_outputs, row);
+	return report_columns(c, before, v->outputs, v->n_outputs, row);
 }
 
 /* " in arrives", " in element 1 of l", " in element 2"; empty if there is only one. */
@@ -107,27 +107,27 @@ static void name_place(char *text, size_t bytes, const ts_vector_column_info *co
 }
 
 /* The distance of the first wrong value. */
-static json_t *tell_distance(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
+static json_t *report_distance(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
 {
 	char where[80];
 	const ts_vector_column_info *column = &v->outputs[judged->first_column];
 	name_place(where, sizeof where, column, judged->first_element);
 	if (judged->first_nan) {
-		tell(c, "  %-10s not a number%s", "apart", where);
+		add_line(c, "  %-10s not a number%s", "apart", where);
 		return json_null();
 	}
 	const char *unit = column->type == TS_VECTOR_F32 ? " ulp" : "";
-	tell(c, "  %-10s %+" PRId64 "%s%s", "apart", judged->first_apart, unit, where);
+	add_line(c, "  %-10s %+" PRId64 "%s%s", "apart", judged->first_apart, unit, where);
 	return json_integer(judged->first_apart);
 }
 
-static json_t *tell_fault(check *c, const ts_vector_judged *judged)
+static json_t *report_fault(check *c, const ts_vector_judged *judged)
 {
 	if (judged->first_fault == NULL) {
-		tell(c, "  %-10s none that is known", "fault");
+		add_line(c, "  %-10s none that is known", "fault");
 		return json_null();
 	}
-	tell(c, "  %-10s %s: %s", "fault", judged->first_fault, judged->first_remedy);
+	add_line(c, "  %-10s %s: %s", "fault", judged->first_fault, judged->first_remedy);
 	return json_string(judged->first_fault);
 }
 
@@ -139,28 +139,28 @@ static u32 element_of_all(const ts_vector_info *v, const ts_vector_judged *judge
 	return element;
 }
 
-static ts_status tell_first(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
+static ts_status report_first(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
 {
 	const size_t first = judged->first, out_at = first * v->out_words;
 	if (ts_vector_words(c->context, c->rows.in, c->rows.out, v->name) != TS_OK) return TS_ERROR;
 	json_t *item = json_object();
-	tell(c, "%s, item %zu, the first of %" PRIu32 " wrong: %s (%s%s)", v->name, first, judged->n_wrong, v->doc,
-	     v->rule[0] >= '0' && v->rule[0] <= '9' ? "rule " : "", v->rule);
-	json_t *in = tell_columns(c, "", v->inputs, v->n_inputs, c->rows.in + first * v->in_words);
+	add_line(c, "%s, item %zu, the first of %" PRIu32 " wrong: %s (%s%s)", v->name, first, judged->n_wrong, v->doc,
+	         v->rule[0] >= '0' && v->rule[0] <= '9' ? "rule " : "", v->rule);
+	json_t *in = report_columns(c, "", v->inputs, v->n_inputs, c->rows.in + first * v->in_words);
 	json_object_set_new(item, "primitive", json_string(v->name));
 	json_object_set_new(item, "item", json_integer((json_int_t)first));
 	json_object_set_new(item, "in", in);
-	json_object_set_new(item, "expected", tell_outputs(c, v, "expected", c->rows.out + out_at));
-	json_object_set_new(item, "found", tell_outputs(c, v, "found", c->rows.found + out_at));
+	json_object_set_new(item, "expected", report_outputs(c, v, "expected", c->rows.out + out_at));
+	json_object_set_new(item, "found", report_outputs(c, v, "found", c->rows.found + out_at));
 	json_object_set_new(item, "element", json_integer(element_of_all(v, judged)));
-	json_object_set_new(item, "apart", tell_distance(c, v, judged));
-	json_object_set_new(item, "fault", tell_fault(c, judged));
+	json_object_set_new(item, "apart", report_distance(c, v, judged));
+	json_object_set_new(item, "fault", report_fault(c, judged));
 	json_array_append_new(c->first_wrong, item);
 	return TS_OK;
 }
 
 /* judged NULL: there are no outputs. */
-static void tell_row(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
+static void report_row(check *c, const ts_vector_info *v, const ts_vector_judged *judged)
 {
 	ts_table_text(&c->table, v->name);
 	if (judged == NULL) {
@@ -211,10 +211,10 @@ static ts_status check_primitive(check *c, const ts_vector_info *v, const char *
 	if (status == TS_OK) status = read_outputs(&there, c, v, dir);
 	if (status != TS_OK) return status;
 	if (there && ts_vector_check(c->context, &judged, v->name, c->rows.found) == TS_ERROR) return TS_ERROR;
-	tell_row(c, v, there ? &judged : NULL);
+	report_row(c, v, there ? &judged : NULL);
 	c->n_right += there && judged.n_wrong == 0;
 	c->n_wrong += judged.n_wrong != 0;
-	return judged.n_wrong != 0 ? tell_first(c, v, &judged) : TS_OK;
+	return judged.n_wrong != 0 ? report_first(c, v, &judged) : TS_OK;
 }
 
 static ts_status check_all(check *c, const char *dir)
@@ -231,7 +231,7 @@ static ts_status check_all(check *c, const char *dir)
 	return ts_fail("%s: no PRIMITIVE.out.npy there; the names are those that \"vectors -o\" writes", dir);
 }
 
-static ts_status tell_details(check *c)
+static ts_status report_details(check *c)
 {
 	if (ts_file_text_flush(&c->details, "the report") != TS_OK) return TS_ERROR;
 	const char *line = c->details.bytes > 0 ? c->details.text : "";
@@ -241,7 +241,7 @@ static ts_status tell_details(check *c)
 	return TS_OK;
 }
 
-static ts_status tell_all(check *c)
+static ts_status report_all(check *c)
 {
 	u32 n_absent = ts_vectors_total() - c->n_right - c->n_wrong;
 	ts_report_value(&c->report, "right", json_integer(c->n_right));
@@ -249,7 +249,7 @@ static ts_status tell_all(check *c)
 	ts_report_value(&c->report, "absent", json_integer(n_absent));
 	ts_report_value(&c->report, "first_wrong", json_incref(c->first_wrong));
 	ts_report_table(&c->report, &c->table);
-	if (tell_details(c) != TS_OK) return TS_ERROR;
+	if (report_details(c) != TS_OK) return TS_ERROR;
 	ts_report_line(&c->report, "%" PRIu32 " primitives right, %" PRIu32 " wrong, %" PRIu32 " not there", c->n_right,
 	               c->n_wrong, n_absent);
 	return ts_report_check(&c->report);
@@ -263,7 +263,7 @@ static ts_status work(check *c, const ts_cli *cli)
 	ts_report_value(&c->report, "contract", json_integer(TS_CONTRACT_VERSION));
 	c->table = ts_table_begin("primitives", "", columns);
 	ts_status status = check_all(c, cli->check);
-	if (status == TS_OK) status = tell_all(c);
+	if (status == TS_OK) status = report_all(c);
 	ts_table_end(&c->table);
 	if (status != TS_OK) {
 		ts_report_discard(&c->report);

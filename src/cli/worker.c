@@ -73,13 +73,13 @@ static int say(const char *format, ...)
 }
 
 /* Why the worker was lost; "": it was not, or somebody sent it a signal. */
-static void find_why(char *why, size_t room, end e, const word *said, uint32_t seconds)
+static void find_why(char *why, size_t room, end e, const word *ending, uint32_t seconds)
 {
 	int number = WIFSIGNALED(e.status) ? WTERMSIG(e.status) : 0;
 	why[0] = 0;
 	if (e.late) {
 		snprintf(why, room, "stopped after %u s, as --timeout asks", (unsigned)seconds);
-	} else if (number == 0 && !(said->ended && WEXITSTATUS(e.status) == said->code)) {
+	} else if (number == 0 && !(ending->ended && WEXITSTATUS(e.status) == ending->code)) {
 		snprintf(why, room, "a library ended the run with exit code %d, for want of memory or threads",
 		         WEXITSTATUS(e.status));
 	} else if (number == SIGKILL) {
@@ -91,9 +91,9 @@ static void find_why(char *why, size_t room, end e, const word *said, uint32_t s
 }
 
 /* The worker's exit code, or the signal that killed it. */
-static int conclude(end e, const word *said)
+static int conclude(end e, const word *ending)
 {
-	if (WIFEXITED(e.status)) return said->code;
+	if (WIFEXITED(e.status)) return ending->code;
 	int number = WTERMSIG(e.status);
 	sigset_t own;
 	sigemptyset(&own);
@@ -104,15 +104,15 @@ static int conclude(end e, const word *said)
 	return TS_ERROR;
 }
 
-static int work_alone(int (*work)(void *user), void *user, word *said, uint32_t mib)
+static int work_alone(int (*work)(void *user), void *user, word *ending, uint32_t mib)
 {
 	const rlim_t bytes = (rlim_t)mib << 20;
 	if (mib != 0 && setrlimit(RLIMIT_AS, &(struct rlimit){bytes, bytes}) != 0) {
 		return say("--memory %u: %s", (unsigned)mib, strerror(errno));
 	}
 	int code = work(user);
-	said->code = code;
-	said->ended = true;
+	ending->code = code;
+	ending->ended = true;
 	return code;
 }
 
@@ -125,28 +125,29 @@ void *ts_worker_memory(size_t bytes)
 int ts_worker_run(int (*work)(void *user), void *user, ts_steps *steps, uint32_t seconds, uint32_t mib)
 {
 	char why[sizeof steps->why] = "";
-	word *said = ts_worker_memory(sizeof *said);
+	word *ending = ts_worker_memory(sizeof *ending);
 	if (steps == NULL) steps = ts_worker_memory(sizeof *steps);
-	if (said == NULL || steps == NULL || ts_left_share() != TS_OK) return say("no memory for what two processes share");
+	if (ending == NULL || steps == NULL || ts_left_share() != TS_OK)
+		return say("no memory for what two processes share");
 	sigset_t before, set = awaited();
 	pid_t parent = getpid(), worker;
 	sigprocmask(SIG_BLOCK, &set, &before);
 	do {
 		memcpy(steps->why, why, sizeof why);
 		steps->lost_s = ts_seconds() - steps->began;
-		steps->at_work = said->ended = false;
+		steps->at_work = ending->ended = false;
 		steps->began = ts_seconds();
 		worker = fork();
 		if (worker <= 0) break;
 		end e = wait_for(worker, &set, steps, seconds);
 		ts_left_clear();
-		find_why(why, sizeof why, e, said, seconds);
-		if (why[0] == 0) return conclude(e, said);
+		find_why(why, sizeof why, e, ending, seconds);
+		if (why[0] == 0) return conclude(e, ending);
 	} while (steps->at_work);
 	if (worker > 0) return say("%s; no result", why);
 	sigprocmask(SIG_SETMASK, &before, NULL);
 	if (worker < 0) return say("cannot start a process: %s; --no-worker does without", strerror(errno));
 	prctl(PR_SET_PDEATHSIG, SIGKILL);
 	if (getppid() != parent) raise(SIGKILL);
-	return work_alone(work, user, said, mib);
+	return work_alone(work, user, ending, mib);
 }

@@ -72,7 +72,7 @@ static void seek(explainer *x, ts_kernel kernel, const void *args, u64 n)
 	}
 }
 
-static ts_status tell(explainer *x, ts_kernel kernel, const void *args, u64 n)
+static ts_status record_item(explainer *x, ts_kernel kernel, const void *args, u64 n)
 {
 	ts_telling *t = &x->explanation->telling;
 	ts_explained_launch *launch = add(x->explanation, kernel, n);
@@ -99,7 +99,7 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *l
 	if (x->seeks) {
 		seek(x, launch->kernel, args, n);
 	} else {
-		status = tell(x, launch->kernel, args, n);
+		status = record_item(x, launch->kernel, args, n);
 	}
 	x->launch++;
 	return status;

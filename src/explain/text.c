@@ -89,7 +89,7 @@ static size_t earlier(const ts_explanation *e, size_t number)
 }
 
 /* Long values leave out pointers that the launch does not bind. */
-static bool is_told(const ts_told_type *type, const ts_told_leaf *leaf, const char *value)
+static bool is_shown(const ts_told_type *type, const ts_told_leaf *leaf, const char *value)
 {
 	return type->n == 1 || leaf->scalar != TS_TOLD_pointer || strcmp(value, "NULL") != 0;
 }
@@ -105,7 +105,7 @@ static void add_numbers(char text[TS_TOLD_TEXT], const ts_explanation *e, size_t
 		const ts_told_leaf *leaf = &type->leaf[i];
 		ts_explain_number(value, e, line, leaf);
 		if (other != NULL) ts_explain_number(others, other, &other->telling.lines[number], leaf);
-		if (!is_told(type, leaf, value) || (other != NULL && strcmp(value, others) == 0)) continue;
+		if (!is_shown(type, leaf, value) || (other != NULL && strcmp(value, others) == 0)) continue;
 		used += (size_t)snprintf(text + used, TS_TOLD_TEXT - used, "%s %s%s%s", apart, leaf->path,
 		                         leaf->path[0] != 0 ? " " : "", value);
 		apart = ",";

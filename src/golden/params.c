@@ -6,7 +6,7 @@
 
 enum { MOST_BYTES = 16 << 10 };
 
-static ts_status read_line(ts_golden_said *s, char *line)
+static ts_status read_line(ts_golden_settings *s, char *line)
 {
 	char *equals = strchr(line, '=');
 	if (equals == NULL) return ts_fail("\"%.60s\" is not NAME=VALUE", line);
@@ -29,7 +29,7 @@ static ts_status read_line(ts_golden_said *s, char *line)
 	return ts_params_set(&s->params, line, equals + 1);
 }
 
-ts_status ts_golden_read_params(ts_golden_said *s, const ts_golden_dir *dir)
+ts_status ts_golden_read_params(ts_golden_settings *s, const ts_golden_dir *dir)
 {
 	char *text, *end;
 	size_t bytes;
@@ -48,7 +48,7 @@ ts_status ts_golden_read_params(ts_golden_said *s, const ts_golden_dir *dir)
 	return status;
 }
 
-ts_status ts_golden_place(ts_golden_said *s, const char *name, const char *text)
+ts_status ts_golden_place(ts_golden_settings *s, const char *name, const char *text)
 {
 	size_t used = strlen(s->places), n = strlen(name) + strlen(text) + 2;
 	if (n >= sizeof s->places - used) return ts_fail("%s: the options of the scene are too long", name);
@@ -66,7 +66,7 @@ static bool is_file(const char *spec)
 	return false;
 }
 
-ts_status ts_golden_bound(const ts_golden_said *s)
+ts_status ts_golden_bound(const ts_golden_settings *s)
 {
 	const ts_params *p = &s->params;
 	if (!ts_builtin_is(s->scene) && !is_file(s->scene)) {
@@ -92,7 +92,7 @@ static ts_status set_places(ts_places *places, char *lines)
 	return TS_OK;
 }
 
-static ts_status open_scene(ts_scene **scene, const ts_golden_said *s, const char *folder, ts_golden_opener *open)
+static ts_status open_scene(ts_scene **scene, const ts_golden_settings *s, const char *folder, ts_golden_opener *open)
 {
 	char path[TS_GOLDEN_PATH + TS_GOLDEN_SCENE], lines[TS_GOLDEN_PLACES];
 	ts_places places;
@@ -103,14 +103,15 @@ static ts_status open_scene(ts_scene **scene, const ts_golden_said *s, const cha
 	return open(scene, path, &s->params, &places.options);
 }
 
-ts_status ts_golden_make(ts_golden *golden, const char *name, const ts_pipeline *pipeline, const ts_golden_said *said,
-                         const char *folder, ts_golden_opener *open, const ts_how *how)
+ts_status ts_golden_make(ts_golden *golden, const char *name, const ts_pipeline *pipeline,
+                         const ts_golden_settings *settings, const char *folder, ts_golden_opener *open,
+                         const ts_how *how)
 {
 	ts_scene *scene;
 	memset(golden, 0, sizeof *golden);
-	if (open_scene(&scene, said, folder, open) != TS_OK) return TS_ERROR;
-	u64 need = ts_pipeline_estimate(pipeline, scene, &said->params, true), limit = ts_memory_limit();
-	ts_golden_job job = {pipeline, scene, &said->params, *how};
+	if (open_scene(&scene, settings, folder, open) != TS_OK) return TS_ERROR;
+	u64 need = ts_pipeline_estimate(pipeline, scene, &settings->params, true), limit = ts_memory_limit();
+	ts_golden_job job = {pipeline, scene, &settings->params, *how};
 	ts_status status = need <= limit ? ts_golden_compute(golden, &job)
 	                                 : ts_fail_as(TS_KIND_MEMORY, "%s: needs about %llu MiB; %llu are there", name,
 	                                              (unsigned long long)(need >> 20), (unsigned long long)(limit >> 20));

@@ -14,14 +14,14 @@ typedef struct {
 	char scene[TS_GOLDEN_SCENE];   /* a built-in one, or a file's path from the folder that the golden stands in */
 	char places[TS_GOLDEN_PLACES]; /* NAME=TEXT lines */
 	ts_params params;
-} ts_golden_said;
+} ts_golden_settings;
 
-ts_status ts_golden_read_params(ts_golden_said *said, const ts_golden_dir *dir);
+ts_status ts_golden_read_params(ts_golden_settings *settings, const ts_golden_dir *dir);
 
 /* Appends a line to the options of the scene. */
-ts_status ts_golden_place(ts_golden_said *said, const char *name, const char *text);
+ts_status ts_golden_place(ts_golden_settings *settings, const char *name, const char *text);
 /* Refuses a scene that cannot be a golden's, and parameters beyond the limits. */
-ts_status ts_golden_bound(const ts_golden_said *said);
+ts_status ts_golden_bound(const ts_golden_settings *settings);
 
 /* ts_builtin_open, or what opens files too. */
 typedef ts_status ts_golden_opener(ts_scene **scene, const char *spec, const ts_params *params,
@@ -30,7 +30,8 @@ typedef ts_status ts_golden_opener(ts_scene **scene, const char *spec, const ts_
  *   name     that of the golden, for messages
  *   folder   the one from which the paths of scenes go
  * Release by ts_golden_free, also after a failure. */
-ts_status ts_golden_make(ts_golden *golden, const char *name, const ts_pipeline *pipeline, const ts_golden_said *said,
-                         const char *folder, ts_golden_opener *open, const ts_how *how);
+ts_status ts_golden_make(ts_golden *golden, const char *name, const ts_pipeline *pipeline,
+                         const ts_golden_settings *settings, const char *folder, ts_golden_opener *open,
+                         const ts_how *how);
 
 #endif

@@ -39,7 +39,7 @@ static ts_status require_codec(const char *what)
 }
 
 /* Fetches the module's own message. */
-static ts_status said(ts_status status)
+static ts_status with_message(ts_status status)
 {
 	return status == TS_OK ? TS_OK : ts_fail_as(codec->kind(), "%s", codec->message());
 }
@@ -82,7 +82,7 @@ static ts_status decode(uint8_t **rgba, const uint32_t size[2], const char *form
 {
 	*rgba = ts_alloc((size_t)size[0] * size[1], 4, what);
 	if (*rgba == NULL) return TS_ERROR;
-	ts_status status = said(codec->decode(*rgba, size[0], size[1], format, file, file_bytes, what));
+	ts_status status = with_message(codec->decode(*rgba, size[0], size[1], format, file, file_bytes, what));
 	if (status == TS_OK) return TS_OK;
 	free(*rgba);
 	*rgba = NULL;
@@ -144,7 +144,7 @@ ts_status ts_image_encode_png(void **file, size_t *file_bytes, const uint8_t *pi
 	*file = NULL;
 	if (TS_LACKS(file_bytes) || TS_LACKS(pixels) || TS_LACKS(what)) return TS_ERROR;
 	if (check_picture(what, width, height, channels) != TS_OK || require_codec(what) != TS_OK) return TS_ERROR;
-	return said(codec->encode_png(file, file_bytes, what, pixels, width, height, channels, texts));
+	return with_message(codec->encode_png(file, file_bytes, what, pixels, width, height, channels, texts));
 }
 
 ts_status ts_image_encode_exr(void **file, size_t *file_bytes, const float *pixels, uint32_t width, uint32_t height,
@@ -154,7 +154,7 @@ ts_status ts_image_encode_exr(void **file, size_t *file_bytes, const float *pixe
 	*file = NULL;
 	if (TS_LACKS(file_bytes) || TS_LACKS(pixels) || TS_LACKS(what)) return TS_ERROR;
 	if (check_picture(what, width, height, channels) != TS_OK || require_codec(what) != TS_OK) return TS_ERROR;
-	return said(codec->encode_exr(file, file_bytes, what, pixels, width, height, channels, texts));
+	return with_message(codec->encode_exr(file, file_bytes, what, pixels, width, height, channels, texts));
 }
 
 /* Puts an encoded file, which is freed, in its place. */
@@ -215,7 +215,8 @@ static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, ui
 	const char *format = is == TS_IMAGE_PNG ? "png" : is == TS_IMAGE_JPEG ? "jpeg" : "openexr";
 	ts_status status = is == TS_IMAGE_PNG ? ts_png_clean(&clean, &bytes, file, bytes, what) : TS_OK;
 	const void *whole = clean != NULL ? clean : file;
-	if (status == TS_OK) status = said(codec->read(pixels, width, height, channels, format, whole, bytes, what));
+	if (status == TS_OK)
+		status = with_message(codec->read(pixels, width, height, channels, format, whole, bytes, what));
 	free(clean);
 	return status;
 }

@@ -7,7 +7,7 @@
 enum { LINE_BYTES = 1024, ASK_MS = 5 };
 
 struct ts_stop {
-	atomic_bool said; /* the listener cancelled */
+	atomic_bool cancelled;
 	int64_t asked_ms; /* the last time that the listener was asked */
 };
 
@@ -30,7 +30,7 @@ ts_listener ts_listen(const ts_listener *to)
 {
 	const ts_listener before = listener;
 	listener = *to;
-	own.said = false;
+	own.cancelled = false;
 	own.asked_ms = now_ms();
 	return before;
 }
@@ -54,13 +54,13 @@ void ts_progress(const char *label, uint64_t done, uint64_t total)
 
 bool ts_cancelled(void)
 {
-	if (listener.cancelled == NULL || own.said) return own.said;
-	own.said = listener.cancelled(listener.user) != 0;
+	if (listener.cancelled == NULL || own.cancelled) return own.cancelled;
+	own.cancelled = listener.cancelled(listener.user) != 0;
 	own.asked_ms = now_ms();
-	return own.said;
+	return own.cancelled;
 }
 
-ts_status ts_go_on(void) { return own.said ? ts_fail_as(TS_KIND_CANCELLED, "cancelled") : TS_OK; }
+ts_status ts_go_on(void) { return own.cancelled ? ts_fail_as(TS_KIND_CANCELLED, "cancelled") : TS_OK; }
 
 ts_stop *ts_stop_here(void) { return listener.cancelled != NULL ? &own : NULL; }
 
@@ -68,5 +68,5 @@ bool ts_stopped(ts_stop *stop)
 {
 	if (stop == NULL) return false;
 	if (stop == &own && now_ms() - own.asked_ms >= ASK_MS) return ts_cancelled();
-	return atomic_load_explicit(&stop->said, memory_order_relaxed);
+	return atomic_load_explicit(&stop->cancelled, memory_order_relaxed);
 }

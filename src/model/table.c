@@ -88,7 +88,7 @@ const ts_shape *ts_buffer_shape(ts_buffer_id id)
 
 ts_dim ts_buffer_counts(ts_buffer_id id) { return ts_axis_counts(&ts_buffer_shape(id)->axis[0]); }
 
-ts_dim ts_buffer_tells(ts_buffer_id id)
+ts_dim ts_buffer_gives(ts_buffer_id id)
 {
 	ts_dim dim = ts_buffer_counts(id);
 	if (dim == TS_DIM_none || ts_buffer_shape(id)->axis[0].more != 0) return TS_DIM_none;

@@ -20,7 +20,7 @@ const ts_shape *ts_buffer_shape(ts_buffer_id id);
 ts_dim ts_buffer_counts(ts_buffer_id id);
 /* The size that follows from the first dimension of a buffer, unless parameters give that size; otherwise
  * TS_DIM_none. */
-ts_dim ts_buffer_tells(ts_buffer_id id);
+ts_dim ts_buffer_gives(ts_buffer_id id);
 
 /* The FIELD rows. */
 const ts_field_info *ts_field_table(size_t *n);

@@ -43,7 +43,7 @@ typedef struct {
 	 * (the message names all), or if an index in a buffer is out of range. Floats on which a decision depends are
 	 * objects of "value" and "bits"; each "check" says whether a recomputed value has the bits of a buffer. */
 	ts_status (*answer)(ts_probe *probe, const ts_probe_question *question, json_t *object);
-	const char *tells;         /* what the answer tells, for help */
+	const char *reports;       /* what the answer tells, for help */
 	const ts_probe_view *view; /* of texels; else NULL */
 } ts_probe_part;
 

@@ -15,7 +15,7 @@ static void find_sizes(ts_probe *p)
 	ts_sizes_clear(&p->sizes);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_trace_item *item = &p->trace->item[id];
-		ts_dim of = ts_buffer_tells((ts_buffer_id)id);
+		ts_dim of = ts_buffer_gives((ts_buffer_id)id);
 		if (item->path == NULL || item->cropped || of == TS_DIM_none) continue;
 		if (item->npy.shape[0] < n[of]) n[of] = item->npy.shape[0];
 	}

@@ -53,7 +53,7 @@ static void count(ts_load *load, const ts_stage *stage)
 	for (source from = FROM_SCENE; from < N_FROM; from++) {
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 			const ts_trace_item *item = ts_load_item(load->reference, load->candidate, (ts_buffer_id)id);
-			ts_dim of = ts_buffer_tells((ts_buffer_id)id);
+			ts_dim of = ts_buffer_gives((ts_buffer_id)id);
 			bool made = ts_stage_writes(stage, (ts_buffer_id)id), turn = is_from(load, (ts_buffer_id)id, from);
 			if (item == NULL || of == TS_DIM_none || made || !turn) continue;
 			if (load->sizes.n[of] == TS_UNKNOWN) load->sizes.n[of] = item->npy.shape[0];

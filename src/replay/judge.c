@@ -16,7 +16,7 @@ static bool same_shape(const ts_buffer *ours, const ts_trace_item *item)
 	return memcmp(npy->shape + skip, ours->shape + skip, (ours->n_dims - skip) * sizeof *npy->shape) == 0;
 }
 
-static void tell_shape(char text[TS_VALUE_TEXT], u32 n_dims, const u64 *shape)
+static void name_shape(char text[TS_VALUE_TEXT], u32 n_dims, const u64 *shape)
 {
 	FILE *out = fmemopen(text, TS_VALUE_TEXT, "w");
 	if (out == NULL) return;
@@ -25,22 +25,22 @@ static void tell_shape(char text[TS_VALUE_TEXT], u32 n_dims, const u64 *shape)
 }
 
 /* Appends to `where`. The reference's file is not wrong if the candidate's inputs give something else. */
-static void tell(ts_judged *judged, const char *where, const char *made, const char *found)
+static void set_text(ts_judged *judged, const char *where, const char *made, const char *found)
 {
 	const char *format =
 		judged->not_given ? "%sthe candidate's inputs give %s, the reference has %s" : "%s%s is right, %s was found";
 	snprintf(judged->text, sizeof judged->text, format, where, made, found);
 }
 
-static void tell_shapes(ts_judged *judged, const ts_buffer *ours)
+static void name_shapes(ts_judged *judged, const ts_buffer *ours)
 {
 	char made[TS_VALUE_TEXT] = "", found[TS_VALUE_TEXT] = "";
-	tell_shape(made, ours->n_dims, ours->shape);
-	tell_shape(found, judged->item->npy.n_dims, judged->item->npy.shape);
-	tell(judged, "", made, found);
+	name_shape(made, ours->n_dims, ours->shape);
+	name_shape(found, judged->item->npy.n_dims, judged->item->npy.shape);
+	set_text(judged, "", made, found);
 }
 
-static void tell_first(ts_judged *judged)
+static void name_first(ts_judged *judged)
 {
 	const ts_verdict *v = &judged->verdict;
 	char where[TS_WHERE_TEXT], place[sizeof where + 80], name[64], right[TS_VALUE_TEXT], found[TS_VALUE_TEXT];
@@ -50,7 +50,7 @@ static void tell_first(ts_judged *judged)
 	ts_difference_show(found, judged->id, &v->first, v->first.cand);
 	if (v->has_first) {
 		snprintf(place, sizeof place, "%s%s%s: ", where, name[0] != 0 ? ", field " : "", name);
-		tell(judged, place, right, found);
+		set_text(judged, place, right, found);
 	} else if (v->n_missing + v->n_extra == 0) {
 		snprintf(judged->text, sizeof judged->text, "element %" PRIu64 ": %s",
 		         v->n_ref < v->n_cand ? v->n_ref : v->n_cand,
@@ -140,7 +140,7 @@ ts_status ts_judge(ts_judged *judged, const ts_load *load, ts_buffer_id id, cons
 		judged->verdict.judgement = TS_UNLIKE;
 		judged->verdict.n_ref = ours->n;
 		judged->verdict.n_cand = judged->item->npy.n;
-		tell_shapes(judged, ours);
+		name_shapes(judged, ours);
 		return TS_DIFFERENT;
 	}
 	const ts_trace *owner = candidate != NULL && !judged->not_given ? candidate : load->reference;
@@ -151,6 +151,6 @@ ts_status ts_judge(ts_judged *judged, const ts_load *load, ts_buffer_id id, cons
 	ts_status status = judge_by(judged, right, load, owner, relaxations != NULL ? relaxations : &none);
 	free(right);
 	if (status != TS_OK || judged->verdict.judgement == TS_SAME) return status;
-	tell_first(judged);
+	name_first(judged);
 	return TS_DIFFERENT;
 }

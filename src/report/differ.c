@@ -167,10 +167,10 @@ static ts_status look_at_pixels(differing *d, const ts_relaxations *relaxations)
 	return png != NULL ? ts_page_check(d->page) : TS_ERROR;
 }
 
-static json_t *begin(ts_page *page, const json_t *said)
+static json_t *begin(ts_page *page, const json_t *json)
 {
 	json_t *o = json_object();
-	ts_page_put(page, o, "said", json_deep_copy(said));
+	ts_page_put(page, o, "said", json_deep_copy(json));
 	ts_page_append(page, page->comparisons, o);
 	return o;
 }
@@ -183,10 +183,10 @@ static ts_status pair_last(ts_page *page, json_t *o, size_t reference, size_t im
 	return ts_page_add_pair(page, reference, image);
 }
 
-ts_status ts_page_add_picture_comparison(ts_page *page, const json_t *said)
+ts_status ts_page_add_picture_comparison(ts_page *page, const json_t *json)
 {
 	if (page->n_pictures < 2) return ts_fail("the page: a comparison of two pictures, of which it has fewer");
-	json_t *o = begin(page, said);
+	json_t *o = begin(page, json);
 	const size_t n = page->n_pictures;
 	return ts_page_check(page) == TS_OK ? pair_last(page, o, n - 2, n - 1) : TS_ERROR;
 }
@@ -200,9 +200,9 @@ static size_t picture_of(const ts_page *page, const ts_trace *trace)
 }
 
 ts_status ts_page_add_comparison(ts_page *page, const ts_comparison *comparison, const ts_trace *reference,
-                                 const ts_trace *candidate, const ts_relaxations *relaxations, const json_t *said)
+                                 const ts_trace *candidate, const ts_relaxations *relaxations, const json_t *json)
 {
-	json_t *o = begin(page, said);
+	json_t *o = begin(page, json);
 	const size_t a = picture_of(page, reference), b = picture_of(page, candidate);
 	differing d = {.page = page, .o = o, .reference = reference, .candidate = candidate, .comparison = comparison};
 	if (ts_page_check(page) != TS_OK) return TS_ERROR;

@@ -23,12 +23,12 @@ ts_status ts_page_add_picture(ts_page *page, const char *name, const char *from,
 ts_status ts_page_add_folder(ts_page *page, const char *dir);
 /* Adds a trace: its picture, and the figures of its trace.json. */
 ts_status ts_page_add_trace(ts_page *page, const ts_trace *trace);
-/* Adds the comparison of a candidate, after both traces were added; `said` is the comparison as JSON (compare --json).
+/* Adds the comparison of a candidate, after both traces were added; `json` is the comparison as JSON (compare --json).
  * The page gets the differing pixels, and probes of pixels of both traces. */
 ts_status ts_page_add_comparison(ts_page *page, const ts_comparison *comparison, const ts_trace *reference,
-                                 const ts_trace *candidate, const ts_relaxations *relaxations, const json_t *said);
+                                 const ts_trace *candidate, const ts_relaxations *relaxations, const json_t *json);
 /* Adds a comparison of the last two pictures that were added. */
-ts_status ts_page_add_picture_comparison(ts_page *page, const json_t *said);
+ts_status ts_page_add_picture_comparison(ts_page *page, const json_t *json);
 
 /* Compares the pictures of all pairs, and writes or replaces the file as a whole. A line warns of a page that is too
  * large for browsers to open at once. */

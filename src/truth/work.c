@@ -14,8 +14,8 @@ void ts_work_at(ts_work *work, u64 done, u64 all)
 {
 	double seconds = ts_seconds() - work->begin;
 	ts_progress(work->label, done, all);
-	if (work->said || done == 0 || done >= all || seconds < first) return;
-	work->said = true;
+	if (work->reported || done == 0 || done >= all || seconds < first) return;
+	work->reported = true;
 	double total = seconds * (double)all / (double)done;
 	if (total < lengthy) return;
 	if (work->rays > 0) {

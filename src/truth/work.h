@@ -8,7 +8,7 @@ typedef struct {
 	const char *label;
 	u64 rays; /* of the whole work; 0: it casts none */
 	double begin;
-	bool said;
+	bool reported;
 } ts_work;
 
 ts_work ts_work_begin(const char *label, u64 rays);

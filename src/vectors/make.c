@@ -170,7 +170,7 @@ static bool is_finite(const ts_vector *v, const u32 *out)
 }
 
 /* From FAULTS_FROM on each fault in turn must show; but libm, which differs between systems, chooses no input. */
-static bool is_telling(const ts_vector *v, u32 i, const u32 *row, const u32 *out)
+static bool shows_fault(const ts_vector *v, u32 i, const u32 *row, const u32 *out)
 {
 	u32 n = 0, faulty[TS_VECTOR_WORDS];
 	while (v->variants[n].item != NULL) n++;
@@ -198,7 +198,7 @@ void ts_vector_make(const ts_vector *vector, u32 *in, u32 *out)
 		for (u32 n = 0; !good; n++) {
 			draw_row(&s, vector, n < MAX_TRIES ? i : BITS_FROM, row);
 			vector->item(result, row);
-			good = is_finite(vector, result) && (n >= MAX_TRIES || is_telling(vector, i, row, result));
+			good = is_finite(vector, result) && (n >= MAX_TRIES || shows_fault(vector, i, row, result));
 		}
 	}
 }

@@ -20,7 +20,7 @@ static const hand_record record = {.length = -2,
                                    .to = &hand_keys[3]};
 
 /* Two launches, of which the second has item 4: seven lines. */
-static void tell(ts_explanation *e, u32 which, u32 n, const hand_record *r)
+static void add_line(ts_explanation *e, u32 which, u32 n, const hand_record *r)
 {
 	hand_begin(e);
 	e->launch = launches[which];
@@ -40,8 +40,8 @@ static void tell(ts_explanation *e, u32 which, u32 n, const hand_record *r)
 static int begin(void **state)
 {
 	(void)state;
-	tell(&one, 0, 7, &record);
-	tell(&two, 1, 7, &record);
+	add_line(&one, 0, 7, &record);
+	add_line(&two, 1, 7, &record);
 	for (u32 i = 0; i < 2; i++) {
 		traces[i] = ts_trace_new(i == 0 ? "a/trace" : "b/trace");
 		assert_non_null(traces[i]);
@@ -129,7 +129,7 @@ static void lines_the_same_in_both_stand_once(void **state)
 	hand_record other = record;
 	other.step = 9;
 	hand_end(&two);
-	tell(&two, 1, 8, &other);
+	add_line(&two, 1, 8, &other);
 	PRINTS(HEAD, "< is a/trace, > is b/trace; the first line that differs is", NUMBER("<", "7 (7)"),
 	       NUMBER(">", "8 (8)"), CALL, NUMBER("<", "7 (7)"), NUMBER(">", "8 (8)"), MIDDLE, LONG("<") ".step -7",
 	       LONG(">") ".step 9", RESULT(" "));
@@ -198,7 +198,7 @@ static void no_number_is_null_in_json(void **state)
 		char word[16];
 		hand_record r = {.length = ts_u2f(bits[i]), .step = INT32_MIN, .sum = INT64_MAX};
 		hand_end(&one);
-		tell(&one, 0, 2, &r);
+		add_line(&one, 0, 2, &r);
 		json_t *root = ts_explain_json(&what), *list = json_object_get(root, "launches");
 		const json_t *value = json_object_get(line_of(list, 1, 5), "value"),
 					 *length = json_object_get(value, ".length");

@@ -20,7 +20,7 @@ static int end(void **state)
 	return 0;
 }
 
-static void tell(ts_explanation *e, const ts_told_site *site, const void *value)
+static void add_line(ts_explanation *e, const ts_told_site *site, const void *value)
 {
 	ts_told_to(&e->telling);
 	ts_told(site, value);
@@ -47,7 +47,7 @@ static void shows(u32 leaf, const hand_record *r, const char *expected)
 {
 	char text[TS_VALUE_TEXT];
 	size_t number = one.telling.n_lines;
-	tell(&one, &hand_r, r);
+	add_line(&one, &hand_r, r);
 	ts_explain_number(text, &one, &one.telling.lines[number], &hand_leaves[leaf]);
 	assert_string_equal(text, expected);
 }
@@ -97,12 +97,12 @@ static void each_kind_of_line_has_its_words(void **state)
 	ts_told_call(&hand_item);
 	ts_told_test(&hand_test, true);
 	ts_told_test(&hand_test, false);
-	tell(&one, &hand_n, &n);
-	tell(&one, &hand_result, &n);
-	tell(&one, &hand_c, xy);
-	tell(&one, &hand_store, &hand_keys[4]);
-	tell(&one, &hand_count, &hand_load.run.frame.tally[1]);
-	tell(&one, &hand_p, &nowhere);
+	add_line(&one, &hand_n, &n);
+	add_line(&one, &hand_result, &n);
+	add_line(&one, &hand_c, xy);
+	add_line(&one, &hand_store, &hand_keys[4]);
+	add_line(&one, &hand_count, &hand_load.run.frame.tally[1]);
+	add_line(&one, &hand_p, &nowhere);
 	static const struct {
 		const char *text, *place;
 		bool has_value;
@@ -136,12 +136,12 @@ static void long_values_say_where_they_were_told(void **state)
 	char expected[TS_TOLD_TEXT];
 	hand_record r = record;
 	const u32 xy[2] = {1, 2};
-	for (u32 twice = 0; twice < 2; twice++) tell(&one, &hand_c, xy);
-	for (u32 twice = 0; twice < 2; twice++) tell(&one, &hand_r, &r);
+	for (u32 twice = 0; twice < 2; twice++) add_line(&one, &hand_c, xy);
+	for (u32 twice = 0; twice < 2; twice++) add_line(&one, &hand_r, &r);
 	r.on = false;
 	r.to = NULL;
-	for (u32 twice = 0; twice < 2; twice++) tell(&one, &hand_r, &r);
-	tell(&one, &hand_r, &record);
+	for (u32 twice = 0; twice < 2; twice++) add_line(&one, &hand_r, &r);
+	add_line(&one, &hand_r, &record);
 	for (size_t i = 0; i < 2; i++) reads(&one, i, NULL, "c = .x 1 (1), .y 2 (2)");
 	snprintf(expected, sizeof expected, "%s.on yes, .to points.key:3", head);
 	reads(&one, 2, NULL, expected);
@@ -162,7 +162,7 @@ static void an_endless_value_is_cut(void **state)
 	for (u32 i = 0; i < MANY; i++) leaves[i] = (ts_told_leaf){".name", 4 * i, TS_TOLD_u32};
 	const ts_told_type many = {"ts_many", sizeof numbers, MANY, leaves};
 	const ts_told_site site = {TS_TOLD_VALUE, "points/hand.h", 30, "many", &many};
-	tell(&one, &site, numbers);
+	add_line(&one, &site, numbers);
 	char text[TS_TOLD_TEXT];
 	ts_explain_text(text, &one, 0, NULL);
 	size_t n = strlen(text), entry = strlen(" .name 0 (0),");
@@ -175,13 +175,13 @@ static void a_thousand_lines_back_is_far_enough(void **state)
 {
 	(void)state;
 	const u32 n = 0;
-	tell(&one, &hand_r, &record);
-	for (u32 i = 1; i < 1000; i++) tell(&one, &hand_n, &n);
-	tell(&one, &hand_r, &record);
+	add_line(&one, &hand_r, &record);
+	for (u32 i = 1; i < 1000; i++) add_line(&one, &hand_n, &n);
+	add_line(&one, &hand_r, &record);
 	reads(&one, 1000, NULL, "r as in line 1");
 	one.telling.n_lines = 1000;
-	tell(&one, &hand_n, &n);
-	tell(&one, &hand_r, &record);
+	add_line(&one, &hand_n, &n);
+	add_line(&one, &hand_r, &record);
 	char text[TS_TOLD_TEXT];
 	ts_explain_text(text, &one, 1001, NULL);
 	assert_non_null(strstr(text, "r = .length 1.5 "));
@@ -193,12 +193,12 @@ static void lines_beside_each_other_tell_what_differs(void **state)
 	(void)state;
 	hand_record r = record;
 	size_t number;
-	tell(&one, &hand_r, &record);
-	tell(&two, &hand_r, &record);
-	tell(&one, &hand_r, &record);
+	add_line(&one, &hand_r, &record);
+	add_line(&two, &hand_r, &record);
+	add_line(&one, &hand_r, &record);
 	r.step = 8;
 	r.on = false;
-	tell(&two, &hand_r, &r);
+	add_line(&two, &hand_r, &r);
 	assert_true(ts_explain_is_beside(&one, &two, 0) && ts_explain_is_same(&one, &two, 0));
 	assert_true(ts_explain_is_beside(&one, &two, 1) && !ts_explain_is_same(&one, &two, 1));
 	reads(&one, 0, &two, "r =");
@@ -214,21 +214,21 @@ static void lines_that_only_one_has_differ(void **state)
 	size_t number;
 	const u32 n = 1;
 	assert_false(ts_explain_differ(&number, &one, &two));
-	tell(&one, &hand_n, &n);
+	add_line(&one, &hand_n, &n);
 	for (u32 swapped = 0; swapped < 2; swapped++) {
 		assert_true(ts_explain_differ(&number, swapped ? &two : &one, swapped ? &one : &two) && number == 0);
 		assert_false(ts_explain_is_beside(swapped ? &two : &one, swapped ? &one : &two, 0));
 	}
-	tell(&two, &hand_n, &n);
+	add_line(&two, &hand_n, &n);
 	assert_false(ts_explain_differ(&number, &one, &two));
 	assert_int_equal(number, 1);
-	tell(&one, &hand_n, &n);
+	add_line(&one, &hand_n, &n);
 	two.telling.depth = 1;
-	tell(&two, &hand_n, &n);
+	add_line(&two, &hand_n, &n);
 	assert_true(!ts_explain_is_beside(&one, &two, 1) && !ts_explain_is_same(&one, &two, 1));
 	two.telling.depth = 0;
 	two.telling.n_lines = 1;
-	tell(&two, &hand_result, &n);
+	add_line(&two, &hand_result, &n);
 	assert_true(!ts_explain_is_beside(&one, &two, 1) && !ts_explain_is_same(&one, &two, 1));
 	one.telling.n_lines = two.telling.n_lines = 1;
 	for (u32 k = 0; k < 2; k++) {

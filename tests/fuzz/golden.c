@@ -39,7 +39,7 @@ static ts_status read_cases(void)
 	for (u32 i = 0; i < goldens.n_cases && status == TS_OK; i++) {
 		const ts_case *c = &goldens.cases[i];
 		assert(ts_case_name(c->name) && ts_cases_find(&goldens, c->name) == c);
-		assert(ts_params_check(&c->said.params) == TS_OK);
+		assert(ts_params_check(&c->settings.params) == TS_OK);
 	}
 	return status;
 }

@@ -2,67 +2,67 @@
 #include "dir.h"
 #include "../../src/golden/params.h"
 
-static ts_status read_text(ts_golden_said *said, const char *text, size_t n)
+static ts_status read_text(ts_golden_settings *settings, const char *text, size_t n)
 {
 	write_file("params.txt", text, n);
-	return ts_golden_read_params(said, &dir);
+	return ts_golden_read_params(settings, &dir);
 }
 
-static void reads(ts_golden_said *said, const char *text)
+static void reads(ts_golden_settings *settings, const char *text)
 {
-	if (read_text(said, text, strlen(text)) != TS_OK) fail_msg("%s", ts_error_message());
+	if (read_text(settings, text, strlen(text)) != TS_OK) fail_msg("%s", ts_error_message());
 }
 
 static void each_line_sets_its_parameter(void **state)
 {
 	(void)state;
-	ts_golden_said said;
+	ts_golden_settings settings;
 	ts_params usual;
 	ts_params_default(&usual);
-	reads(&said, "effect=reflections\nmethod=epr\nscene=atrium:texels=32\nwidth=48\n");
-	assert_string_equal(said.effect, "reflections");
-	assert_string_equal(said.method, "epr");
-	assert_string_equal(said.scene, "atrium:texels=32");
-	assert_int_equal(said.params.width, 48);
-	assert_int_equal(said.params.height, usual.height);
-	reads(&said, "height=20\nmethod=mvr"); /* without a last end of line */
-	assert_string_equal(said.effect, "");
-	assert_string_equal(said.method, "mvr");
-	assert_string_equal(said.scene, "");
-	assert_int_equal(said.params.width, usual.width);
-	assert_int_equal(said.params.height, 20);
-	reads(&said, "");
-	assert_memory_equal(&said.params, &usual, sizeof usual);
+	reads(&settings, "effect=reflections\nmethod=epr\nscene=atrium:texels=32\nwidth=48\n");
+	assert_string_equal(settings.effect, "reflections");
+	assert_string_equal(settings.method, "epr");
+	assert_string_equal(settings.scene, "atrium:texels=32");
+	assert_int_equal(settings.params.width, 48);
+	assert_int_equal(settings.params.height, usual.height);
+	reads(&settings, "height=20\nmethod=mvr"); /* without a last end of line */
+	assert_string_equal(settings.effect, "");
+	assert_string_equal(settings.method, "mvr");
+	assert_string_equal(settings.scene, "");
+	assert_int_equal(settings.params.width, usual.width);
+	assert_int_equal(settings.params.height, 20);
+	reads(&settings, "");
+	assert_memory_equal(&settings.params, &usual, sizeof usual);
 }
 
 static void refuses(const char *text, size_t n, const char *words)
 {
-	ts_golden_said said;
-	refused(read_text(&said, text, n), words);
+	ts_golden_settings settings;
+	refused(read_text(&settings, text, n), words);
 }
 
 static void wrong_lines_are_refused(void **state)
 {
 	(void)state;
-	ts_golden_said said;
+	ts_golden_settings settings;
 	refuses("width\n", 6, "params.txt: \"width\" is not NAME=VALUE");
 	refuses("width=48\n\n", 10, "params.txt: \"\" is not NAME=VALUE");
 	refuses("width=48\0\n", 10, "params.txt: a byte that is no text");
 	refuses("breadth=48\n", 11, "there is no parameter \"breadth\"");
 	refuses("width=0\n", 8, "params.txt: ");
 	remove(scratch_path("params.txt"));
-	assert_int_equal(ts_golden_read_params(&said, &dir), TS_ERROR);
+	assert_int_equal(ts_golden_read_params(&settings, &dir), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "params.txt: cannot open"));
 }
 
 static ts_status bound(u32 width, u32 height, u32 frame)
 {
-	ts_golden_said said = {.scene = "atrium"};
-	ts_params_default(&said.params);
-	said.params.width = width;
-	said.params.height = height;
-	said.params.frame = frame;
-	return ts_golden_bound(&said);
+	ts_golden_settings settings = {.scene = "atrium"};
+	ts_params_default(&settings.params);
+	settings.params.width = width;
+	settings.params.height = height;
+	settings.params.frame = frame;
+	return ts_golden_bound(&settings);
 }
 
 static void a_golden_has_a_bound_of_pixels(void **state)
@@ -89,9 +89,9 @@ static void only_relative_scenes_are_accepted(void **state)
 	              {"room.obj", TS_ERROR},    {"room", TS_ERROR},
 	              {"room.gltf/x", TS_ERROR}};
 	for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
-		ts_golden_said said = {.params.width = 16, .params.height = 16};
-		strcpy(said.scene, scenes[i].spec);
-		assert_int_equal(ts_golden_bound(&said), scenes[i].status);
+		ts_golden_settings settings = {.params.width = 16, .params.height = 16};
+		strcpy(settings.scene, scenes[i].spec);
+		assert_int_equal(ts_golden_bound(&settings), scenes[i].status);
 	}
 }
 
@@ -99,11 +99,11 @@ static void only_relative_scenes_are_accepted(void **state)
 static void options_of_the_scene_keep_their_order(void **state)
 {
 	(void)state;
-	ts_golden_said said;
+	ts_golden_settings settings;
 	char mirrors[TS_GOLDEN_PLACES + 32] = "";
-	reads(&said, "camera=door=1\nwidth=48\nmirror=1,2,3,4\nmirror=5,6,7,8\n");
-	assert_string_equal(said.places, "camera=door=1\nmirror=1,2,3,4\nmirror=5,6,7,8\n");
-	assert_int_equal(said.params.width, 48);
+	reads(&settings, "camera=door=1\nwidth=48\nmirror=1,2,3,4\nmirror=5,6,7,8\n");
+	assert_string_equal(settings.places, "camera=door=1\nmirror=1,2,3,4\nmirror=5,6,7,8\n");
+	assert_int_equal(settings.params.width, 48);
 	while (strlen(mirrors) < TS_GOLDEN_PLACES) strcat(mirrors, "mirror=1,2,3,4\n");
 	refuses(mirrors, strlen(mirrors), "params.txt: mirror: the options of the scene are too long");
 }

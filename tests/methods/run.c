@@ -211,7 +211,7 @@ static void every_stored_float_is_sound(void **state)
 static void count(ts_sizes *sizes, const ts_frame *frame)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		ts_dim dim = ts_buffer_tells((ts_buffer_id)id);
+		ts_dim dim = ts_buffer_gives((ts_buffer_id)id);
 		if (frame->buffer[id].made && dim != TS_DIM_none) sizes->n[dim] = frame->buffer[id].shape[0];
 	}
 	if (sizes->n[TS_DIM_cubes] != TS_UNKNOWN) ts_sizes_cubes(sizes, sizes->n[TS_DIM_cubes]);

@@ -26,10 +26,10 @@ static bool is_summed(ts_dim dim)
 	return false;
 }
 
-static bool is_told(ts_dim dim)
+static bool is_given(ts_dim dim)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		if (ts_buffer_tells((ts_buffer_id)id) == dim) return true;
+		if (ts_buffer_gives((ts_buffer_id)id) == dim) return true;
 	}
 	return false;
 }
@@ -45,14 +45,14 @@ static void every_size_is_told_or_computed(void **state)
 		for (u32 other = 0; other < dim; other++) assert_string_not_equal(ts_dim_table[other].name, info->name);
 		if (info->how != TS_IS_fixed && info->how != TS_IS_counted) continue;
 		bool apart = dim == TS_DIM_reflectors || dim == TS_DIM_paths;
-		if (is_told((ts_dim)dim) == apart) fail_msg("%s: %s", info->name, apart ? "is told" : "nothing tells it");
+		if (is_given((ts_dim)dim) == apart) fail_msg("%s: %s", info->name, apart ? "is told" : "nothing tells it");
 		assert_true(!is_summed((ts_dim)dim) || info->how == TS_IS_counted);
 	}
-	assert_true(ts_buffer_counts(TS_B_vpl_path) == TS_DIM_paths && ts_buffer_tells(TS_B_vpl_path) == TS_DIM_none);
-	assert_true(ts_buffer_tells(TS_B_image_srgb) == TS_DIM_none &&
-	            ts_buffer_tells(TS_B_depth_grid_depth) == TS_DIM_none);
-	assert_true(ts_buffer_tells(TS_B_points_key) == TS_DIM_points &&
-	            ts_buffer_tells(TS_B_depth_map_depth) == TS_DIM_texels);
+	assert_true(ts_buffer_counts(TS_B_vpl_path) == TS_DIM_paths && ts_buffer_gives(TS_B_vpl_path) == TS_DIM_none);
+	assert_true(ts_buffer_gives(TS_B_image_srgb) == TS_DIM_none &&
+	            ts_buffer_gives(TS_B_depth_grid_depth) == TS_DIM_none);
+	assert_true(ts_buffer_gives(TS_B_points_key) == TS_DIM_points &&
+	            ts_buffer_gives(TS_B_depth_map_depth) == TS_DIM_texels);
 }
 
 static void tables_of_sums_hold_sums(void **state)

@@ -12,7 +12,7 @@ static ts_status load(const ts_buffer_id *ids, const ts_trace *reference, const 
 	return status;
 }
 
-static void assert_told(const char *text)
+static void assert_reported(const char *text)
 {
 	const char *message = ts_error_message();
 	if (strstr(message, text) == NULL || strchr(message, '\n') != NULL) fail_msg("%s", message);
@@ -65,7 +65,7 @@ static void missing_files_are_named(void **state)
 	char *key = traces[0]->item[TS_B_points_record].path, *frame = traces[0]->item[TS_B_align_frame].path;
 	traces[0]->item[TS_B_points_record].path = traces[0]->item[TS_B_align_frame].path = NULL;
 	assert_int_equal(load(splat_reads, traces[0], NULL), TS_ERROR);
-	assert_told("no file of align.frame, points.record");
+	assert_reported("no file of align.frame, points.record");
 	traces[0]->item[TS_B_points_record].path = key;
 	traces[0]->item[TS_B_align_frame].path = frame;
 	assert_int_equal(load(splat_reads, traces[0], NULL), TS_OK);
@@ -80,7 +80,7 @@ static void a_cropped_buffer_is_not_loaded(void **state)
 	ts_trace *candidate =
 		traces_plant(0, &(planted){TS_B_eye_depth_triangle, &part}, 1, "canonical", ", \"crop\": [0, 0, 3, 2]");
 	assert_int_equal(load(ids, traces[0], candidate), TS_ERROR);
-	assert_told("cropped");
+	assert_reported("cropped");
 	traces_drop(candidate);
 }
 
@@ -95,17 +95,17 @@ static void a_size_beyond_memory_is_refused(void **state)
 	ts_trace_item *item = &candidate->item[TS_B_visibility_bits];
 	item->npy.shape[0] = item->npy.n = ts_memory_limit() / 8 + 1;
 	assert_int_equal(load(ids, traces[0], candidate), TS_ERROR);
-	assert_told("a run may use");
+	assert_reported("a run may use");
 	item->npy.n = UINT64_MAX / 8;
 	assert_int_equal(load(ids, traces[0], candidate), TS_ERROR);
-	assert_told("a run may use");
+	assert_reported("a run may use");
 	traces_drop(candidate);
 	static const ts_buffer_id keeps[] = {TS_B_cull_keep, TS_N_BUFFERS};
 	const ts_buffer row = {.data = &none, .n = 0, .n_dims = 1, .shape = {0}};
 	candidate = traces_plant(0, &(planted){TS_B_cull_keep, &row}, 1, "canonical", "");
 	candidate->item[TS_B_cull_keep].npy.shape[0] = candidate->item[TS_B_cull_keep].npy.n = 1ull << 32;
 	assert_int_equal(load(keeps, traces[0], candidate), TS_ERROR);
-	assert_told("32-bit");
+	assert_reported("32-bit");
 	traces_drop(candidate);
 }
 
@@ -118,7 +118,7 @@ static void a_file_that_has_shrunk_is_refused(void **state)
 	ts_trace *candidate = traces_plant(0, &(planted){TS_B_align_frame, &buffer}, 1, "canonical", "");
 	assert_int_equal(truncate(candidate->item[TS_B_align_frame].path, 4096), 0);
 	assert_int_equal(load(splat_reads, traces[0], candidate), TS_ERROR);
-	assert_told("shorter");
+	assert_reported("shorter");
 	traces_drop(candidate);
 	free(data);
 }
@@ -131,15 +131,15 @@ static void traces_of_other_parameters_do_not_match(void **state)
 	ts_trace *candidate = traces_plant(0, &(planted){TS_B_cull_keep, &buffer}, 1, "canonical", "");
 	assert_int_equal(ts_load_match(traces[0], candidate), TS_OK);
 	assert_int_equal(ts_load_match(candidate, NULL), TS_ERROR);
-	assert_told("no params");
+	assert_reported("no params");
 	assert_int_equal(ts_load_match(traces[1], candidate), TS_ERROR);
-	assert_told("of method epr");
+	assert_reported("of method epr");
 	candidate->has_params = true;
 	candidate->params = traces[0]->params;
 	assert_int_equal(ts_load_match(traces[0], candidate), TS_OK);
 	candidate->params.seed++;
 	assert_int_equal(ts_load_match(traces[0], candidate), TS_ERROR);
-	assert_told("parameter seed is 1; 0 would be right");
+	assert_reported("parameter seed is 1; 0 would be right");
 	traces_drop(candidate);
 }
 
@@ -165,7 +165,7 @@ static void what_a_method_sets_is_loaded(void **state)
 	ts_trace reference = *traces[TRACES_PCSS], candidate = reference;
 	candidate.params.lamp_source = TS_LAMP_LAMP;
 	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);
-	assert_told("parameter lamp.source");
+	assert_reported("parameter lamp.source");
 }
 
 int main(void)

@@ -66,8 +66,8 @@ static ts_status build(ts_cl *cl, u32 index)
 	cl->programs[index] = program;
 	status = ts_cl_call.BuildProgram(program, 1, &cl->device, flags, NULL, NULL);
 	if (status == CL_SUCCESS) return TS_OK;
-	bool told = show_log(cl, program);
-	return ts_cl_failed(told ? "building the kernels, whose log stands above" : "building the kernels", status);
+	bool shown = show_log(cl, program);
+	return ts_cl_failed(shown ? "building the kernels, whose log stands above" : "building the kernels", status);
 }
 
 ts_status ts_cl_make_kernel(ts_cl *cl, ts_kernel kernel)

@@ -309,7 +309,7 @@ void walker::leave()
 	if (from.is_reflector) end_reflector(from);
 }
 
-static void tell_names(const walker &walk)
+static void add_names(const walker &walk)
 {
 	for (const named &n : walk.names) {
 		const std::string &name = walk.in.model.nodes.at((size_t)n.node).name;
@@ -345,7 +345,7 @@ void nodes_walk(loader &in)
 			walk.enter(next);
 	}
 	if (in.reflector && walk.n_reflectors == 0) fail_unknown_reflector(in);
-	tell_names(walk);
+	add_names(walk);
 }
 
 } // namespace gltf

@@ -246,7 +246,7 @@ static inline void grove_free(grove *g)
 static inline void grove_sizes(ts_run *run)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		ts_dim of = ts_buffer_tells((ts_buffer_id)id);
+		ts_dim of = ts_buffer_gives((ts_buffer_id)id);
 		bool counts = run->frame.buffer[id].made && of != TS_DIM_none && ts_dim_table[of].how == TS_IS_counted;
 		if (counts) ts_run_set_size(run, of, run->frame.buffer[id].shape[0]);
 	}

@@ -25,7 +25,7 @@ extern int __lsan_do_recoverable_leak_check(void) __attribute__((weak));
 static bool is_one_line(const char *text) { return text[0] != '\0' && strpbrk(text, "\r\n") == NULL; }
 
 /* Opens a file, with reflectors added, and tells the outcome. */
-static void load_and_tell(const char *path, int to)
+static void load_and_report(const char *path, int to)
 {
 	ts_params params;
 	ts_scene *scene;
@@ -69,7 +69,7 @@ static outcome load(const char *path)
 	pid_t child = fork();
 	if (child == 0) {
 		begin_child(printed);
-		load_and_tell(path, ends[1]);
+		load_and_report(path, ends[1]);
 		_exit(__lsan_do_recoverable_leak_check != NULL && __lsan_do_recoverable_leak_check() != 0);
 	}
 	close(ends[1]);

@@ -281,7 +281,7 @@ static void index_and_key_tell_the_same_point(void **state)
 }
 
 /* Points that are not stored are told of as if they were. */
-static void assert_told_alike(json_t *a, json_t *b)
+static void assert_reported_alike(json_t *a, json_t *b)
 {
 	assert_agrees(b);
 	assert_string_equal(json_string_value(json_object_get(a, "method")), "epr");
@@ -307,14 +307,14 @@ static void points_not_stored_are_told_alike(void **state)
 		u32 pixel = records[below((u32)count(&epr, TS_B_mirror_pixel_record))].index, width = epr.run.params.width;
 		require(ask_pixel(&epr, pixel % width, pixel / width, &a));
 		require(ask_pixel(&bufferless, pixel % width, pixel / width, &b));
-		assert_told_alike(a, b);
+		assert_reported_alike(a, b);
 		u32 point = below((u32)count(&epr, TS_B_points_key));
 		require(ask_point(&epr, point, &a));
 		require(ask_key(&bufferless, of_points[point], &b));
-		assert_told_alike(a, b);
+		assert_reported_alike(a, b);
 		require(ask_triangle(&epr, triangle_of(point), &a));
 		require(ask_triangle(&bufferless, triangle_of(point), &b));
-		assert_told_alike(a, b);
+		assert_reported_alike(a, b);
 		u64 texel = below((u32)count(&epr, TS_B_splat_depth_index));
 		if (keys[texel] != TS_EMPTY) json_decref(try_texel(&bufferless, texel, keys[texel], "distance", "point"));
 	}
