@@ -10,7 +10,7 @@
 #include "../trace/emit.h"
 #include "../trace/item.h"
 
-/* Takes over what was made in `v`, or releases it. */
+/* Gives the caller `v`, or releases it after a failure. */
 static ts_status give(ts_verdicts **verdicts, ts_verdicts *v, ts_status status)
 {
 	if (status == TS_ERROR) {

@@ -75,7 +75,7 @@ ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, cons
 	return TS_OK;
 }
 
-/* Drivers are asked and opened one after the other. */
+/* Drivers are queried and opened one at a time. */
 static pthread_mutex_t drivers = PTHREAD_MUTEX_INITIALIZER;
 
 static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 device)

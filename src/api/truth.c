@@ -45,7 +45,7 @@ static ts_status trace_behind(ts_run *run, void *user)
 	return ts_picture_truth(j->picture, j->kind, run);
 }
 
-/* In a run of the first method that makes what it needs. */
+/* Traces in a run of the first method that makes the truth's inputs. */
 static ts_status trace_in_run(job *j)
 {
 	ts_measure measure = {.pictures = NULL};

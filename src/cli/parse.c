@@ -5,7 +5,7 @@
 #include "cli.h"
 #include "../study/truths.h"
 
-/* What getopt_long answers for the first long option, above every letter. */
+/* The result of getopt_long for the first long option, above every letter. */
 enum { LONG = 256 };
 
 bool ts_command_takes(const ts_command *command, u32 option)
@@ -14,7 +14,7 @@ bool ts_command_takes(const ts_command *command, u32 option)
 	return each.options[option] || command->options[option];
 }
 
-/* What getopt_long knows of a command's options. */
+/* A command's options for getopt_long. */
 typedef struct {
 	struct option options[TS_N_OPTIONS + 1]; /* val is LONG and the place in ts_option_table */
 	char letters[2 * TS_N_OPTIONS + 2];

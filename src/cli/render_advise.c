@@ -1,4 +1,4 @@
-/* What to try where a picture shows nothing. */
+/* Advice for pictures that show nothing. */
 #include "render.h"
 
 enum { DARK = 8, BLACK_PERCENT = 95 };

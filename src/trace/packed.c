@@ -71,7 +71,7 @@ typedef struct {
 	u8 block[BLOCK];
 } unpacker;
 
-/* The next block of the file; of no bytes at its end. */
+/* The next block of the file; empty at its end. */
 static ts_status refill(unpacker *u)
 {
 	ssize_t n;

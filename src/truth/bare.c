@@ -10,7 +10,7 @@ enum {
 	SIDE = 4,
 	PACKET = SIDE * SIDE,
 	ROW = 16
-}; /* a packet's rays go through a square of texels; packets asked at once */
+}; /* a packet's rays go through a square of texels; packets cast at once */
 
 struct ts_bare {
 	ts_tree tree;
@@ -18,7 +18,7 @@ struct ts_bare {
 	u32 *corner;
 	ts_camera_k *views;
 	f32 *from;  /* how far from its eye each view's rays begin: outside the reflector that has its middle there */
-	u64 *first; /* texel of each view; then of all */
+	u64 *first; /* texel of each view; then their number */
 	u32 n_views;
 	f32 *depth;
 	u32 *triangle;

@@ -20,8 +20,8 @@ typedef struct {
 	const ts_vpl_gather_pairs_args *to;
 	u32 last;                      /* the level of gathering */
 	u32 scene[MOST_LEVELS + 1];    /* nodes before each level */
-	u32 views[MOST_LEVELS + 1], n; /* the same of views; all of them */
-	f32 radius[MOST_LEVELS];       /* of nodes of views */
+	u32 views[MOST_LEVELS + 1], n; /* the same for views; their number */
+	f32 radius[MOST_LEVELS];       /* of view nodes, per level */
 	f32 *numbers;                  /* what the lanes point into */
 	u32 *room;                     /* three times n per thread */
 	lanes v;

@@ -91,7 +91,7 @@ static void tile_axes(const ts_corners *t, ts_v3 *u, ts_v3 *v)
 	*v = ts_normalize(ts_cross(ts_normalize(t->n), *u));
 }
 
-/* Where a leg meets a reflector that sends it on. */
+/* Where a leg meets a reflector that continues it. */
 typedef struct {
 	ts_truth_hit hit;
 	ts_surface s;

@@ -1,4 +1,4 @@
-/* A pixel of indirect light: its place in the G-buffer, the light that arrives, and what is sent on. */
+/* A pixel of indirect light: its place in the G-buffer, the light that arrives, and the light that it reflects. */
 #include "../../../kernels/raster/gbuffer.h"
 #include "../../../kernels/raster/indirect.h"
 #include "probe.h"
