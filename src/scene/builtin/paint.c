@@ -22,19 +22,52 @@ static u32 wrap(i32 i, u32 n)
 	return (u32)i < n ? (u32)i : (u32)((i % p + p) % p);
 }
 
+/* A cell of a lattice and the values at its corners, by row and column. */
+typedef struct {
+	i32 i, j;
+	u32 period_x, period_y, seed; /* period 0: no cell */
+	f32 corner[2][2];
+} cell;
+
+static void set_corners(cell *c)
+{
+	u32 stream = ts_pcg(5u ^ ts_pcg(c->seed));
+	for (i32 row = 0; row < 2; row++) {
+		for (i32 column = 0; column < 2; column++) {
+			u32 place = wrap(c->i + column, c->period_x) + 65537u * wrap(c->j + row, c->period_y);
+			c->corner[row][column] = ts_uniform(ts_pcg(place ^ stream));
+		}
+	}
+}
+
+/* Neighbouring texels ask for the same cell, so each thread keeps the last ones. */
+static const cell *cell_at(i32 i, i32 j, u32 period_x, u32 period_y, u32 seed)
+{
+	static _Thread_local cell kept[16];
+	cell *c = &kept[seed % 16];
+	if (c->i != i || c->j != j || c->period_x != period_x || c->period_y != period_y || c->seed != seed) {
+		*c = (cell){.i = i, .j = j, .period_x = period_x, .period_y = period_y, .seed = seed};
+		set_corners(c);
+	}
+	return c;
+}
+
+/* |x| below 2^31. */
+static i32 floor_of(f32 x)
+{
+	i32 i = (i32)x;
+	return (f32)i > x ? i - 1 : i;
+}
+
 f32 ts_paint_noise(f32 x, f32 y, u32 period_x, u32 period_y, u32 seed)
 {
-	i32 i = ts_floor_i32(x), j = ts_floor_i32(y);
+	i32 i = floor_of(x), j = floor_of(y);
+	const cell *c = cell_at(i, j, period_x, period_y, seed);
 	f32 fx = x - (f32)i, fy = y - (f32)j;
 	fx = fx * fx * (3.0f - 2.0f * fx);
 	fy = fy * fy * (3.0f - 2.0f * fy);
-	u32 i0 = wrap(i, period_x), j0 = wrap(j, period_y);
-	u32 i1 = i0 + 1 < period_x ? i0 + 1 : 0, j1 = j0 + 1 < period_y ? j0 + 1 : 0;
-	u32 stream = ts_pcg(5u ^ ts_pcg(seed));
-	u32 row0 = 65537u * j0, row1 = 65537u * j1;
-	f32 a = ts_uniform(ts_pcg((i0 + row0) ^ stream)), b = ts_uniform(ts_pcg((i1 + row0) ^ stream));
-	f32 c = ts_uniform(ts_pcg((i0 + row1) ^ stream)), d = ts_uniform(ts_pcg((i1 + row1) ^ stream));
-	f32 low = a + (b - a) * fx, high = c + (d - c) * fx;
+	f32 low = c->corner[0][0] + (c->corner[0][1] - c->corner[0][0]) * fx;
+	f32 high = c->corner[1][0] + (c->corner[1][1] - c->corner[1][0]) * fx;
 	return low + (high - low) * fy;
 }
 
@@ -51,7 +84,7 @@ f32 ts_paint_fbm(f32 u, f32 v, u32 period, u32 octaves, u32 seed)
 	return sum / total;
 }
 
-static u8 byte(f32 x) { return (u8)ts_fix(ts_clamp(x, 0.0f, 1.0f) * 255.0f, 0, 8); }
+static u8 byte(f32 x) { return (u8)ts_rint(ts_clamp(x, 0.0f, 1.0f) * 255.0f); }
 
 static void put(u8 *rgba, f32 r, f32 g, f32 b, f32 a)
 {
@@ -87,6 +120,7 @@ static void put_map(u8 *rgba, const ts_dab *dabs, u32 map, const ts_paint *paint
 
 static u32 add_slot(ts_build *build, const ts_dab *dabs, u8 *rgba, u32 map, const ts_paint *paint)
 {
+#pragma omp parallel for num_threads((int)ts_threads_all())
 	for (u32 y = 0; y < paint->size; y++) {
 		for (u32 x = 0; x < paint->size; x++) put_map(rgba + 4 * (y * paint->size + x), dabs, map, paint, x, y);
 	}
