@@ -99,7 +99,9 @@ CORE_LIBS = $(if $(REPORTS),-ljansson) -lcrypto -lm
 endif
 # What touchstone-core reports beside text, by jansson; without by REPORTS=
 REPORTS ?= checked junit merge merge_read merge_rows outcomes relaxed sharded tell
-COMMON = $(OPT) $(EXACT) -fPIC -fvisibility=hidden $(THREADED) $(WARN) -Iinclude -MMD -MP
+# Where includes begin: the public headers; src, and for tests/... the root, in quotes alone.
+ROOTS := -Iinclude -iquote src -iquote .
+COMMON = $(OPT) $(EXACT) -fPIC -fvisibility=hidden $(THREADED) $(WARN) $(ROOTS) -MMD -MP
 C_FLAGS = $(CPPFLAGS) $(CFLAGS) -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON)
 CXX_FLAGS = $(CPPFLAGS) $(CXXFLAGS) -std=c++17 $(COMMON)
 LINK_FLAGS = $(LDFLAGS) $(OPT) $(filter -fopenmp,$(THREADED))
@@ -426,7 +428,7 @@ $(BUILD)/gen/items/%.def: src/kernels/%.h $(wildcard src/kernels/*/kernels.def)
 $(BUILD)/obj/$(ITEMS_C:.c=)/%.o: $(ITEMS_C) $(BUILD)/gen/items/%.def $(BUILD)/flags
 	$(call say,CC,$< ($*))
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(C_FLAGS) $(OWN) -I$(BUILD)/gen -DITEMS='"../../kernels/$*.h"' -DITEMS_DEF='"items/$*.def"' -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) $(OWN) -I$(BUILD)/gen -DITEMS='"kernels/$*.h"' -DITEMS_DEF='"items/$*.def"' -c $< -o $@
 
 $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 	$(call say,CXX,$<)
@@ -489,7 +491,7 @@ $(filter-out $(ALONE),$(TESTS)): $(BUILD)/tests/all ;
 $(BUILD)/cuda/libcuda.so.1: $(wildcard tests/backends/cuda/*) src/backends/cuda/cu.h $(BUILD)/flags
 	$(call say,LINK,$@)
 	$(Q)rm -rf $(@D) && mkdir -p $(@D)/cache
-	$(Q)$(CC) -std=c11 -O2 $(WARN) -fopenmp -fPIC -fvisibility=hidden -shared -Wl,-soname,$(@F) -Iinclude \
+	$(Q)$(CC) -std=c11 -O2 $(WARN) -fopenmp -fPIC -fvisibility=hidden -shared -Wl,-soname,$(@F) $(ROOTS) \
 		-DTS_PTX='"tests/backends/cuda"' -DTS_CACHE='"$(abspath $(@D))/cache"' tests/backends/cuda/driver.c -ldl -o $@
 
 # The command, noting who reads which parameter (src/model/param.h). What does not name the accessor is not built for

@@ -1,6 +1,6 @@
 /* What every test program starts with, as the command does. */
-#include "../src/families/families.h"
-#include "../src/tools/tools.h"
+#include "families/families.h"
+#include "tools/tools.h"
 
 __attribute__((constructor)) static void begin(void)
 {

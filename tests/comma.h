@@ -3,8 +3,8 @@
 #ifndef TS_TESTS_COMMA_H
 #define TS_TESTS_COMMA_H
 #include <locale.h>
-#include "model/test.h"
-#include "scratch.h"
+#include "tests/model/test.h"
+#include "tests/scratch.h"
 
 /* The characters of ASCII, by their codes. */
 static inline void comma_write_characters(void)

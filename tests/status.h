@@ -2,7 +2,7 @@
 #ifndef TS_TESTS_STATUS_H
 #define TS_TESTS_STATUS_H
 #include <touchstone/status.h>
-#include "model/test.h"
+#include "tests/model/test.h"
 
 static inline void require(ts_status status)
 {

@@ -2,7 +2,8 @@
 /* The records of records.def as structs: what the elements of buffers are. */
 #ifndef TOUCHSTONE_RECORDS_H
 #define TOUCHSTONE_RECORDS_H
-#ifndef TS_KERNELS_RECORDS_H /* the library's own sources have them from there */
+#ifndef TS_HAS_RECORDS /* src/kernels/base/records.h has them, too */
+#define TS_HAS_RECORDS
 #include <stdint.h>
 
 #define TS_RECORD_TYPE_f32 float

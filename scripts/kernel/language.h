@@ -1,7 +1,7 @@
 /* The kernels' language as scripts/kernel/tree.py reads it, in the place of src/kernels/base/compat.h. Qualifiers that
  * kernels have no other use for mark what items share and what may be in parts. */
-#ifndef TS_KERNELS_COMPAT_H
-#define TS_KERNELS_COMPAT_H
+#ifndef TS_KERNELS_BASE_COMPAT_H
+#define TS_KERNELS_BASE_COMPAT_H
 
 typedef float f32;
 typedef int i32;

@@ -69,7 +69,8 @@ def is_literal(node):
 
 def preprocessed(paths):
 	text = "".join(f'#include "{os.path.abspath(path)}"\n' for path in paths)
-	flags = ["-E", "-nostdinc", "-undef", "-std=c11", "-Iinclude", "-include", LANGUAGE, "-x", "c", "-"]
+	flags = ["-E", "-nostdinc", "-undef", "-std=c11", "-Iinclude", "-iquote", "src", "-include", LANGUAGE, "-x", "c",
+	         "-"]
 	done = subprocess.run(["gcc", *flags], input=text, capture_output=True, text=True, errors="replace", check=False)
 	if done.returncode != 0:
 		path, line, _, reason = (done.stderr.split("\n")[0] + ":::").split(":", 3)

@@ -3,8 +3,8 @@
 #ifndef TS_API_API_H
 #define TS_API_API_H
 #include <touchstone/context.h>
-#include "../methods/pipeline.h"
-#include "../vectors/vectors.h"
+#include "methods/pipeline.h"
+#include "vectors/vectors.h"
 
 /* The words of a primitive, in one block that `in` begins, with room for those of any. */
 typedef struct {

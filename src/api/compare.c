@@ -1,14 +1,14 @@
 /* Comparing and replaying. */
-#include "verdicts.h"
 #include <float.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../compare/part.h"
-#include "../replay/forced.h"
-#include "../replay/judge.h"
-#include "../trace/emit.h"
-#include "../trace/item.h"
+#include "api/verdicts.h"
+#include "compare/part.h"
+#include "replay/forced.h"
+#include "replay/judge.h"
+#include "trace/emit.h"
+#include "trace/item.h"
 
 /* Gives the caller `v`, or releases it after a failure. */
 static ts_status give(ts_verdicts **verdicts, ts_verdicts *v, ts_status status)

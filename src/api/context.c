@@ -1,11 +1,11 @@
 /* Contexts. */
-#include "api.h"
 #include <fenv.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../families/families.h"
-#include "../tools/tools.h"
+#include "api/api.h"
+#include "families/families.h"
+#include "tools/tools.h"
 
 const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, &ts_opencl_kind, &ts_vulkan_kind, &ts_cuda_kind, NULL};
 

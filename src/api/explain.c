@@ -1,9 +1,9 @@
 /* What items compute. */
-#include "api.h"
-#include <touchstone/explain.h>
 #include <string.h>
-#include "../explain/report.h"
-#include "../study/words.h"
+#include <touchstone/explain.h>
+#include "api/api.h"
+#include "explain/report.h"
+#include "study/words.h"
 
 enum { LINES = 20000 };
 

@@ -1,13 +1,13 @@
 /* Checking goldens. */
-#include "api.h"
-#include <touchstone/golden.h>
 #include <stdio.h>
 #include <string.h>
-#include "../golden/beside.h"
-#include "../golden/params.h"
-#include "../image/optional.h"
-#include "../scene/sources.h"
-#include "../trace/emit.h"
+#include <touchstone/golden.h>
+#include "api/api.h"
+#include "golden/beside.h"
+#include "golden/params.h"
+#include "image/optional.h"
+#include "scene/sources.h"
+#include "trace/emit.h"
 
 /* The file is untrusted. */
 static ts_status find_method(const ts_pipeline **pipeline, const ts_golden_settings *settings, const ts_golden_dir *dir)

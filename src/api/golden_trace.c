@@ -1,11 +1,11 @@
 /* A golden as a trace: its small buffers, its picture, and of all others the digests. */
-#include "golden_trace.h"
+#include "api/golden_trace.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "../golden/beside.h"
-#include "../golden/params.h"
-#include "../image/optional.h"
-#include "../trace/item.h"
+#include "golden/beside.h"
+#include "golden/params.h"
+#include "image/optional.h"
+#include "trace/item.h"
 
 static ts_status keep_files(ts_trace *trace, const ts_golden *golden, const char *folder)
 {

@@ -1,7 +1,7 @@
 /* Opens a golden's folder as a trace, to compare it with others and to show it. */
 #ifndef TS_API_GOLDEN_TRACE_H
 #define TS_API_GOLDEN_TRACE_H
-#include "../trace/read.h"
+#include "trace/read.h"
 
 /* Whether a folder is a golden's and not a trace's. */
 bool ts_golden_is(const char *folder);

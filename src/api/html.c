@@ -1,11 +1,11 @@
 /* Pages. */
-#include "verdicts.h"
-#include <touchstone/html.h>
 #include <stdlib.h>
-#include "../compare/digests.h"
-#include "../image/flip.h"
-#include "../model/json.h"
-#include "../report/report.h"
+#include <touchstone/html.h>
+#include "api/verdicts.h"
+#include "compare/digests.h"
+#include "image/flip.h"
+#include "model/json.h"
+#include "report/report.h"
 
 struct ts_html {
 	const ts_context *context;

@@ -1,8 +1,8 @@
 /* Questions about a trace. */
-#include "api.h"
-#include <touchstone/probe.h>
 #include <pthread.h>
-#include "../probe/probe.h"
+#include <touchstone/probe.h>
+#include "api/api.h"
+#include "probe/probe.h"
 
 static ts_status ask(const ts_context *context, ts_tree **answer, const ts_trace *trace, const ts_probe_question *q)
 {

@@ -1,6 +1,6 @@
 /* Scenes. */
-#include "api.h"
-#include "../scene/sources.h"
+#include "api/api.h"
+#include "scene/sources.h"
 
 ts_status ts_scene_open(ts_context *context, ts_scene **scene, const char *spec, const ts_params *params,
                         const ts_scene_options *options)

@@ -1,10 +1,10 @@
 /* Tables to walk. */
-#include "api.h"
-#include <touchstone/tables.h>
 #include <pthread.h>
 #include <string.h>
-#include "../methods/pipeline.h"
-#include "../trace/emit.h"
+#include <touchstone/tables.h>
+#include "api/api.h"
+#include "methods/pipeline.h"
+#include "trace/emit.h"
 
 static ts_method_info *methods;
 static ts_stage_info *stages;

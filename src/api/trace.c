@@ -1,15 +1,15 @@
 /* Traces. */
-#include "api.h"
-#include <touchstone/trace.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "golden_trace.h"
-#include "../model/digest.h"
-#include "../trace/emit.h"
-#include "../trace/item.h"
-#include "../trace/keep.h"
-#include "../trace/sums.h"
+#include <touchstone/trace.h>
+#include "api/api.h"
+#include "api/golden_trace.h"
+#include "model/digest.h"
+#include "trace/emit.h"
+#include "trace/item.h"
+#include "trace/keep.h"
+#include "trace/sums.h"
 
 ts_status ts_api_effect(const char *effect)
 {

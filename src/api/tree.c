@@ -1,6 +1,6 @@
 /* Answers as trees: a node is a value of jansson. */
-#include <touchstone/tree.h>
 #include <jansson.h>
+#include <touchstone/tree.h>
 
 static const json_t *json(const ts_tree *node) { return (const json_t *)node; }
 static const ts_tree *tree(const json_t *value) { return (const ts_tree *)value; }

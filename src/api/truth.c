@@ -1,10 +1,10 @@
 /* Ground truth. */
-#include "api.h"
-#include <touchstone/truth.h>
 #include <pthread.h>
 #include <stdlib.h>
-#include "../study/measure.h"
-#include "../study/truths.h"
+#include <touchstone/truth.h>
+#include "api/api.h"
+#include "study/measure.h"
+#include "study/truths.h"
 
 static ts_truth_info infos[TS_MAX_TRUTHS];
 static size_t n_infos;

@@ -1,8 +1,8 @@
 /* Arithmetic vectors in memory. */
-#include "api.h"
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include "api/api.h"
 
 typedef struct {
 	ts_vector_info info;

@@ -1,10 +1,10 @@
 /* From what was judged to what callers read. */
-#include "verdicts.h"
+#include "api/verdicts.h"
 #include <stdlib.h>
 #include <string.h>
-#include "../compare/json.h"
-#include "../compare/line.h"
-#include "../trace/emit.h"
+#include "compare/json.h"
+#include "compare/line.h"
+#include "trace/emit.h"
 
 typedef struct {
 	ts_divergence divergence;

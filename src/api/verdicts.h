@@ -1,10 +1,10 @@
 /* Verdicts of comparisons and replays as structs. */
 #ifndef TS_API_VERDICTS_H
 #define TS_API_VERDICTS_H
-#include "api.h"
 #include <jansson.h>
 #include <touchstone/compare.h>
-#include "../replay/judge.h"
+#include "api/api.h"
+#include "replay/judge.h"
 
 typedef struct ts_verdict_details ts_verdict_details;
 

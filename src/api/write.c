@@ -1,13 +1,13 @@
 /* Traces on disk. */
-#include "api.h"
-#include <touchstone/trace.h>
 #include <pthread.h>
 #include <string.h>
-#include "../replay/replay.h"
-#include "../output/folder.h"
-#include "../study/measure.h"
-#include "../study/trace.h"
-#include "../trace/save.h"
+#include <touchstone/trace.h>
+#include "api/api.h"
+#include "output/folder.h"
+#include "replay/replay.h"
+#include "study/measure.h"
+#include "study/trace.h"
+#include "trace/save.h"
 
 /* One folder at a time. */
 static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER;

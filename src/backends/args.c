@@ -1,5 +1,5 @@
 /* The rows of all kernels' arguments. */
-#include "args.h"
+#include "backends/args.h"
 #include <assert.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -55,7 +55,7 @@ typedef struct ts_nothing ts_element_of_none;
 		return &list; \
 	} \
 	typedef type type##_listed
-#include "kernels.h"
+#include "backends/kernels.h"
 
 const ts_arg_list *ts_kernel_args(ts_kernel kernel)
 {
@@ -63,7 +63,7 @@ const ts_arg_list *ts_kernel_args(ts_kernel kernel)
 #define KERNEL(name, args) \
 	case TS_KERNEL_##name: \
 		return args##_list();
-#include "kernels.def"
+#include "backends/kernels.def"
 #undef KERNEL
 	default: assert(false); return NULL;
 	}
@@ -73,7 +73,7 @@ const char *ts_kernel_name(ts_kernel kernel)
 {
 	static const char *const names[] = {
 #define KERNEL(name, args) #name,
-#include "kernels.def"
+#include "backends/kernels.def"
 #undef KERNEL
 	};
 	assert(kernel < TS_N_KERNELS);

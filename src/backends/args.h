@@ -2,11 +2,11 @@
  * writes of stages, and the arguments on devices are derived. */
 #ifndef TS_BACKENDS_ARGS_H
 #define TS_BACKENDS_ARGS_H
-#include "../model/frame.h"
+#include "model/frame.h"
 
 #define KERNEL(name, args) TS_KERNEL_##name,
 typedef enum {
-#include "kernels.def"
+#include "backends/kernels.def"
 	TS_N_KERNELS,
 } ts_kernel;
 #undef KERNEL

@@ -1,8 +1,8 @@
 /* Backends run a kernel over all its items. */
 #ifndef TS_BACKENDS_BACKEND_H
 #define TS_BACKENDS_BACKEND_H
-#include "../model/frame.h"
-#include "args.h"
+#include "backends/args.h"
+#include "model/frame.h"
 
 /* An open backend. Its functions take effect in the order of their calls. A failure may be reported by a later call;
  * `finish` reports all failures. The frame owns contents: the pointers in `args` are those of ts_frame_handle. */

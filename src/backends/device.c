@@ -1,10 +1,10 @@
 /* What backends of devices share. */
-#include "device.h"
-#include "fast.h"
+#include "backends/device.h"
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
-#include "kernels.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
 
 _Static_assert(sizeof(void *) == 8, "what a device knows takes the place of pointers");
 

@@ -1,7 +1,7 @@
 /* Code that backends of devices share: launches, buffers of their pointers, parts, prefix sums. */
 #ifndef TS_BACKENDS_DEVICE_H
 #define TS_BACKENDS_DEVICE_H
-#include "resident.h"
+#include "backends/resident.h"
 
 enum { TS_ARGUMENTS = 512 }; /* greatest size of a kernel's arguments, bytes */
 

@@ -1,5 +1,5 @@
 /* Edited kernels, whose fast paths the build left out. */
-#include "fast.h"
+#include "backends/fast.h"
 #include <stdatomic.h>
 
 #define FAST(kernel)

@@ -2,8 +2,8 @@
  * launching the kernel. False if it does not for these arguments, or there is no memory: then nothing was done. */
 #ifndef TS_BACKENDS_FAST_H
 #define TS_BACKENDS_FAST_H
-#include "../model/core.h"
-#include "backend.h"
+#include "backends/backend.h"
+#include "model/core.h"
 
 typedef bool ts_fast_path(const void *args, u64 n, u32 threads);
 
@@ -16,7 +16,7 @@ typedef bool ts_at_once(const void *source, const void *args, u64 n, u32 threads
 #define FAMILY(name) FAMILY_FILE(FAMILY_C, name, fast.def)
 #define FAST(kernel, checksum) ts_fast_path ts_c_fast_##kernel;
 #define AT_ONCE(kernel, checksum) ts_at_once ts_c_at_once_##kernel;
-#include "../families.def"
+#include "families.def"
 #undef AT_ONCE
 #undef FAST
 #undef FAMILY

@@ -1,7 +1,7 @@
 /* Which backend a name means. */
 #include <stdio.h>
 #include <string.h>
-#include "backend.h"
+#include "backends/backend.h"
 
 ts_status ts_backend_find(const ts_backend_kind **kind, const ts_backend_kind *const *kinds, const char *name)
 {

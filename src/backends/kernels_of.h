@@ -6,11 +6,11 @@
 /* clang-format off */
 #define TEXT(path) QUOTED(path)
 #define QUOTED(path) #path
-#define KERNELS_H TEXT(../../kernels/OF/kernels.h)
-#define KERNELS_DEF TEXT(../../kernels/OF/kernels.def)
+#define KERNELS_H TEXT(kernels/OF/kernels.h)
+#define KERNELS_DEF TEXT(kernels/OF/kernels.def)
 /* clang-format on */
 #else
-#define KERNELS_H "../kernels.h"
-#define KERNELS_DEF "../kernels.def"
+#define KERNELS_H "backends/kernels.h"
+#define KERNELS_DEF "backends/kernels.def"
 #endif
 #endif

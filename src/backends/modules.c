@@ -1,5 +1,5 @@
 /* Kernels that were compiled ahead. */
-#include "modules.h"
+#include "backends/modules.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Kernels that were compiled earlier: one module per kernel, packed into the library, or in a folder of the user. */
 #ifndef TS_BACKENDS_MODULES_H
 #define TS_BACKENDS_MODULES_H
-#include "args.h"
+#include "backends/args.h"
 
 /* All modules, one after the other, packed by zlib (scripts/kernel/packed.py); kernel K's are the bytes from first[K]
  * to first[K + 1]. */

@@ -1,5 +1,5 @@
 /* Buffers on a device. */
-#include "resident.h"
+#include "backends/resident.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
  * part_bytes as it needs; and a mark of where its newest contents are. */
 #ifndef TS_BACKENDS_RESIDENT_H
 #define TS_BACKENDS_RESIDENT_H
-#include "backend.h"
+#include "backends/backend.h"
 
 enum { TS_PARTS = 8, TS_FAILURE = 512 };
 

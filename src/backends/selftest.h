@@ -2,8 +2,8 @@
  * of the file, if one source is compiled several times. */
 #ifndef TS_BACKENDS_SELFTEST_H
 #define TS_BACKENDS_SELFTEST_H
-#include "../model/selftest.h"
-#include "wide.h"
+#include "backends/wide.h"
+#include "model/selftest.h"
 
 #ifndef TS_FILE
 #define TS_FILE __BASE_FILE__

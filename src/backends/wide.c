@@ -1,5 +1,5 @@
 /* Which versions of vector loops run. */
-#include "wide.h"
+#include "backends/wide.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,9 +1,9 @@
 /* Vector loops: compiled for each vector width, with all functions that they call; each call takes the widest version
  * that this processor has. The bits are the same, since nothing is contracted and no sum is reordered (CONTRACT rule
  * 4). The loader does not choose (target_clones), since static programs of musl have no such loader. */
-#ifndef TS_BACKENDS_C_WIDE_H
-#define TS_BACKENDS_C_WIDE_H
-#include "../model/core.h"
+#ifndef TS_BACKENDS_WIDE_H
+#define TS_BACKENDS_WIDE_H
+#include "model/core.h"
 
 /* No wider version is taken; 16 unless a test sets it. */
 extern unsigned ts_most_lanes;

@@ -1,6 +1,6 @@
 /* Opens the backend of a job. */
-#include "backends.h"
-#include "../vectors/vectors.h"
+#include "cli/backends.h"
+#include "vectors/vectors.h"
 
 ts_status ts_backend_open(ts_job *job)
 {

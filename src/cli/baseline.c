@@ -1,11 +1,11 @@
 /* Known differences, and what is skipped. */
-#include "baseline.h"
+#include "cli/baseline.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../model/core.h"
-#include "../study/words.h"
-#include "../trace/emit.h"
+#include "model/core.h"
+#include "study/words.h"
+#include "trace/emit.h"
 
 const ts_entry *ts_baseline_find(const ts_baseline *b, const char *name, const char *buffer)
 {

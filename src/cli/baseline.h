@@ -3,7 +3,7 @@
  * untrusted. Part of the core. */
 #ifndef TS_CLI_BASELINE_H
 #define TS_CLI_BASELINE_H
-#include "../methods/pipeline.h"
+#include "methods/pipeline.h"
 
 typedef struct {
 	u32 line;

@@ -1,7 +1,7 @@
 /* `bench TABLE`: measures one of the tables. */
 #include <string.h>
-#include "../study/bench.h"
-#include "cli.h"
+#include "cli/cli.h"
+#include "study/bench.h"
 
 static ts_status unknown(const char *name)
 {

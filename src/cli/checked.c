@@ -1,8 +1,8 @@
 /* The findings of `golden check`, as a report. */
-#include "../scene/print.h"
-#include "golden.h"
-#include "relaxed.h"
-#include "tell.h"
+#include "cli/golden.h"
+#include "cli/relaxed.h"
+#include "cli/tell.h"
+#include "scene/print.h"
 
 typedef struct {
 	const ts_goldens *goldens;

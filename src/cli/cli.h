@@ -1,12 +1,12 @@
 /* The command line: one table of commands, one table of options, one parser for all. */
 #ifndef TS_CLI_CLI_H
 #define TS_CLI_CLI_H
-#include "../model/core.h"
-#include "../kernels/base/compat.h"
-#include "backends.h"
-#include "../study/job.h"
-#include "../study/words.h"
-#include "worker.h"
+#include "cli/backends.h"
+#include "cli/worker.h"
+#include "kernels/base/compat.h"
+#include "model/core.h"
+#include "study/job.h"
+#include "study/words.h"
 
 /* Groups of options, in the order of `help`. */
 typedef enum {
@@ -25,7 +25,7 @@ typedef enum {
 /* Options: their indices in the table, and the way in which the row of a command names those it takes. */
 enum {
 #define OPTION(id, ...) TS_OPTION_##id,
-#include "options.def"
+#include "cli/options.def"
 #undef OPTION
 	TS_N_OPTIONS,
 };

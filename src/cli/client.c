@@ -1,5 +1,5 @@
 /* The command as a client of the library. */
-#include "client.h"
+#include "cli/client.h"
 #include <stdlib.h>
 
 ts_status ts_client_open(ts_context **context, const ts_cli *cli)

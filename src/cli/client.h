@@ -2,8 +2,8 @@
 #ifndef TS_CLI_CLIENT_H
 #define TS_CLI_CLIENT_H
 #include <jansson.h>
-#include "cli.h"
 #include <touchstone/touchstone.h>
+#include "cli/cli.h"
 
 /* The context of a command: the C backend on its threads. The command prints the library's lines and progress as its
  * own. Release by ts_context_close; NULL on failure. */

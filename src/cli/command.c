@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "../backends/wide.h"
-#include "cli.h"
-#include "../output/file.h"
-#include "worker.h"
+#include "backends/wide.h"
+#include "cli/cli.h"
+#include "cli/worker.h"
+#include "output/file.h"
 
 const ts_command *ts_cli_find(const char *name)
 {

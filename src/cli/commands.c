@@ -1,7 +1,7 @@
 /* The command `touchstone`: its table of commands. */
-#include "../image/optional.h"
-#include "golden.h"
-#include "merge.h"
+#include "cli/golden.h"
+#include "cli/merge.h"
+#include "image/optional.h"
 
 #define WHERE \
 	TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS), TS_OPT(REFLECTOR), TS_OPT(ANIMATION), TS_OPT(FROM_MESH), \

@@ -1,12 +1,12 @@
 /* `compare REFERENCE CANDIDATE`: two traces, two buffers or two images. */
-#include "compare.h"
+#include "cli/compare.h"
 #include <stdlib.h>
 #include <string.h>
-#include "compare_images.h"
-#include "compare_known.h"
-#include "compare_shard.h"
-#include "relaxed.h"
-#include "tell.h"
+#include "cli/compare_images.h"
+#include "cli/compare_known.h"
+#include "cli/compare_shard.h"
+#include "cli/relaxed.h"
+#include "cli/tell.h"
 
 /* What is compared. */
 typedef enum { TRACES, BUFFERS, IMAGES, N_KINDS } kind;

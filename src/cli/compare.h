@@ -2,9 +2,9 @@
  * library by its public headers. */
 #ifndef TS_CLI_COMPARE_H
 #define TS_CLI_COMPARE_H
-#include "client.h"
-#include "../study/table.h"
-#include "outcomes.h"
+#include "cli/client.h"
+#include "cli/outcomes.h"
+#include "study/table.h"
 
 /* Two sides, and how they were judged. All NULL before that. */
 typedef struct {

@@ -1,16 +1,16 @@
 /* `compare` of two pictures. */
-#include "compare_images.h"
+#include "cli/compare_images.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "../image/format.h"
-#include "../kernels/base/srgb.h"
-#include "../scene/print.h"
-#include "../study/folder.h"
-#include "client.h"
-#include "relaxed.h"
-#include "tell.h"
+#include "cli/client.h"
+#include "cli/relaxed.h"
+#include "cli/tell.h"
+#include "image/format.h"
+#include "kernels/base/srgb.h"
+#include "scene/print.h"
+#include "study/folder.h"
 
 enum { LINE = 2048, SHOWN = 512 };
 

@@ -1,5 +1,5 @@
 /* Known differences of a comparison. */
-#include "compare_known.h"
+#include "cli/compare_known.h"
 #include <stdlib.h>
 #include <string.h>
 

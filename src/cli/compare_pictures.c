@@ -1,9 +1,9 @@
 /* Pictures of differences: white, in rows and columns, and on the faces of cubes. */
-#include "compare.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../study/folder.h"
+#include "cli/compare.h"
+#include "study/folder.h"
 
 enum { MOST_FACE = 1 << 14 };
 

@@ -1,8 +1,8 @@
 /* A comparison as text and as JSON. */
-#include "compare.h"
 #include <inttypes.h>
 #include <string.h>
-#include "../scene/print.h"
+#include "cli/compare.h"
+#include "scene/print.h"
 
 static const ts_column columns[] = {{"stage", "stage", false},        {"buffer", "buffer", false},
                                     {"elements", "elements", true},   {"different", "different", true},

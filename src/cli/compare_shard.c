@@ -1,5 +1,5 @@
 /* Stages of a comparison as cases. */
-#include "compare_shard.h"
+#include "cli/compare_shard.h"
 #include <stdio.h>
 #include <string.h>
 

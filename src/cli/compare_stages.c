@@ -1,6 +1,6 @@
 /* The verdicts of stages: as text, as JSON, as TAP and as JUnit XML. */
-#include "compare_known.h"
 #include <string.h>
+#include "cli/compare_known.h"
 
 enum { MOST_BUFFERS = 64 };
 

@@ -1,14 +1,14 @@
 /* The command `touchstone-core`: digests and goldens, in C with libc, libgomp and libcrypto, as a static binary; with
  * TS_REPORTS, which needs jansson, also the reports of `golden check` and `merge`. */
-#include "../families/families.h"
-#include "golden.h"
+#include "cli/golden.h"
+#include "families/families.h"
 
 const char *const ts_program = "touchstone-core";
 const ts_golden_files ts_golden_by = {NULL, NULL, ts_builtin_open};
 const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, NULL};
 
 #ifdef TS_REPORTS
-#include "merge.h"
+#include "cli/merge.h"
 #define REPORTS TS_OPT(JUNIT), TS_OPT(MARKDOWN), TS_OPT(TAP), TS_OPT(JSON), TS_OPT(OUTPUT), TS_OPT(FORCE), TS_OPT(QUIET)
 #define FAILED .failed = ts_golden_failed
 ts_merger *const ts_merge_renders = NULL;

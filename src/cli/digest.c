@@ -1,10 +1,10 @@
 /* `digest [SCENE]`: SHA-256 of the file of every buffer of a run, as in a trace. Also in the static core binary, so it
  * opens built-in scenes only and needs neither glTF nor JSON. */
 #include <stdio.h>
-#include "../scene/sources.h"
-#include "../trace/sums.h"
-#include "cli.h"
-#include "../study/methods.h"
+#include "cli/cli.h"
+#include "scene/sources.h"
+#include "study/methods.h"
+#include "trace/sums.h"
 
 #if defined(__SSE__)
 #include <xmmintrin.h>

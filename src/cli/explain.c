@@ -1,8 +1,8 @@
 /* `explain TRACE [OTHER]`: what one item of a stage computes, line by line; for two traces, the first line that
  * differs. */
 #include <string.h>
-#include "../study/table.h"
-#include "client.h"
+#include "cli/client.h"
+#include "study/table.h"
 
 enum { NAME = 64 };
 

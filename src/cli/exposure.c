@@ -1,6 +1,6 @@
 /* --exposure auto: for a render, and for all its frames and combinations, from frame 0 by the first method. */
 #include <stdlib.h>
-#include "render.h"
+#include "cli/render.h"
 
 #define SHARE 0.95 /* of the pixels with a surface, this share is no brighter than */
 #define SHOWN 0.8  /* this part of the brightest value that can be displayed */

@@ -1,9 +1,9 @@
 /* `golden check|new|bless [CASE...]`: digests under reference/goldens/. */
+#include "cli/golden.h"
 #include <fnmatch.h>
 #include <stdio.h>
 #include <string.h>
-#include "../scene/sources.h"
-#include "golden.h"
+#include "scene/sources.h"
 
 static const struct {
 	const char *name;

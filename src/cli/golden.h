@@ -3,10 +3,10 @@
 #ifndef TS_CLI_GOLDEN_H
 #define TS_CLI_GOLDEN_H
 #include <touchstone/image.h>
-#include "../golden/beside.h"
-#include "../golden/params.h"
-#include "baseline.h"
-#include "cli.h"
+#include "cli/baseline.h"
+#include "cli/cli.h"
+#include "golden/beside.h"
+#include "golden/params.h"
 
 enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_TEXT = TS_GOLDEN_TEXT };
 

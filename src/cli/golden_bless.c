@@ -2,9 +2,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../output/file.h"
-#include "../output/folder.h"
-#include "golden.h"
+#include "cli/golden.h"
+#include "output/file.h"
+#include "output/folder.h"
 
 /* Accepts only results of C kernels from a known state of the source. */
 static ts_status check_build(const ts_job *job)

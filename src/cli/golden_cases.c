@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "golden.h"
-#include "../study/methods.h"
+#include "cli/golden.h"
+#include "study/methods.h"
 
 enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100 };
 

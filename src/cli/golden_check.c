@@ -1,8 +1,8 @@
 /* `golden check`: runs cases again and compares. Writes nothing. */
 #include <stdio.h>
-#include "../output/file.h"
-#include "../trace/emit.h"
-#include "golden.h"
+#include "cli/golden.h"
+#include "output/file.h"
+#include "trace/emit.h"
 
 const char *ts_case_word(ts_case_end end)
 {

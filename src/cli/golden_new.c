@@ -1,8 +1,8 @@
 /* `golden new`: proposes current results beside the goldens, which stay. */
 #include <stdio.h>
-#include "../output/file.h"
-#include "../output/folder.h"
-#include "golden.h"
+#include "cli/golden.h"
+#include "output/file.h"
+#include "output/folder.h"
 
 static ts_status write_preview(const ts_golden *golden)
 {

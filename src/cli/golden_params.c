@@ -1,10 +1,10 @@
 /* params.txt of a case: the parameters of its method and its scene. */
 #include <stdio.h>
 #include <string.h>
-#include "../output/file.h"
-#include "../output/folder.h"
-#include "../study/reads.h"
-#include "golden.h"
+#include "cli/golden.h"
+#include "output/file.h"
+#include "output/folder.h"
+#include "study/reads.h"
 
 enum { MOST_BYTES = 16 << 10 };
 

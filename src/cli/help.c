@@ -1,7 +1,7 @@
 /* `help [COMMAND]`: tables, made from those of commands, of options and of help.def. */
 #include <stdio.h>
 #include <string.h>
-#include "cli.h"
+#include "cli/cli.h"
 
 enum { WIDTH = 80, INDENT = 2, GAP = 2, MOST_CELLS = 4, MOST_ROWS = 32 };
 
@@ -13,7 +13,7 @@ static const struct {
 	ts_help_row row;
 } texts[] = {
 #define HELP(command, section, left, text) {command, section, {left, text}},
-#include "help.def"
+#include "cli/help.def"
 };
 
 static int larger(int a, size_t b) { return a > (int)b ? a : (int)b; }

@@ -1,6 +1,6 @@
 /* `info SCENE`: what was loaded, and which parts of the file were not understood. */
-#include "../output/file.h"
-#include "client.h"
+#include "cli/client.h"
+#include "output/file.h"
 
 static ts_status print(const ts_scene *scene, bool json)
 {

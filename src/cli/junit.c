@@ -1,10 +1,10 @@
 /* JUnit XML: the cases first, then the suite, which counts them, around them. */
-#include "junit.h"
+#include "cli/junit.h"
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
-#include "../scene/print.h"
+#include "scene/print.h"
 
 static const char *const elements[] = {
 	[TS_JUNIT_SKIPPED] = "skipped",

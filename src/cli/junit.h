@@ -1,8 +1,8 @@
 /* JUnit XML for continuous integration: one suite of cases (tests/cli/junit.xsd). */
 #ifndef TS_CLI_JUNIT_H
 #define TS_CLI_JUNIT_H
-#include "../kernels/base/compat.h"
-#include "../output/file.h"
+#include "kernels/base/compat.h"
+#include "output/file.h"
 
 /* The outcome of a case. */
 typedef enum {

@@ -2,10 +2,10 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
-#include "../study/bench.h"
-#include "../study/methods.h"
-#include "../study/reads.h"
-#include "client.h"
+#include "cli/client.h"
+#include "study/bench.h"
+#include "study/methods.h"
+#include "study/reads.h"
 
 static const ts_column stage_columns[] = {{"name", "stage", false},
                                           {"kind", "kind", false},

@@ -2,9 +2,9 @@
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../families/families.h"
-#include "../tools/tools.h"
-#include "cli.h"
+#include "cli/cli.h"
+#include "families/families.h"
+#include "tools/tools.h"
 
 /* Without memory jansson drops values that it cannot hold, and reads beyond the end of texts. */
 static void *allocate(size_t bytes)

@@ -1,5 +1,5 @@
 /* `merge DIR...`: checks that the folders are the shards of one run, each given once. */
-#include "merge.h"
+#include "cli/merge.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -2,7 +2,7 @@
 #ifndef TS_CLI_MERGE_H
 #define TS_CLI_MERGE_H
 #include <jansson.h>
-#include "cli.h"
+#include "cli/cli.h"
 
 /* A shard's folder. */
 typedef struct {

@@ -1,13 +1,13 @@
 /* One shard's folder. */
-#include "merge.h"
 #include <stdlib.h>
 #include <string.h>
-#include "../model/digest.h"
-#include "../model/json.h"
-#include "../output/file.h"
-#include "../output/folder.h"
-#include "../study/folder_ours.h"
-#include "sharded.h"
+#include "cli/merge.h"
+#include "cli/sharded.h"
+#include "model/digest.h"
+#include "model/json.h"
+#include "output/file.h"
+#include "output/folder.h"
+#include "study/folder_ours.h"
 
 enum { PATH_BYTES = 4096 + 300 };
 

@@ -1,9 +1,9 @@
 /* Shards of a command that judges: rows of their reports return to the order of the cases. */
-#include "merge.h"
-#include "tell.h"
 #include <string.h>
-#include "../output/file.h"
-#include "../study/folder.h"
+#include "cli/merge.h"
+#include "cli/tell.h"
+#include "output/file.h"
+#include "study/folder.h"
 
 enum { MOST_KEYS = 4 };
 

@@ -1,6 +1,6 @@
 /* Shards of a series: the command runs again, except for the renders, which the shards made. */
 #include <stdlib.h>
-#include "merge.h"
+#include "cli/merge.h"
 
 /* Parses `render` and the typed words. `words` has room for one more. */
 static ts_status parse(ts_cli *run, const ts_parts *parts, char **words)

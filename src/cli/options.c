@@ -1,9 +1,9 @@
 /* The table of options, and what each makes of its value. */
 #include <stdio.h>
 #include <stdlib.h>
-#include "../model/decimal.h"
-#include "cli.h"
-#include "../study/sweep.h"
+#include "cli/cli.h"
+#include "model/decimal.h"
+#include "study/sweep.h"
 
 static ts_status take_nothing(void *to, const ts_option *option, const char *text)
 {
@@ -192,5 +192,5 @@ static ts_status take_assignment(void *to, const ts_option *option, const char *
 	{TS_GROUP_##group, name, letter, argument, standard, sets, help, list},
 
 const ts_option ts_option_table[TS_N_OPTIONS] = {
-#include "options.def"
+#include "cli/options.def"
 };

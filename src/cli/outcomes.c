@@ -1,8 +1,8 @@
 /* Cases and how they ended. */
-#include "outcomes.h"
+#include "cli/outcomes.h"
 #include <stdarg.h>
 #include <string.h>
-#include "../scene/print.h"
+#include "scene/print.h"
 
 enum { WHY = 2048, LINE = 2 * WHY };
 

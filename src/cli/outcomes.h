@@ -2,10 +2,10 @@
 #ifndef TS_CLI_OUTCOMES_H
 #define TS_CLI_OUTCOMES_H
 #include <jansson.h>
-#include "../kernels/base/compat.h"
-#include "../model/core.h"
-#include "../study/table.h"
-#include "junit.h"
+#include "cli/junit.h"
+#include "kernels/base/compat.h"
+#include "model/core.h"
+#include "study/table.h"
 
 typedef enum {
 	TS_PASSED,

@@ -2,8 +2,8 @@
 #include <getopt.h>
 #include <stdio.h>
 #include <string.h>
-#include "cli.h"
-#include "../study/truths.h"
+#include "cli/cli.h"
+#include "study/truths.h"
 
 /* The result of getopt_long for the first long option, above every letter. */
 enum { LONG = 256 };

@@ -1,5 +1,5 @@
 /* Options of judging commands. */
-#include "relaxed.h"
+#include "cli/relaxed.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>

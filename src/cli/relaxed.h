@@ -1,7 +1,7 @@
 /* The relaxations of a comparison as they were typed. */
 #ifndef TS_CLI_RELAXED_H
 #define TS_CLI_RELAXED_H
-#include "cli.h"
+#include "cli/cli.h"
 
 enum { TS_RELAXED_TEXT = 1100 };
 

@@ -1,11 +1,11 @@
 /* `render EFFECT [SCENE]` of one frame. The report is printed after the files are written, so that a reader that goes
  * away costs no picture. */
+#include "cli/render.h"
 #include <stdlib.h>
-#include "cli.h"
-#include "../study/folder.h"
-#include "render.h"
-#include "../study/reads.h"
-#include "../study/sweep.h"
+#include "cli/cli.h"
+#include "study/folder.h"
+#include "study/reads.h"
+#include "study/sweep.h"
 
 enum { TRUTH_RAYS = 1 << 25 }; /* per truth of --truth: about 10 s on two cores */
 

@@ -1,5 +1,5 @@
 /* Advice for pictures that show nothing. */
-#include "render.h"
+#include "cli/render.h"
 
 enum { DARK = 8, BLACK_PERCENT = 95 };
 

@@ -1,6 +1,6 @@
 /* The page of a render, made from the output folder. */
-#include "client.h"
-#include "render.h"
+#include "cli/client.h"
+#include "cli/render.h"
 
 ts_status ts_render_page_check(const ts_job *job)
 {

@@ -2,9 +2,9 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
-#include "../methods/raster/eye.h"
-#include "../scene/print.h"
-#include "render.h"
+#include "cli/render.h"
+#include "methods/raster/eye.h"
+#include "scene/print.h"
 
 enum { NOMINAL_POINT = 80, NOMINAL_CUBE = 6 * 512 * 512 * 8, NOMINAL_TEXELS = 6 * 512 * 512, SAMPLES = 25 };
 

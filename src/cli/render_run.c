@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../scene/sources.h"
-#include "../study/reads.h"
-#include "render.h"
+#include "cli/render.h"
+#include "scene/sources.h"
+#include "study/reads.h"
 
 bool ts_render_traces(const ts_job *job)
 {

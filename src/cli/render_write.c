@@ -1,8 +1,8 @@
 /* The files of a render: every method, truth and difference as PNG and EXR, and the pictures of the stages. */
 #include <stdlib.h>
-#include "../image/about.h"
-#include "../study/folder.h"
-#include "render.h"
+#include "cli/render.h"
+#include "image/about.h"
+#include "study/folder.h"
 
 static const char *file(const ts_render *render, const char *stem, const char *suffix)
 {

@@ -2,7 +2,7 @@
  * results. */
 #include <stdio.h>
 #include <string.h>
-#include "replay_report.h"
+#include "cli/replay_report.h"
 
 typedef struct {
 	const ts_cli *cli;

@@ -1,9 +1,9 @@
 /* Lines and objects of verdicts. */
-#include "replay_report.h"
+#include "cli/replay_report.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include "../scene/print.h"
+#include "scene/print.h"
 
 enum { LINE = 8192 };
 

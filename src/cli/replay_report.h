@@ -1,8 +1,8 @@
 /* The report of `replay`, as text and as JSON. */
 #ifndef TS_CLI_REPLAY_REPORT_H
 #define TS_CLI_REPLAY_REPORT_H
-#include "client.h"
-#include "../study/table.h"
+#include "cli/client.h"
+#include "study/table.h"
 
 /* A stage that was replayed. */
 typedef struct {

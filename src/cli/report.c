@@ -2,8 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "../image/flip.h"
-#include "compare.h"
+#include "cli/compare.h"
+#include "image/flip.h"
 
 enum { FIRSTS = 10, PATH_BYTES = 4352 }; /* FIRSTS: differences shown per buffer */
 

@@ -2,7 +2,7 @@
  * terminal only. */
 #include <stdio.h>
 #include <unistd.h>
-#include "cli.h"
+#include "cli/cli.h"
 
 /* Ten times per second is enough for an eye. */
 static const double interval = 0.1;

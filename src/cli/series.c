@@ -1,10 +1,10 @@
 /* Several renders in one process, which keeps its memory: frames one after the other, or the combinations of a sweep,
  * each with pictures in a folder of its own. */
-#include "series.h"
+#include "cli/series.h"
 #include <math.h>
 #include <stdlib.h>
-#include "../study/folder.h"
-#include "../study/video.h"
+#include "study/folder.h"
+#include "study/video.h"
 
 enum { CONTACT_COLUMNS = 10 };
 

@@ -1,12 +1,12 @@
 /* Renders of several frames, or of several combinations of parameters: the outputs beside the pictures of each. */
 #ifndef TS_CLI_SERIES_H
 #define TS_CLI_SERIES_H
-#include "../study/contact.h"
-#include "../study/frames.h"
-#include "../study/plot.h"
-#include "../study/sweep.h"
-#include "merge.h"
-#include "render.h"
+#include "cli/merge.h"
+#include "cli/render.h"
+#include "study/contact.h"
+#include "study/frames.h"
+#include "study/plot.h"
+#include "study/sweep.h"
 
 /* The figures of a picture: counters, errors against each truth, and changes. */
 enum { TS_MAX_FIGURES = 256, TS_FIGURE_NAME = 48 };

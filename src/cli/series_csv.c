@@ -1,7 +1,7 @@
 /* Lines of CSV: of a series' file, and of a sweep on standard output. */
 #include <math.h>
-#include "../output/file.h"
-#include "series.h"
+#include "cli/series.h"
+#include "output/file.h"
 
 static void put_head(const ts_series *series, FILE *out, bool timed)
 {

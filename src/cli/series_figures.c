@@ -1,6 +1,6 @@
 /* Figures of pictures, per frame and per combination of a sweep. */
 #include <math.h>
-#include "series.h"
+#include "cli/series.h"
 
 static const char *const counters[] = {"points",
                                        "shading operations",

@@ -2,10 +2,10 @@
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
-#include "../model/decimal.h"
-#include "../output/file.h"
-#include "../study/folder.h"
-#include "series.h"
+#include "cli/series.h"
+#include "model/decimal.h"
+#include "output/file.h"
+#include "study/folder.h"
 
 /* The plotted figures: of each picture, the first whose name begins with this. */
 static const struct {

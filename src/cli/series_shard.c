@@ -2,10 +2,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../model/decimal.h"
-#include "../study/folder.h"
-#include "series.h"
-#include "sharded.h"
+#include "cli/series.h"
+#include "cli/sharded.h"
+#include "model/decimal.h"
+#include "study/folder.h"
 
 bool ts_series_has(const ts_series *series, u32 combination, u32 k)
 {

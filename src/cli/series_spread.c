@@ -1,6 +1,6 @@
 /* Means and extremes over the frames of a combination. */
 #include <stdlib.h>
-#include "series.h"
+#include "cli/series.h"
 
 ts_status ts_series_add(ts_series *series)
 {

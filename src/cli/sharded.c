@@ -1,10 +1,10 @@
 /* Writing a shard's results. */
-#include "sharded.h"
+#include "cli/sharded.h"
 #include <stdlib.h>
-#include "../model/digest.h"
-#include "../output/file.h"
-#include "../scene/print.h"
-#include "../study/folder.h"
+#include "model/digest.h"
+#include "output/file.h"
+#include "scene/print.h"
+#include "study/folder.h"
 
 /* Whether an option only affects where and how results are written. */
 static bool says_where(u32 option)

@@ -2,8 +2,8 @@
  * sha256sum, names all files except times.json. */
 #ifndef TS_CLI_SHARDED_H
 #define TS_CLI_SHARDED_H
-#include "../study/table.h"
-#include "cli.h"
+#include "cli/cli.h"
+#include "study/table.h"
 
 #define TS_SHARDED_SUMS "SHA256SUMS"
 

@@ -1,11 +1,11 @@
 /* Outcomes in the requested formats. */
-#include "tell.h"
+#include "cli/tell.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../study/folder.h"
-#include "relaxed.h"
-#include "sharded.h"
+#include "cli/relaxed.h"
+#include "cli/sharded.h"
+#include "study/folder.h"
 
 static ts_status write_files(ts_report *report, const ts_cli *cli, const ts_outcomes_output *t)
 {

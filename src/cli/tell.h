@@ -1,9 +1,9 @@
 /* The output of a judging command: as text or JSON, as TAP, as JUnit XML, and as a folder of results. */
 #ifndef TS_CLI_TELL_H
 #define TS_CLI_TELL_H
-#include "cli.h"
-#include "../study/table.h"
-#include "outcomes.h"
+#include "cli/cli.h"
+#include "cli/outcomes.h"
+#include "study/table.h"
 
 typedef struct {
 	const char *command; /* "compare" */

@@ -1,14 +1,14 @@
 /* `vectors -o DIR`: writes inputs and outputs of every primitive, or of the named ones. `vectors --check DIR`: judges a
  * port's outputs. */
+#include "cli/vectors.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../output/file.h"
-#include "../output/npy.h"
-#include "../study/folder.h"
-#include "../study/table.h"
-#include "vectors.h"
+#include "output/file.h"
+#include "output/npy.h"
+#include "study/folder.h"
+#include "study/table.h"
 
 u32 ts_vectors_total(void)
 {

@@ -1,7 +1,7 @@
 /* Files of arithmetic vectors: a folder of PRIMITIVE.in.npy, PRIMITIVE.out.npy and vectors.json. */
 #ifndef TS_CLI_VECTORS_H
 #define TS_CLI_VECTORS_H
-#include "client.h"
+#include "cli/client.h"
 
 u32 ts_vectors_total(void);
 

@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../study/table.h"
-#include "vectors.h"
+#include "cli/vectors.h"
+#include "study/table.h"
 
 typedef struct {
 	ts_context *context;

@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "../model/json.h"
-#include "../output/npy.h"
-#include "vectors.h"
+#include "cli/vectors.h"
+#include "model/json.h"
+#include "output/npy.h"
 
 enum { PATH_BYTES = 4096 + 300, MAX_INDEX_BYTES = 1 << 24 };
 

@@ -1,6 +1,6 @@
 /* Two processes: the worker, and its parent, which waits. */
 #define _GNU_SOURCE
-#include "worker.h"
+#include "cli/worker.h"
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
@@ -11,8 +11,8 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "../output/left.h"
-#include "cli.h"
+#include "cli/cli.h"
+#include "output/left.h"
 
 /* Signals meant for the command, which dies of them. */
 static const int passed_on[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};

@@ -3,7 +3,7 @@
  * code 2 and one line. Nothing half-written is left. */
 #ifndef TS_CLI_WORKER_H
 #define TS_CLI_WORKER_H
-#include "../model/core.h"
+#include "model/core.h"
 
 /* The steps of a work, in memory of ts_worker_memory. A worker that is lost on a step is followed by one that goes on:
  * it finds `n`, and `why` of the step behind them. */

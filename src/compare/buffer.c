@@ -1,15 +1,15 @@
 /* Streaming comparison of one buffer. */
-#include "compare.h"
 #include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
-#include "../kernels/base/num.h"
-#include "../kernels/raster/eye_sample.h"
-#include "decided.h"
-#include "gather.h"
-#include "tie.h"
-#include "../trace/item.h"
-#include "../trace/reader.h"
+#include "compare/compare.h"
+#include "compare/decided.h"
+#include "compare/gather.h"
+#include "compare/tie.h"
+#include "kernels/base/num.h"
+#include "kernels/raster/eye_sample.h"
+#include "trace/item.h"
+#include "trace/reader.h"
 
 enum { RUN = 256, MAX_ELEMENT = 128, MAX_FLOATS = 32 };
 

@@ -1,9 +1,9 @@
 /* Comparison of two traces. */
-#include "compare.h"
+#include "compare/compare.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "../trace/emit.h"
-#include "digests.h"
+#include "compare/digests.h"
+#include "trace/emit.h"
 
 ts_comparison *ts_comparison_make(u32 most)
 {

@@ -1,11 +1,11 @@
 /* Compares a candidate with a reference, buffer by buffer in the order of the pipeline: exactly, unless relaxations are
  * given. */
-#ifndef TS_TRACE_COMPARE_H
-#define TS_TRACE_COMPARE_H
-#include "difference.h"
-#include "order.h"
-#include "relax.h"
+#ifndef TS_COMPARE_COMPARE_H
+#define TS_COMPARE_COMPARE_H
 #include <touchstone/compare.h>
+#include "compare/difference.h"
+#include "compare/order.h"
+#include "compare/relax.h"
 
 enum { TS_WHY_TEXT = 1024 };
 

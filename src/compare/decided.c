@@ -1,7 +1,7 @@
 /* Margins against their thresholds. */
-#include "decided.h"
+#include "compare/decided.h"
 #include <assert.h>
-#include "../kernels/base/num.h"
+#include "kernels/base/num.h"
 
 static const ts_margin_rule *const *lists;
 

@@ -3,10 +3,10 @@
  * 1/256 pixel and of rounding, random numbers as a share of their range. An element is decided if its margin is larger
  * than the rule says; in buffers without a margin every element is decided. The reference must have the margins (render
  * --margins). */
-#ifndef TS_TRACE_DECIDED_H
-#define TS_TRACE_DECIDED_H
-#include "../trace/read.h"
-#include "../trace/reader.h"
+#ifndef TS_COMPARE_DECIDED_H
+#define TS_COMPARE_DECIDED_H
+#include "trace/read.h"
+#include "trace/reader.h"
 
 /* A row of a family. */
 typedef struct {

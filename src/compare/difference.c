@@ -1,5 +1,5 @@
 /* Differences in words. */
-#include "difference.h"
+#include "compare/difference.h"
 #include <inttypes.h>
 #include <stdio.h>
 

@@ -1,8 +1,8 @@
 /* One place where a candidate differs from its reference, and the texts for the place and its values. */
 #ifndef TS_COMPARE_DIFFERENCE_H
 #define TS_COMPARE_DIFFERENCE_H
-#include "../trace/field.h"
-#include "../trace/where.h"
+#include "trace/field.h"
+#include "trace/where.h"
 
 typedef enum {
 	TS_UNEQUAL,

@@ -1,5 +1,5 @@
 /* Digests in place of files. */
-#include "digests.h"
+#include "compare/digests.h"
 #include <stdio.h>
 
 bool ts_digest_known(const ts_trace_item *item) { return item->path != NULL || item->sha256[0] != 0; }

@@ -1,7 +1,7 @@
 /* Buffers whose files were left out, judged by the digests that trace.json says. */
 #ifndef TS_COMPARE_DIGESTS_H
 #define TS_COMPARE_DIGESTS_H
-#include "compare.h"
+#include "compare/compare.h"
 
 /* Whether the trace has the buffer's file, or at least its digest. */
 bool ts_digest_known(const ts_trace_item *item);

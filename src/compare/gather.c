@@ -1,8 +1,8 @@
 /* A window over the reference's order, filled by one pass over the candidate's file. */
-#include "gather.h"
+#include "compare/gather.h"
 #include <assert.h>
 #include <stdlib.h>
-#include "../kernels/base/num.h"
+#include "kernels/base/num.h"
 
 enum { LEAST_BYTES = 1 << 25, BYTES_A_RECORD = 8 };
 

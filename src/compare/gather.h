@@ -1,8 +1,8 @@
 /* Gives the records of a candidate, which are in the order of arrival, in the order of the reference. The file is read
  * once for each window of memory; windows grow with the number of records, so that there are never many. */
-#ifndef TS_TRACE_GATHER_H
-#define TS_TRACE_GATHER_H
-#include "order.h"
+#ifndef TS_COMPARE_GATHER_H
+#define TS_COMPARE_GATHER_H
+#include "compare/order.h"
 
 typedef struct ts_gather ts_gather;
 

@@ -1,9 +1,9 @@
 /* Differences as objects. */
-#include "json.h"
+#include "compare/json.h"
 #include <inttypes.h>
-#include "../scene/print.h"
-#include "../trace/emit.h"
-#include "line.h"
+#include "compare/line.h"
+#include "scene/print.h"
+#include "trace/emit.h"
 
 /* For sums the counted element; -1: none, at their beginning. */
 static json_int_t element_of(ts_buffer_id id, const ts_difference *d)

@@ -2,7 +2,7 @@
 #ifndef TS_COMPARE_JSON_H
 #define TS_COMPARE_JSON_H
 #include <jansson.h>
-#include "compare.h"
+#include "compare/compare.h"
 
 /* Both sides, the first divergence, and each buffer that differs with its first differences; a new reference, or NULL
  * without memory. */

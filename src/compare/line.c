@@ -1,8 +1,8 @@
 /* One difference, as a line. */
-#include "line.h"
+#include "compare/line.h"
 #include <inttypes.h>
 #include <stdio.h>
-#include "../trace/emit.h"
+#include "trace/emit.h"
 
 static const ts_stage *stage_of(const ts_trace *reference, ts_buffer_id id)
 {

@@ -1,7 +1,7 @@
 /* The result of a comparison in words: the line of the first divergence, and its parts. */
 #ifndef TS_COMPARE_LINE_H
 #define TS_COMPARE_LINE_H
-#include "compare.h"
+#include "compare/compare.h"
 
 enum { TS_DIFFERENCE_TEXT = 512, TS_FIRST_TEXT = 1152, TS_LINE_TEXT = 2048, TS_INPUTS_TEXT = 600 };
 

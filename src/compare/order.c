@@ -1,8 +1,8 @@
 /* Finds a candidate's keys among the reference's. 16 bytes per record at most. */
-#include "order.h"
+#include "compare/order.h"
 #include <stdlib.h>
-#include "../kernels/base/num.h"
-#include "../trace/reader.h"
+#include "kernels/base/num.h"
+#include "trace/reader.h"
 
 enum { MOST_SLICES = 1 << 20, AHEAD = 32 };
 

@@ -1,7 +1,7 @@
 /* The records of a candidate in the order of arrival, matched with those of the reference. */
-#ifndef TS_TRACE_ORDER_H
-#define TS_TRACE_ORDER_H
-#include "difference.h"
+#ifndef TS_COMPARE_ORDER_H
+#define TS_COMPARE_ORDER_H
+#include "compare/difference.h"
 
 /* Whether a buffer's records are identified by a key, and may be in any order. */
 bool ts_order_is_set(ts_buffer_id id);

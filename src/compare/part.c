@@ -1,8 +1,8 @@
 /* Stages by their names. */
-#include "part.h"
+#include "compare/part.h"
 #include <string.h>
-#include "../trace/emit.h"
-#include "digests.h"
+#include "compare/digests.h"
+#include "trace/emit.h"
 
 /* Whether the first n bytes of `text` are that name. */
 static bool is_name(const char *name, const char *text, size_t n)

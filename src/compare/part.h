@@ -1,7 +1,7 @@
 /* The part of a comparison that was asked for: the buffers of some stages. */
 #ifndef TS_COMPARE_PART_H
 #define TS_COMPARE_PART_H
-#include "compare.h"
+#include "compare/compare.h"
 
 /* Marks the buffers that the stages "scene,split,..." make. Fails if a name is of no stage, or both traces have no such
  * buffer in common. */

@@ -1,8 +1,8 @@
 /* Near floats, and lists of names. */
-#include "relax.h"
+#include "compare/relax.h"
 #include <math.h>
 #include <stdio.h>
-#include "../trace/field.h"
+#include "trace/field.h"
 
 bool ts_relax_close(const ts_relaxations *r, u64 ref, u64 cand)
 {

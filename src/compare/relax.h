@@ -1,8 +1,8 @@
 /* Relaxations of a comparison. */
-#ifndef TS_TRACE_RELAX_H
-#define TS_TRACE_RELAX_H
-#include "../model/core.h"
-#include "../kernels/base/compat.h"
+#ifndef TS_COMPARE_RELAX_H
+#define TS_COMPARE_RELAX_H
+#include "kernels/base/compat.h"
+#include "model/core.h"
 
 /* All zero: everything must be exact. */
 typedef struct {

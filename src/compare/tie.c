@@ -1,5 +1,5 @@
 /* The rules that families have registered: see tie.h. */
-#include "tie.h"
+#include "compare/tie.h"
 #include <assert.h>
 
 static const ts_tie_rule *const *lists;

@@ -1,7 +1,7 @@
 /* Rules of families: elements in which a candidate with points in the order of arrival may answer otherwise. */
 #ifndef TS_COMPARE_TIE_H
 #define TS_COMPARE_TIE_H
-#include "../trace/read.h"
+#include "trace/read.h"
 
 /* A rule keeps its own state: `open` makes the state, `close` releases it. */
 typedef struct {

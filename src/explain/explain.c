@@ -1,10 +1,10 @@
 /* A C backend for explanations: the items of each launch in order, on one thread. */
-#include "explain.h"
+#include "explain/explain.h"
 #include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../model/core.h"
+#include "model/core.h"
 
 enum { MOST_BYTES = 256 };
 

@@ -1,9 +1,9 @@
 /* Explanations: a stage is replayed on one thread, and one item of a kernel records what it computes, line by line. */
 #ifndef TS_EXPLAIN_EXPLAIN_H
 #define TS_EXPLAIN_EXPLAIN_H
-#include "../replay/replay.h"
-#include "../trace/field.h"
-#include "told.h"
+#include "explain/told.h"
+#include "replay/replay.h"
+#include "trace/field.h"
 
 /* A launch of the stage. */
 typedef struct {

@@ -1,5 +1,5 @@
 /* The kernels as C that reports what it computes, written by scripts/explained; `make DEVICES=` leaves them out. */
-#include "told.h"
+#include "explain/told.h"
 #ifdef TS_LEFT_OUT
 const bool ts_told_here = false;
 void ts_told_item(u32 kernel, const void *args, u64 item)
@@ -10,23 +10,23 @@ void ts_told_item(u32 kernel, const void *args, u64 item)
 }
 #else
 const bool ts_told_here = true;
-#include "../backends/kernels.h"
+#include "backends/kernels.h"
 #include "explained.inc"
 
 typedef void told_item(const void *args, u64 item);
 
 #define KERNEL(name, args_type) \
 	static void item_##name(const void *args, u64 item) { told_ts_k_##name##_item(args, item); }
-#include "../backends/kernels.def"
+#include "backends/kernels.def"
 #undef KERNEL
 
 #define KERNEL(name, args_type) item_##name,
 static told_item *const items[] = {
-#include "../backends/kernels.def"
+#include "backends/kernels.def"
 };
 #undef KERNEL
 
 void ts_told_item(u32 kernel, const void *args, u64 item) { items[kernel](args, item); }
 #endif
 
-#include "../backends/selftest.h"
+#include "backends/selftest.h"

@@ -1,10 +1,10 @@
 /* Explanations as lines and as objects. */
-#include "report.h"
+#include "explain/report.h"
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include "../scene/print.h"
-#include "../trace/emit.h"
+#include "scene/print.h"
+#include "trace/emit.h"
 
 enum { PLACE = 64, MARGIN = 30, LINE = TS_TOLD_TEXT + 256 };
 

@@ -2,7 +2,7 @@
 #ifndef TS_EXPLAIN_REPORT_H
 #define TS_EXPLAIN_REPORT_H
 #include <jansson.h>
-#include "explain.h"
+#include "explain/explain.h"
 
 typedef struct {
 	const ts_stage *stage;

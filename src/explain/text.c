@@ -1,8 +1,8 @@
 /* Recorded lines, in words. */
 #include <inttypes.h>
 #include <stdio.h>
-#include "../kernels/base/compat.h"
-#include "explain.h"
+#include "explain/explain.h"
+#include "kernels/base/compat.h"
 
 static bool is_counter(const ts_frame *frame, const void *at)
 {

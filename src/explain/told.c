@@ -1,7 +1,7 @@
 /* Records lines. */
-#include "told.h"
+#include "explain/told.h"
 #include <string.h>
-#include "../model/core.h"
+#include "model/core.h"
 
 static ts_telling *telling;
 

@@ -3,7 +3,7 @@
  * time. */
 #ifndef TS_EXPLAIN_TOLD_H
 #define TS_EXPLAIN_TOLD_H
-#include "../model/frame.h"
+#include "model/frame.h"
 
 typedef enum {
 	TS_TOLD_f32,

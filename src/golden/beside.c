@@ -1,5 +1,5 @@
 /* A golden's other files: a preview, and the reasons for which it was blessed. */
-#include "beside.h"
+#include "golden/beside.h"
 #include <stdio.h>
 #include <stdlib.h>
 

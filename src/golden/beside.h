@@ -1,7 +1,7 @@
 /* The files of a golden beside its buffers: preview.png and CHANGES. Both are untrusted. Part of the core. */
 #ifndef TS_GOLDEN_BESIDE_H
 #define TS_GOLDEN_BESIDE_H
-#include "golden.h"
+#include "golden/golden.h"
 
 enum { TS_REASON_BYTES = 400, TS_REASONS_BYTES = 1 << 20 }; /* of one reason; of CHANGES */
 enum { TS_GOLDEN_TEXT = 512, TS_GOLDEN_PIXELS = 1 << 20 };  /* of a text; greatest number of pixels of the picture */

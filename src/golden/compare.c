@@ -1,9 +1,9 @@
 /* The first difference of two goldens, in the order of the pipeline, then of the elements. */
 #include <inttypes.h>
 #include <stdio.h>
-#include "../model/order.h"
-#include "../trace/emit.h"
-#include "golden.h"
+#include "golden/golden.h"
+#include "model/order.h"
+#include "trace/emit.h"
 
 static void add(char *text, size_t text_bytes, const char *format, ...) __attribute__((format(printf, 3, 4)));
 static void add(char *text, size_t text_bytes, const char *format, ...)

@@ -1,6 +1,6 @@
 /* Computing a golden: a traced run whose files are digested, looked through, and kept if small. */
 #include <stdlib.h>
-#include "golden.h"
+#include "golden/golden.h"
 
 /* Allocates the file, with its header, if it is to be kept. */
 static ts_status begin_file(ts_golden *golden, const ts_chunk *chunk)

@@ -1,5 +1,5 @@
 /* Folders and files of goldens, read by openat and O_NOFOLLOW. */
-#include "file.h"
+#include "golden/file.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

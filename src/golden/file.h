@@ -1,8 +1,8 @@
 /* Reads folders and files of goldens: they are opened by name below an open folder, never through links, and bounded in
  * size. Names that are opened here were made or checked by this program. */
-#ifndef TS_TRACE_GOLDEN_FILE_H
-#define TS_TRACE_GOLDEN_FILE_H
-#include "../model/core.h"
+#ifndef TS_GOLDEN_FILE_H
+#define TS_GOLDEN_FILE_H
+#include "model/core.h"
 
 enum { TS_GOLDEN_PATH = 1024 };
 

@@ -6,10 +6,10 @@
  *   <case>/preview.png  what it looks like
  *   <case>/CHANGES      why it was blessed, a line each time
  * A proposal is in <case>.new/, without CHANGES. Stored files are untrusted. Part of the core. */
-#ifndef TS_TRACE_GOLDEN_H
-#define TS_TRACE_GOLDEN_H
-#include "file.h"
-#include "../trace/sums.h"
+#ifndef TS_GOLDEN_GOLDEN_H
+#define TS_GOLDEN_GOLDEN_H
+#include "golden/file.h"
+#include "trace/sums.h"
 
 /* The largest file that is stored as it is, and the largest of any kind. */
 enum { TS_GOLDEN_SMALL_BYTES = 192 << 10, TS_GOLDEN_FILE_BYTES = 8 << 20 };

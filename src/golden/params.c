@@ -1,8 +1,8 @@
 /* params.txt of a golden: the rendered scene and parameters. */
-#include "params.h"
+#include "golden/params.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "beside.h"
+#include "golden/beside.h"
 
 enum { MOST_BYTES = 16 << 10 };
 

@@ -2,8 +2,8 @@
  * they read. The file is untrusted. Part of the core. */
 #ifndef TS_GOLDEN_PARAMS_H
 #define TS_GOLDEN_PARAMS_H
-#include "../scene/places.h"
-#include "golden.h"
+#include "golden/golden.h"
+#include "scene/places.h"
 
 /* Bytes of a value, of a scene and of its options; the last frame that a golden may be of. */
 enum { TS_GOLDEN_VALUE = 64, TS_GOLDEN_SCENE = 200, TS_GOLDEN_PLACES = 2048, TS_GOLDEN_FRAME = 1000 };

@@ -1,9 +1,9 @@
 /* Goldens on disk. */
 #include <stdio.h>
 #include <stdlib.h>
-#include "../output/file.h"
-#include "../output/folder.h"
-#include "golden.h"
+#include "golden/golden.h"
+#include "output/file.h"
+#include "output/folder.h"
 
 enum { HEX = TS_DIGEST_BYTES - 1, MOST_SUMS_BYTES = 64 << 10 };
 static const char small_name[] = "small";

@@ -1,7 +1,7 @@
 /* Numbers that no stage may store: CONTRACT rules 12 and 24. */
-#include "../kernels/base/num.h"
-#include "../model/order.h"
-#include "golden.h"
+#include "golden/golden.h"
+#include "kernels/base/num.h"
+#include "model/order.h"
 
 /* A float that is NaN, infinite, -0 or nearer to 0 than 2^-100. */
 static bool is_stray(u32 bits)

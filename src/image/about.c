@@ -1,8 +1,8 @@
 /* Describes a picture in its file. */
-#include "about.h"
+#include "image/about.h"
 #include <stdio.h>
 #include <string.h>
-#include "../model/core.h"
+#include "model/core.h"
 
 static void print_params(char *text, size_t text_bytes, const ts_params *params)
 {

@@ -2,7 +2,7 @@
 #ifndef TS_IMAGE_ABOUT_H
 #define TS_IMAGE_ABOUT_H
 #include <touchstone/image.h>
-#include "../model/param.h"
+#include "model/param.h"
 
 /* Texts as ts_image_write_png takes them: Software, touchstone:scene, touchstone:effect, touchstone:shows and
  * touchstone:params. */

@@ -1,6 +1,6 @@
 /* Colours for figures and names. */
-#include "../kernels/base/num.h"
-#include "falsecolour.h"
+#include "image/falsecolour.h"
+#include "kernels/base/num.h"
 
 static const uint8_t ramp[][3] = {
 	{18, 12, 52}, {34, 48, 112}, {26, 96, 130}, {30, 140, 120}, {92, 180, 84}, {182, 208, 66}, {252, 240, 160},

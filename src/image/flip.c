@@ -1,9 +1,9 @@
 /* LDR-FLIP (flip.h). All filters are products of one along rows and one along columns; the border's pixels are repeated
  * beyond it. */
-#include "flip.h"
+#include "image/flip.h"
 #include <math.h>
 #include <stdlib.h>
-#include "../model/core.h"
+#include "model/core.h"
 
 enum { MOST_REACH = 136, N_PLANES = 13 };
 

@@ -1,5 +1,5 @@
 /* The kind of an image file, by the first bytes that its standard gives. */
-#include "format.h"
+#include "image/format.h"
 #include <string.h>
 
 typedef struct {

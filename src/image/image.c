@@ -9,11 +9,11 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <touchstone/image.h>
-#include "../output/file.h"
-#include "codec.h"
-#include "format.h"
-#include "optional.h"
-#include "png.h"
+#include "image/codec.h"
+#include "image/format.h"
+#include "image/optional.h"
+#include "image/png.h"
+#include "output/file.h"
 
 enum { MOST_PIXELS = 1 << 28 }; /* for reading and writing */
 

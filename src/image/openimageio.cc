@@ -1,6 +1,4 @@
 /* The module libtouchstone-image.so: image files through OpenImageIO, which is named nowhere else. */
-#include "../model/core.h"
-#include "codec.h"
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
@@ -11,6 +9,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+#include "image/codec.h"
+#include "model/core.h"
 
 using OIIO::ImageInput;
 using OIIO::ImageOutput;

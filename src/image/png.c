@@ -1,9 +1,9 @@
 /* Untrusted PNG files: every chunk that pixels depend on is checked and copied (PNG 1.2, sections 3 to 5). */
-#include "png.h"
-#include "../model/core.h"
+#include "image/png.h"
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
+#include "model/core.h"
 
 enum { GREY = 0, RGB = 2, PALETTE = 3, GREY_ALPHA = 4, RGB_ALPHA = 6 };
 enum { SIGNATURE = 8, FRAME = 12, HEADER = 13, LARGEST_SIDE = 65536, LARGEST_CHUNK = 0x7fffffff };

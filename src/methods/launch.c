@@ -1,7 +1,7 @@
 /* Arguments of launches, from declarations of kernels and stages: buffers are made by their shapes, pointers are
  * set. */
 #include <assert.h>
-#include "stage.h"
+#include "methods/stage.h"
 
 static bool is_batched(ts_buffer_id id)
 {

@@ -1,7 +1,7 @@
 /* Running the steps of a pipeline, in its batches, and freeing buffers after their last reader. */
+#include "methods/pipeline.h"
 #include <assert.h>
 #include <stdio.h>
-#include "pipeline.h"
 
 static bool stores(const ts_step *step, const ts_params *params)
 {

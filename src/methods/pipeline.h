@@ -1,8 +1,8 @@
 /* A pipeline: a method of a paper applied to an effect, an ordered list of stages. */
-#ifndef TS_PIPELINES_PIPELINE_H
-#define TS_PIPELINES_PIPELINE_H
-#include "../model/shape.h"
-#include "stage.h"
+#ifndef TS_METHODS_PIPELINE_H
+#define TS_METHODS_PIPELINE_H
+#include "methods/stage.h"
+#include "model/shape.h"
 
 typedef struct {
 	const char *name;     /* as in render EFFECT */

@@ -1,7 +1,7 @@
 /* The plan of a method, for its runs and for replays of its stages. */
 #include <assert.h>
-#include "../kernels/base/num.h"
-#include "pipeline.h"
+#include "kernels/base/num.h"
+#include "methods/pipeline.h"
 
 ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed)
 {

@@ -1,5 +1,5 @@
 /* Pipelines by name, and by their buffers. */
-#include "pipeline.h"
+#include "methods/pipeline.h"
 
 const ts_pipeline *ts_pipeline_find(const char *effect, const char *name)
 {

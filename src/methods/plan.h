@@ -1,9 +1,9 @@
 /* A plan: values that a method derives from parameters, counts and a request. A plan is made before the first stage
  * (ts_pipeline_plan) and only read from then on. */
-#ifndef TS_STAGES_PLAN_H
-#define TS_STAGES_PLAN_H
-#include "../model/param.h"
-#include "../scene/scene.h"
+#ifndef TS_METHODS_PLAN_H
+#define TS_METHODS_PLAN_H
+#include "model/param.h"
+#include "scene/scene.h"
 
 /* Numbers of things; TS_NONE: not known yet, because a stage makes the things. */
 typedef struct {
@@ -27,7 +27,7 @@ typedef struct {
 typedef struct {
 	u32 units; /* number of the things in batches: cubes, depth maps, or lights */
 	u32 batch; /* units per batch */
-#include "../families.def"
+#include "families.def"
 } ts_plan;
 #undef MEMBER
 #undef PART

@@ -1,5 +1,5 @@
 /* The registered tables. */
-#include "registry.h"
+#include "methods/registry.h"
 #include <assert.h>
 
 static const ts_registry *used;

@@ -1,7 +1,7 @@
 /* The table of stages, pipelines and sizes, which families/families.c hands in. */
 #ifndef TS_METHODS_REGISTRY_H
 #define TS_METHODS_REGISTRY_H
-#include "pipeline.h"
+#include "methods/pipeline.h"
 
 /* The input for a computed size of records.def. known: the sizes that are known already. whole: of all units, not of
  * the batch. */

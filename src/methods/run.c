@@ -1,9 +1,8 @@
 /* A run: its frame, its counters, and what the stages share. */
-#include "stages.h"
-
 #include <assert.h>
 #include <inttypes.h>
-#include "../model/core.h"
+#include "methods/stages.h"
+#include "model/core.h"
 
 void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u32 threads)
 {

@@ -1,6 +1,6 @@
 /* The sizes of records.def: those of the scene, those that stages counted, and computed ones. */
-#include "registry.h"
 #include <assert.h>
+#include "methods/registry.h"
 
 u64 ts_size_height(const ts_size_question *q) { return TS_PARAM(&q->run->params, height); }
 

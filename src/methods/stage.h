@@ -1,10 +1,10 @@
 /* A stage: one GPU pass, a pure function from buffers and parameters to buffers. */
-#ifndef TS_STAGES_STAGE_H
-#define TS_STAGES_STAGE_H
-#include "../backends/backend.h"
-#include "../model/shape.h"
-#include "../scene/scene.h"
-#include "plan.h"
+#ifndef TS_METHODS_STAGE_H
+#define TS_METHODS_STAGE_H
+#include "backends/backend.h"
+#include "methods/plan.h"
+#include "model/shape.h"
+#include "scene/scene.h"
 
 typedef struct {
 	const char *name;

@@ -1,7 +1,7 @@
 /* Stages by name, with the buffers that each reads and writes. */
-#include "stage.h"
 #include <assert.h>
 #include <pthread.h>
+#include "methods/stage.h"
 
 enum { MOST_STAGES = 128, LIST = 40 };
 

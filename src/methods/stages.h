@@ -1,8 +1,8 @@
 /* Functions that stages share. */
-#ifndef TS_STAGES_STAGES_H
-#define TS_STAGES_STAGES_H
-#include "../kernels/base/scene.h"
-#include "stage.h"
+#ifndef TS_METHODS_STAGES_H
+#define TS_METHODS_STAGES_H
+#include "kernels/base/scene.h"
+#include "methods/stage.h"
 
 /* For launches that need the places of triangles, but not their materials. */
 #define TS_BUT_SURFACES TS_BUT(scene.slots), TS_BUT(scene.images), TS_BUT(scene.texels), TS_BUT(scene.lights)

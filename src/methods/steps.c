@@ -1,7 +1,7 @@
 /* The steps of all methods, flattened once: runs of steps in place, margins after their stages. */
 #include <assert.h>
 #include <pthread.h>
-#include "pipeline.h"
+#include "methods/pipeline.h"
 
 enum { MOST_PIPELINES = 32, MOST_STEPS = 64 };
 static ts_step flat[MOST_PIPELINES][MOST_STEPS];

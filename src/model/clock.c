@@ -1,6 +1,6 @@
 /* The clock of timings. */
 #include <time.h>
-#include "core.h"
+#include "model/core.h"
 
 double ts_seconds(void)
 {

@@ -1,5 +1,5 @@
 /* The commit that this program was built from. The Makefile sets it; only this file is built again when it changes. */
-#include "core.h"
+#include "model/core.h"
 
 #ifndef TS_COMMIT
 #define TS_COMMIT "unknown"

@@ -1,6 +1,6 @@
 /* Errors, memory, threads and messages, for all folders. */
-#ifndef TS_CORE_CORE_H
-#define TS_CORE_CORE_H
+#ifndef TS_MODEL_CORE_H
+#define TS_MODEL_CORE_H
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>

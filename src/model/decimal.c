@@ -1,4 +1,4 @@
-#include "decimal.h"
+#include "model/decimal.h"
 #include <locale.h>
 #include <stdbool.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* Decimal numbers in texts: with a point, whatever the host program's locale. */
-#ifndef TS_CORE_DECIMAL_H
-#define TS_CORE_DECIMAL_H
+#ifndef TS_MODEL_DECIMAL_H
+#define TS_MODEL_DECIMAL_H
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,6 +1,6 @@
 /* SHA-256 through libcrypto, by the calls that do not allocate: those that OpenSSL 3 prefers crash without memory. */
 #define OPENSSL_SUPPRESS_DEPRECATED
-#include "digest.h"
+#include "model/digest.h"
 #include <stdio.h>
 
 void ts_digest_begin(ts_digest *digest)

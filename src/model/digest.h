@@ -1,8 +1,8 @@
 /* SHA-256 (FIPS 180-4). */
-#ifndef TS_CORE_DIGEST_H
-#define TS_CORE_DIGEST_H
+#ifndef TS_MODEL_DIGEST_H
+#define TS_MODEL_DIGEST_H
 #include <openssl/sha.h>
-#include "core.h"
+#include "model/core.h"
 
 typedef struct {
 	SHA256_CTX context;

@@ -1,7 +1,7 @@
 /* One line per failure, kept by thread. */
 #include <stdio.h>
 #include <string.h>
-#include "core.h"
+#include "model/core.h"
 
 enum { MESSAGE_BYTES = 1024 };
 

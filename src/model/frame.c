@@ -1,8 +1,8 @@
 /* The buffers of one run. */
-#include "frame.h"
+#include "model/frame.h"
 #include <assert.h>
 #include <stdlib.h>
-#include "shape.h"
+#include "model/shape.h"
 
 static ts_status fetch(const ts_frame *frame, const ts_buffer *buffer)
 {

@@ -1,7 +1,7 @@
 /* A frame: the buffers of one run by name. Each stage reads some of them and adds others. */
-#ifndef TS_CORE_FRAME_H
-#define TS_CORE_FRAME_H
-#include "table.h"
+#ifndef TS_MODEL_FRAME_H
+#define TS_MODEL_FRAME_H
+#include "model/table.h"
 
 typedef struct {
 	void *data;

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "core.h"
+#include "model/core.h"
 
 /* Reads an open regular file. */
 static char *read_all(size_t *bytes, FILE *file, const char *path)

@@ -1,5 +1,5 @@
 /* Calls of shared libraries. */
-#include "library.h"
+#include "model/library.h"
 #include <dlfcn.h>
 #include <string.h>
 

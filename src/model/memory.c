@@ -2,7 +2,7 @@
 #define _DEFAULT_SOURCE /* madvise */
 #include <stdlib.h>
 #include <sys/mman.h>
-#include "core.h"
+#include "model/core.h"
 
 enum { LARGE_BYTES = 8 << 20 }; /* smaller blocks, or zeroed ones, may be touched only in places */
 

@@ -1,12 +1,12 @@
 /* The memory limit of this process, and its use. */
-#include "memory_limit.h"
+#include "model/memory_limit.h"
 #include <inttypes.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
-#include "core.h"
+#include "model/core.h"
 #ifdef __GLIBC_PREREQ
 #if __GLIBC_PREREQ(2, 33)
 #include <malloc.h>

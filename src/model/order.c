@@ -1,5 +1,5 @@
 /* Elements between memory and file. */
-#include "order.h"
+#include "model/order.h"
 #include <assert.h>
 
 enum { MOST_BYTES = 256 };

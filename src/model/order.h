@@ -1,7 +1,7 @@
 /* Byte order: files are little-endian on every machine. */
 #ifndef TS_MODEL_ORDER_H
 #define TS_MODEL_ORDER_H
-#include "table.h"
+#include "model/table.h"
 
 /* True where memory has the order of files. */
 enum { TS_LITTLE_ENDIAN = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ };

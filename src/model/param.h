@@ -2,8 +2,8 @@
  *
  * A build with TS_RECORD_PARAMS notes which code reads which parameter (tests/record/record.c). In that build the
  * members have other names, so that code that reads one without TS_PARAM does not compile. */
-#ifndef TS_CORE_PARAM_H
-#define TS_CORE_PARAM_H
+#ifndef TS_MODEL_PARAM_H
+#define TS_MODEL_PARAM_H
 #include <stddef.h>
 #include <touchstone/params.h>
 
@@ -16,11 +16,11 @@
 #define PARAM_F32(field, name, def, min, max, unit, source, help) float TS_PARAM_MEMBER(field);
 #define PARAM_ENUM(field, name, def, choices, source, help) uint32_t TS_PARAM_MEMBER(field);
 struct ts_params {
-#include "params.def"
+#include "model/params.def"
 };
 
 #define CHOICES(...) enum { __VA_ARGS__ };
-#include "params.def"
+#include "model/params.def"
 
 enum { TS_N_PARAMS = sizeof(ts_params) / sizeof(uint32_t) };
 

@@ -1,13 +1,13 @@
 /* The parameters of params.def: table, defaults, parsing and printing. */
-#include "param.h"
 #include <assert.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "core.h"
-#include "decimal.h"
+#include "model/core.h"
+#include "model/decimal.h"
+#include "model/param.h"
 
 #define PARAM_U32(field, name, def, min, max, unit, source, help) \
 	{name, "u32", #def, #min, #max, unit, "", source, help},
@@ -15,14 +15,14 @@
 	{name, "f32", #def, #min, #max, unit, "", source, help},
 #define PARAM_ENUM(field, name, def, choices, source, help) {name, "enum", #def, "0", "", "", choices, source, help},
 static const ts_param_info table[] = {
-#include "params.def"
+#include "model/params.def"
 };
 
 #define PARAM_U32(field, ...) offsetof(ts_params, TS_PARAM_MEMBER(field)),
 #define PARAM_F32(field, ...) offsetof(ts_params, TS_PARAM_MEMBER(field)),
 #define PARAM_ENUM(field, ...) offsetof(ts_params, TS_PARAM_MEMBER(field)),
 static const size_t offsets[] = {
-#include "params.def"
+#include "model/params.def"
 };
 
 enum { N_PARAMS = sizeof table / sizeof *table };

@@ -2,7 +2,7 @@
 #include <stdatomic.h>
 #include <stdio.h>
 #include <time.h>
-#include "core.h"
+#include "model/core.h"
 
 enum { LINE_BYTES = 1024, ASK_MS = 5 };
 

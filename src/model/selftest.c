@@ -1,8 +1,8 @@
 /* Whether this process computes as the numeric contract requires (CONTRACT rule 8): here, and in each object with a
  * self-test. */
+#include "model/selftest.h"
 #include <stdio.h>
-#include "core.h"
-#include "selftest.h"
+#include "model/core.h"
 
 /* For the bits of an answer, in their order. */
 static const char *const names[] = {

@@ -3,7 +3,7 @@
  * are volatile, so that nothing is folded while compiling. Included last, so that a file's pragmas hold here too. */
 #ifndef TS_MODEL_SELFTEST_H
 #define TS_MODEL_SELFTEST_H
-#include "../kernels/base/compat.h"
+#include "kernels/base/compat.h"
 
 /* Bits of the result, in the order of the primitives' names. */
 enum {

@@ -1,5 +1,5 @@
 /* Dimensions of a buffer from the text of its shape. */
-#include "shape.h"
+#include "model/shape.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,9 +1,9 @@
 /* Sizes and shapes of buffers, as records.def names and writes them: dimensions apart by blanks, each a product of
  * numbers and sizes with at most one "+1" behind it: "height width 3", "mirror_pixels*lookup_samples+1". */
-#ifndef TS_CORE_SHAPE_H
-#define TS_CORE_SHAPE_H
-#include "../kernels/base/compat.h"
-#include "core.h"
+#ifndef TS_MODEL_SHAPE_H
+#define TS_MODEL_SHAPE_H
+#include "kernels/base/compat.h"
+#include "model/core.h"
 
 #define DIM(id, noun, how, bits, doc) TS_DIM_##id,
 typedef enum {

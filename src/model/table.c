@@ -1,5 +1,5 @@
 /* The rows of records.def. */
-#include "table.h"
+#include "model/table.h"
 #include <assert.h>
 #include <pthread.h>
 

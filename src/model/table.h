@@ -1,9 +1,9 @@
 /* The rows of records.def: buffers, the fields of their elements, prefix sums, and what indices are of. */
-#ifndef TS_CORE_TABLE_H
-#define TS_CORE_TABLE_H
+#ifndef TS_MODEL_TABLE_H
+#define TS_MODEL_TABLE_H
 #include <touchstone/tables.h>
-#include "../kernels/base/records.h"
-#include "shape.h"
+#include "kernels/base/records.h"
+#include "model/shape.h"
 
 #define BUFFER(id, name, element, shape, order, key, doc) TS_B_##id,
 typedef enum {

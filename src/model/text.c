@@ -1,5 +1,5 @@
 /* Untrusted text on its way out. */
-#include "core.h"
+#include "model/core.h"
 
 void ts_line_clean(char *text)
 {

@@ -1,7 +1,7 @@
 /* Threads are tried before they are needed: OpenMP's runtime ends the process if it cannot create one. */
 #include <omp.h>
 #include <pthread.h>
-#include "core.h"
+#include "model/core.h"
 
 typedef struct {
 	pthread_mutex_t mutex;

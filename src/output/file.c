@@ -1,14 +1,14 @@
 /* Output files, by write(2), so that failures are seen where they occur. */
-#include "file.h"
+#include "output/file.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "left.h"
-#include "lock.h"
-#include "tree.h"
+#include "output/left.h"
+#include "output/lock.h"
+#include "output/tree.h"
 
 enum { HELD = 1 << 16 };
 

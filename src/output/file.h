@@ -3,7 +3,7 @@
 #ifndef TS_OUTPUT_FILE_H
 #define TS_OUTPUT_FILE_H
 #include <stdio.h>
-#include "../model/core.h"
+#include "model/core.h"
 
 /* An open file. `path` belongs to the caller and must outlive the ts_file. */
 typedef struct {

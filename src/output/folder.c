@@ -1,6 +1,6 @@
 /* The output folder. */
 #define _DEFAULT_SOURCE
-#include "folder.h"
+#include "output/folder.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -9,11 +9,11 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "file.h"
-#include "left.h"
-#include "lock.h"
-#include "place.h"
-#include "tree.h"
+#include "output/file.h"
+#include "output/left.h"
+#include "output/lock.h"
+#include "output/place.h"
+#include "output/tree.h"
 
 enum { MAX_DIR = TS_FOLDER_PATH - 300, NOTE_BYTES = 32 };
 

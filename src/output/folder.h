@@ -6,7 +6,7 @@
  * process is killed then, the next one renames DIR.old back. */
 #ifndef TS_OUTPUT_FOLDER_H
 #define TS_OUTPUT_FOLDER_H
-#include "../model/core.h"
+#include "model/core.h"
 
 enum { TS_FOLDER_PATH = 4096 };
 

@@ -1,11 +1,11 @@
 /* Leftovers of a killed process: a file and a folder at most. */
 #define _DEFAULT_SOURCE
-#include "left.h"
+#include "output/left.h"
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
-#include "folder.h"
+#include "output/folder.h"
 
 typedef struct {
 	char file[TS_FOLDER_PATH], folder[TS_FOLDER_PATH];

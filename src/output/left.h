@@ -1,7 +1,7 @@
 /* A record of the partial file and folder that this process would leave behind if it was killed. */
 #ifndef TS_OUTPUT_LEFT_H
 #define TS_OUTPUT_LEFT_H
-#include "../model/core.h"
+#include "model/core.h"
 
 /* Moves the record to shared memory, where a parent sees the records of processes that it forks from now on. */
 ts_status ts_left_share(void);

@@ -1,5 +1,5 @@
 /* Locks by flock. */
-#include "lock.h"
+#include "output/lock.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>

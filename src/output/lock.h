@@ -2,7 +2,7 @@
  * dies. */
 #ifndef TS_OUTPUT_LOCK_H
 #define TS_OUTPUT_LOCK_H
-#include "../model/core.h"
+#include "model/core.h"
 
 typedef struct {
 	int descriptor; /* -1: none */

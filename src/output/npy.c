@@ -1,11 +1,11 @@
 /* Headers of .npy files. */
-#include "npy.h"
+#include "output/npy.h"
 #include <assert.h>
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include "file.h"
+#include "output/file.h"
 
 enum { PREFIX = 10, ALIGNMENT = 64, MOST_DIGITS = 20 };
 

@@ -3,7 +3,7 @@
  * allocation comes from them. */
 #ifndef TS_OUTPUT_NPY_H
 #define TS_OUTPUT_NPY_H
-#include "../model/shape.h"
+#include "model/shape.h"
 
 enum { TS_NPY_HEADER = 4096 };
 

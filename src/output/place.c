@@ -1,6 +1,6 @@
 /* Folders change places by renameat2(2), which only Linux has; elsewhere they move. */
 #define _GNU_SOURCE
-#include "place.h"
+#include "output/place.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Putting a new folder in the place of an old one. */
 #ifndef TS_OUTPUT_PLACE_H
 #define TS_OUTPUT_PLACE_H
-#include "../model/core.h"
+#include "model/core.h"
 
 typedef struct {
 	const char *dir, *partial, *old;

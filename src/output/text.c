@@ -1,8 +1,8 @@
 /* Text for files, gathered in memory first. glibc's own streams in memory silently lose bytes when memory ends. */
 #define _GNU_SOURCE
-#include "file.h"
 #include <stdlib.h>
 #include <string.h>
+#include "output/file.h"
 
 static ssize_t append(void *user, const char *data, size_t bytes)
 {

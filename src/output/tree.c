@@ -1,6 +1,6 @@
 /* Folders, walked by nftw(3). */
 #define _XOPEN_SOURCE 700
-#include "tree.h"
+#include "output/tree.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <ftw.h>
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "file.h"
+#include "output/file.h"
 
 enum { FOLDERS_OPEN = 8 };
 

@@ -1,7 +1,7 @@
 /* Folders with all that is in them. Links are not followed. */
 #ifndef TS_OUTPUT_TREE_H
 #define TS_OUTPUT_TREE_H
-#include "../model/core.h"
+#include "model/core.h"
 
 /* Removes the folder with its contents; on failure the message names what could not be removed. */
 ts_status ts_tree_remove(const char *path);

@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "parts.h"
+#include "probe/parts.h"
 
 static const ts_probe_part *const none[] = {NULL};
 static const ts_probe_part *const *used = none;

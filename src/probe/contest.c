@@ -1,7 +1,7 @@
 /* Which triangles competed for one pixel, and how far the nearest was ahead. */
 #include <stdlib.h>
-#include "../kernels/raster/draw.h"
-#include "parts.h"
+#include "kernels/raster/draw.h"
+#include "probe/parts.h"
 
 enum { MOST_LISTED = 64 };
 

@@ -1,8 +1,8 @@
 /* Parts of answers. */
 #include <inttypes.h>
 #include <stdio.h>
-#include "parts.h"
-#include "../trace/where.h"
+#include "probe/parts.h"
+#include "trace/where.h"
 
 void ts_probe_put(ts_probe *p, json_t *object, const char *key, json_t *value)
 {

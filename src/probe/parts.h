@@ -1,13 +1,13 @@
 /* Shared by the answers of all families: checked access to the trace, the scene in memory, JSON, surfaces, and the
  * contest of triangles. */
-#ifndef TS_TRACE_PROBE_PARTS_H
-#define TS_TRACE_PROBE_PARTS_H
-#include "../kernels/base/shade.h"
-#include "../kernels/raster/view.h"
-#include "../trace/field.h"
-#include "../trace/load.h"
-#include "probe.h"
-#include "../trace/reader.h"
+#ifndef TS_PROBE_PARTS_H
+#define TS_PROBE_PARTS_H
+#include "kernels/base/shade.h"
+#include "kernels/raster/view.h"
+#include "probe/probe.h"
+#include "trace/field.h"
+#include "trace/load.h"
+#include "trace/reader.h"
 
 enum { TS_PROBE_SIDE = 16384 }; /* the largest of views and images */
 

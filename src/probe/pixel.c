@@ -1,7 +1,7 @@
 /* A pixel of an eye that sees triangles: which cover it, and the winner's surface. The families add its light. */
 #include <stdlib.h>
-#include "../kernels/raster/image.h"
-#include "parts.h"
+#include "kernels/raster/image.h"
+#include "probe/parts.h"
 
 static ts_status put_contest(ts_probe *p, json_t *o, const ts_probe_seen *at)
 {

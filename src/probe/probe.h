@@ -1,10 +1,10 @@
 /* Explains a pixel, texel, triangle or point of a trace: which candidates competed, which won by how much, and which
  * stage dropped the others. The kernels compute again the values that no buffer holds; the probe compares the results
  * with the buffers. The families of methods hand in rows with the functions that answer. */
-#ifndef TS_TRACE_PROBE_H
-#define TS_TRACE_PROBE_H
+#ifndef TS_PROBE_PROBE_H
+#define TS_PROBE_PROBE_H
 #include <jansson.h>
-#include "../trace/read.h"
+#include "trace/read.h"
 
 typedef struct ts_probe ts_probe;
 

@@ -2,9 +2,9 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../replay/check.h"
-#include "parts.h"
-#include "../replay/replay.h"
+#include "probe/parts.h"
+#include "replay/check.h"
+#include "replay/replay.h"
 
 /* First dimensions of the buffers; the least where files disagree, so that indices below it are in all of them. */
 static void find_sizes(ts_probe *p)

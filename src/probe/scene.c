@@ -2,7 +2,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "parts.h"
+#include "probe/parts.h"
 
 static void shape_text(char *text, size_t bytes, u32 n, const u64 *dims)
 {

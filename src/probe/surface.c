@@ -1,6 +1,6 @@
 /* A surface and its light, term by term. This file has no formulas of terms: ts_k_shade itself runs in worlds where
  * only one term is left. */
-#include "parts.h"
+#include "probe/parts.h"
 
 void ts_probe_put_triangle(ts_probe *p, json_t *object, u32 triangle)
 {

@@ -1,11 +1,11 @@
 /* Sizes, shapes, floats, indices and sums of loaded buffers, and the families' checks. */
-#include "check.h"
+#include "replay/check.h"
 #include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
-#include "../kernels/base/num.h"
-#include "../trace/emit.h"
-#include "../trace/field.h"
+#include "kernels/base/num.h"
+#include "trace/emit.h"
+#include "trace/field.h"
 
 enum { DIMS_TEXT = TS_MAX_DIMS * 24, MAX_UNITS = 1 << 20 };
 

@@ -22,9 +22,9 @@
  * together (ts_replay_stage).
  *
  * Every refusal is one line: file, element, field, value, and what would be right. */
-#ifndef TS_TRACE_CHECK_H
-#define TS_TRACE_CHECK_H
-#include "../trace/load.h"
+#ifndef TS_REPLAY_CHECK_H
+#define TS_REPLAY_CHECK_H
+#include "trace/load.h"
 
 /* Checks all that was loaded for `stage`, and sets the sizes, the run's plan and scene.info.n_reflectors. */
 ts_status ts_check(ts_load *load, const ts_stage *stage);

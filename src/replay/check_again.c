@@ -1,6 +1,6 @@
 /* Outputs of a stage compared with the stage's results from the other buffers. */
-#include "check.h"
 #include <inttypes.h>
+#include "replay/check.h"
 
 static ts_status compare(const ts_load *load, const ts_frame *right, ts_buffer_id id, const char *maker,
                          const char *from)

@@ -1,8 +1,8 @@
 /* The scene: images, texture references, lights and objects. */
-#include "check.h"
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../kernels/base/shade.h"
+#include "kernels/base/shade.h"
+#include "replay/check.h"
 
 enum { MAX_SIDE = 1 << 22 };
 

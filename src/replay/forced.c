@@ -1,7 +1,7 @@
 /* Replays of a candidate's stages, judged one by one. */
-#include "forced.h"
+#include "replay/forced.h"
 #include <stdio.h>
-#include "judge.h"
+#include "replay/judge.h"
 
 ts_buffer_id ts_forced_mixed(const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate)
 {

@@ -1,8 +1,8 @@
 /* Teacher forcing: each stage of a candidate is judged given the candidate's own inputs, and the reference's where the
  * candidate lacks them. So one early error does not hide whether later stages are right. */
-#ifndef TS_TRACE_FORCED_H
-#define TS_TRACE_FORCED_H
-#include "../compare/compare.h"
+#ifndef TS_REPLAY_FORCED_H
+#define TS_REPLAY_FORCED_H
+#include "compare/compare.h"
 
 /* A buffer of the reference's points that the stage would read together with the candidate's points, whose order
  * differs; TS_N_BUFFERS: none. */

@@ -1,9 +1,9 @@
 /* Compares files with memory. */
-#include "judge.h"
+#include "replay/judge.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../trace/item.h"
+#include "trace/item.h"
 
 static bool same_shape(const ts_buffer *ours, const ts_trace_item *item)
 {

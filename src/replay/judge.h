@@ -1,8 +1,8 @@
 /* Compares the outputs of a replayed stage with the files of a trace. */
-#ifndef TS_TRACE_JUDGE_H
-#define TS_TRACE_JUDGE_H
-#include "../compare/compare.h"
-#include "replay.h"
+#ifndef TS_REPLAY_JUDGE_H
+#define TS_REPLAY_JUDGE_H
+#include "compare/compare.h"
+#include "replay/replay.h"
 
 enum { TS_JUDGED_TEXT = 480 };
 

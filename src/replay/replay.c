@@ -1,8 +1,8 @@
 /* One stage alone. */
-#include "replay.h"
+#include "replay/replay.h"
 #include <inttypes.h>
-#include "../compare/order.h"
-#include "../trace/emit.h"
+#include "compare/order.h"
+#include "trace/emit.h"
 
 static const ts_step *find_step(const char *name, const ts_pipeline *pipeline)
 {

@@ -1,8 +1,8 @@
 /* Replay: runs one stage alone on the buffers of a trace, a port's for example, so that "stage 5 is right, given your
  * stage 4" can be said (teacher forcing). */
-#ifndef TS_TRACE_REPLAY_H
-#define TS_TRACE_REPLAY_H
-#include "check.h"
+#ifndef TS_REPLAY_REPLAY_H
+#define TS_REPLAY_REPLAY_H
+#include "replay/check.h"
 
 /* The stage of that name if `pipeline` runs it with these parameters; else NULL with the message set. */
 const ts_stage *ts_replay_find(const char *name, const ts_pipeline *pipeline, const ts_params *params);

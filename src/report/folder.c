@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include <unistd.h>
-#include "../image/png.h"
-#include "../scene/print.h"
-#include "page.h"
+#include "image/png.h"
+#include "report/page.h"
+#include "scene/print.h"
 
 enum { PATH_BYTES = 4608, NAME_BYTES = 256, MOST_SIDE = 1 << 14 };
 

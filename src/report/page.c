@@ -1,11 +1,11 @@
 /* The whole page: its parts as one JSON object, between fixed text. */
-#include "page.h"
+#include "report/page.h"
 #include <stdlib.h>
 #include <unistd.h>
-#include "../image/falsecolour.h"
-#include "../image/flip.h"
-#include "../model/json.h"
-#include "../output/file.h"
+#include "image/falsecolour.h"
+#include "image/flip.h"
+#include "model/json.h"
+#include "output/file.h"
 #include "page.inc"
 
 enum { MOST_JSON_BYTES = 1 << 24, LARGE_BYTES = 64 << 20, PATH_BYTES = 4352 };

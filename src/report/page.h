@@ -1,8 +1,8 @@
 /* Shared by the files that make a page. */
 #ifndef TS_REPORT_PAGE_H
 #define TS_REPORT_PAGE_H
-#include "../kernels/base/num.h"
-#include "report.h"
+#include "kernels/base/num.h"
+#include "report/report.h"
 
 /* A picture; its index is that in the page's list. */
 typedef struct {

@@ -2,8 +2,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "../image/flip.h"
-#include "page.h"
+#include "image/flip.h"
+#include "report/page.h"
 
 static bool has(const ts_page *page, size_t reference, size_t image)
 {

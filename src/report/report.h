@@ -4,7 +4,7 @@
 #ifndef TS_REPORT_REPORT_H
 #define TS_REPORT_REPORT_H
 #include <jansson.h>
-#include "../compare/compare.h"
+#include "compare/compare.h"
 
 typedef struct ts_page ts_page;
 

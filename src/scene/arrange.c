@@ -1,12 +1,12 @@
 /* Added after the triangles: the eye, the subject of the pictures, mirrors and lamps. */
-#include "build_parts.h"
-#include "../model/core.h"
-#include "lamp_place.h"
-#include "path.h"
-#include "sources.h"
-#include "subject.h"
-#include "view.h"
 #include <string.h>
+#include "model/core.h"
+#include "scene/build_parts.h"
+#include "scene/lamp_place.h"
+#include "scene/path.h"
+#include "scene/sources.h"
+#include "scene/subject.h"
+#include "scene/view.h"
 
 #define EYE_NAME "--eye"
 

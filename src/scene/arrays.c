@@ -1,8 +1,8 @@
 /* A scene from its maker's own arrays: build_finish.c checks their contents, as for files. */
-#include "build_parts.h"
 #include <float.h>
-#include "../model/table.h"
-#include "sources.h"
+#include "model/table.h"
+#include "scene/build_parts.h"
+#include "scene/sources.h"
 
 static void check_arrays(ts_build *build, const ts_scene_arrays *a, const ts_scene_options *o)
 {

@@ -1,10 +1,10 @@
 /* Building a scene: appending records. Every float is sanitized (CONTRACT rule 10) and every padding field is zero,
  * because the arrays are hashed. build_finish.c checks and freezes. */
-#include "build_parts.h"
-#include "../model/core.h"
-#include "../kernels/base/vec.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include "kernels/base/vec.h"
+#include "model/core.h"
+#include "scene/build_parts.h"
 
 static void fail_v(ts_build *build, const char *format, va_list arguments)
 {

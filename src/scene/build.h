@@ -3,8 +3,8 @@
 #ifndef TS_SCENE_BUILD_H
 #define TS_SCENE_BUILD_H
 #include <stdbool.h>
-#include "../kernels/base/vec.h"
-#include "scene.h"
+#include "kernels/base/vec.h"
+#include "scene/scene.h"
 #ifdef __cplusplus
 extern "C" {
 #endif

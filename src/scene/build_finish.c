@@ -1,13 +1,13 @@
 /* Freezing a scene: missing parts are added (METHODS 4), every index and range is checked, so that no kernel has to,
  * and the vertices of each object become one range. */
-#include "build_parts.h"
-#include "../model/core.h"
-#include "../kernels/base/shade.h"
-#include "sample.h"
-#include "surfel.h"
-#include "view.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include "kernels/base/shade.h"
+#include "model/core.h"
+#include "scene/build_parts.h"
+#include "scene/sample.h"
+#include "scene/surfel.h"
+#include "scene/view.h"
 
 static void give_material(ts_build *build)
 {

@@ -1,7 +1,7 @@
 /* Images as the kernels read them: 16-bit linear texels and their mip chain (CONTRACT rule 37). Integers only. */
-#include "build_parts.h"
-#include "../model/core.h"
-#include "srgb_table.h"
+#include "model/core.h"
+#include "scene/build_parts.h"
+#include "scene/srgb_table.h"
 
 #define SIDE_LIMIT 65536u
 

@@ -1,9 +1,9 @@
 /* Objects that the file animates (METHODS 2). While a scene is built they stand as at frame 0, so that box, hall, eye,
  * mirrors and lamps are found around them; at the end their vertices return to their own space. */
-#include "build_parts.h"
-#include "../model/core.h"
 #include <inttypes.h>
 #include <stdlib.h>
+#include "model/core.h"
+#include "scene/build_parts.h"
 
 void ts_build_motion(ts_build *build, const ts_motion *frames, u32 n)
 {

@@ -1,7 +1,7 @@
 /* The inside of a build, for the files build*.c only. */
 #ifndef TS_SCENE_BUILD_PARTS_H
 #define TS_SCENE_BUILD_PARTS_H
-#include "build.h"
+#include "scene/build.h"
 
 struct ts_build {
 	ts_scene *scene;

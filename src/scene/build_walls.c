@@ -1,9 +1,9 @@
 /* The hall of a scene: how far the eye and the added reflectors may go (view.h has the reasons). A wall stops level
  * rays both at eye height and above furniture; a fan of rays decides, so that one post does not. */
-#include "build_parts.h"
-#include "../model/core.h"
-#include "../kernels/base/scene.h"
 #include <stdlib.h>
+#include "kernels/base/scene.h"
+#include "model/core.h"
+#include "scene/build_parts.h"
 
 #define N_HEIGHTS 2
 static const f32 heights[N_HEIGHTS] = {0.35f, 0.6f}; /* of the box, above its floor */

@@ -1,7 +1,7 @@
 /* A ground under a model without one: shadows need a receiver. */
-#include "../kernels/base/vec.h"
-#include "sources.h"
-#include "view.h"
+#include "kernels/base/vec.h"
+#include "scene/sources.h"
+#include "scene/view.h"
 
 #define WIDTH 2.5f /* half a side, in half diagonals of the scene's box */
 

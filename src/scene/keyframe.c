@@ -1,6 +1,6 @@
 /* Linear, spherical and cubic interpolation, glTF 2.0 appendix C; METHODS 2. */
-#include "keyframe.h"
-#include "../kernels/base/num.h"
+#include "scene/keyframe.h"
+#include "kernels/base/num.h"
 
 #define FRAMES_A_SECOND 30.0f
 #define TURNS_A_RADIAN 0.15915494f

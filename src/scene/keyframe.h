@@ -2,7 +2,7 @@
  * (CONTRACT rule 4) is used, so every build gives the same bits. */
 #ifndef TS_SCENE_KEYFRAME_H
 #define TS_SCENE_KEYFRAME_H
-#include "scene.h"
+#include "scene/scene.h"
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -1,7 +1,7 @@
 /* Area lights and their samples. All arithmetic is the kernels' (CONTRACT rule 4). */
-#include "lamp.h"
-#include "../kernels/base/shade.h"
-#include "view.h"
+#include "scene/lamp.h"
+#include "kernels/base/shade.h"
+#include "scene/view.h"
 
 #define WIDEST 3.73205089569091796875f /* tangent of 75 degrees */
 

@@ -1,9 +1,9 @@
 /* Area lights: the lamps of shadow methods, and the views from the samples of lights (iVIR sections 4 and 6). */
 #ifndef TS_SCENE_LAMP_H
 #define TS_SCENE_LAMP_H
-#include "../kernels/base/records.h"
-#include "../model/param.h"
-#include "scene.h"
+#include "kernels/base/records.h"
+#include "model/param.h"
+#include "scene/scene.h"
 
 /* Between two seeds of a sunflower, in turns (Vogel 1979). */
 #define TS_GOLDEN_TURN 0.61803400516510009765625f

@@ -1,6 +1,6 @@
 /* Places of lamps are judged by how many points in sight of the eye they light. */
-#include "lamp_place.h"
-#include "view.h"
+#include "scene/lamp_place.h"
+#include "scene/view.h"
 
 enum { N_ACROSS = 16, N_DOWN = 9, N_POINTS = N_ACROSS * N_DOWN, N_TARGETS = 16 };
 #define ENOUGH_OF_SPOT 0.2f /* of the points in sight */

@@ -1,8 +1,8 @@
 /* Free places for the lamps of a file's scene, found by rays (METHODS 10, lamp). */
 #ifndef TS_SCENE_LAMP_PLACE_H
 #define TS_SCENE_LAMP_PLACE_H
-#include "lamp.h"
-#include "rays.h"
+#include "scene/lamp.h"
+#include "scene/rays.h"
 
 /* Finds places from which the lamps light what the eye of frame 0 sees: those that follow
  * from the hall, if they are free and light enough of it; else the best of a lattice of places.

@@ -1,6 +1,6 @@
 /* A k-d tree in one array: the points of a node are a range of `order`, its children the halves of it. A search skips a
  * node when nothing in it, by the distance to its box and by its lowest index, can be among the nearest. */
-#include "neighbours.h"
+#include "scene/neighbours.h"
 #include <stdlib.h>
 
 enum { LEAF = 8 };

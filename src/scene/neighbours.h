@@ -2,8 +2,8 @@
  * the answer is unique and does not depend on threads. Many points in one place cost no more than others. */
 #ifndef TS_SCENE_NEIGHBOURS_H
 #define TS_SCENE_NEIGHBOURS_H
-#include "../model/core.h"
-#include "../kernels/base/vec.h"
+#include "kernels/base/vec.h"
+#include "model/core.h"
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -1,10 +1,10 @@
 /* Planes through neighbourhoods, and one side for each connected part: along the edges of a minimum spanning forest,
  * whose weights are the angles between planes. The forest is Kruskal's, with weights rounded to 16 bits. */
-#include "normals.h"
+#include "scene/normals.h"
 #include <stdlib.h>
 #include <string.h>
-#include "neighbours.h"
-#include "surfel.h"
+#include "scene/neighbours.h"
+#include "scene/surfel.h"
 
 enum { K = TS_NORMALS_NEIGHBOURS, SWEEPS = 10, WEIGHTS = 1 << 16 };
 #define THIN 9.5367431640625e-7f /* 2^-20: relative to the variance along a line, less across it is rounding */

@@ -3,8 +3,8 @@
  * so every build gives the same bits. */
 #ifndef TS_SCENE_NORMALS_H
 #define TS_SCENE_NORMALS_H
-#include "../kernels/base/vec.h"
-#include "../model/core.h"
+#include "kernels/base/vec.h"
+#include "model/core.h"
 #ifdef __cplusplus
 extern "C" {
 #endif

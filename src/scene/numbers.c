@@ -1,6 +1,6 @@
 /* Numbers of a glTF file: KHR_texture_transform, KHR_lights_punctual and the normalized integers of glTF 2.0. */
-#include "numbers.h"
-#include "../kernels/base/vec.h"
+#include "scene/numbers.h"
+#include "kernels/base/vec.h"
 
 #define TURNS_A_RADIAN 0.15915493667125701904296875f
 #define LEAST_CONE 0.001000000047497451305389404296875f

@@ -1,8 +1,8 @@
 /* Conversion of numbers of a glTF file for the scene's records: rounded once to binary32, then sanitized (CONTRACT rule
  * 10); and the few values that need arithmetic. */
-#ifndef TS_SCENE_GLTF_NUMBERS_H
-#define TS_SCENE_GLTF_NUMBERS_H
-#include "scene.h"
+#ifndef TS_SCENE_NUMBERS_H
+#define TS_SCENE_NUMBERS_H
+#include "scene/scene.h"
 #ifdef __cplusplus
 extern "C" {
 #endif

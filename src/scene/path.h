@@ -1,7 +1,7 @@
 /* An eye that moves along the keyframes of a text file (METHODS 2). */
 #ifndef TS_SCENE_PATH_H
 #define TS_SCENE_PATH_H
-#include "build.h"
+#include "scene/build.h"
 
 /* Bounds of a file, which is untrusted: its bytes, and the frames from 0 to its last keyframe. */
 enum { TS_PATH_MAX_BYTES = 1 << 22, TS_PATH_MAX_FRAMES = 65536 };

@@ -1,8 +1,8 @@
 /* Node transforms: glTF 2.0 section 3.5.3 (local = translation rotation scale, world = parent local), normals by the
  * inverse transpose. Elements pass ts_san after every product, so no chain of nodes leaves the contract's range. */
-#include "place.h"
-#include "../kernels/base/vec.h"
-#include "surfel.h"
+#include "scene/place.h"
+#include "kernels/base/vec.h"
+#include "scene/surfel.h"
 
 #define ELEMENT_LIMIT 16777216.0f
 

@@ -2,8 +2,8 @@
  * on binary32, in the order written (CONTRACT rule 4), so every build gives the same bits. */
 #ifndef TS_SCENE_PLACE_H
 #define TS_SCENE_PLACE_H
-#include "../kernels/base/vec.h"
-#include "scene.h"
+#include "kernels/base/vec.h"
+#include "scene/scene.h"
 #ifdef __cplusplus
 extern "C" {
 #endif

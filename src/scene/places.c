@@ -1,7 +1,7 @@
 /* Options of a scene by name and text. */
-#include "places.h"
-#include "../model/core.h"
-#include "../model/decimal.h"
+#include "scene/places.h"
+#include "model/core.h"
+#include "model/decimal.h"
 
 static ts_status take_floats(f32 *to, u32 n, const char *name, const char *text)
 {

@@ -1,7 +1,7 @@
 /* The options of a scene by name and text, as options of the command, lines of cases.txt and of params.txt say them. */
 #ifndef TS_SCENE_PLACES_H
 #define TS_SCENE_PLACES_H
-#include "sources.h"
+#include "scene/sources.h"
 
 enum { TS_MAX_MIRRORS = 64 };
 

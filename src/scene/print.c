@@ -1,14 +1,14 @@
 /* `touchstone info`: what was loaded, and which parts of the file were not understood, as text or JSON. */
-#include "../model/core.h"
-#include "../kernels/base/num.h"
-#include "print.h"
-#include "scene.h"
-#include "surfel.h"
+#include "scene/print.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
+#include "kernels/base/num.h"
+#include "model/core.h"
+#include "scene/scene.h"
+#include "scene/surfel.h"
 
 static uint64_t scene_bytes(const ts_scene *s)
 {

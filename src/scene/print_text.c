@@ -2,8 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../model/core.h"
-#include "print.h"
+#include "model/core.h"
+#include "scene/print.h"
 
 enum { ESCAPE_BYTES = 4 };
 

@@ -1,10 +1,10 @@
 /* The tree: boxes split at the middle of their triangles' middles; each node holds a range of `order`. */
-#include "rays.h"
-#include "../kernels/base/closest.h"
-#include "../kernels/base/scene.h"
-#include "../model/core.h"
-#include "lamp.h"
+#include "scene/rays.h"
 #include <stdlib.h>
+#include "kernels/base/closest.h"
+#include "kernels/base/scene.h"
+#include "model/core.h"
+#include "scene/lamp.h"
 
 enum { LEAF = 4, DEEPEST = 64 };
 #define STEEPEST 1099511627776.0f /* greatest inverse of a direction's component */

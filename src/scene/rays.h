@@ -2,8 +2,8 @@
  * kernels' binary32 arithmetic (CONTRACT rule 4) is used, so every build places things alike. */
 #ifndef TS_SCENE_RAYS_H
 #define TS_SCENE_RAYS_H
-#include "../kernels/base/vec.h"
-#include "scene.h"
+#include "kernels/base/vec.h"
+#include "scene/scene.h"
 
 typedef struct ts_rays ts_rays;
 

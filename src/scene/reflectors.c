@@ -1,11 +1,11 @@
 /* The added reflectors (EPR 4.2; METHODS 4): golden-angle phases on ellipses around the middle of the hall's floor,
  * turning like the eye, and one radius for all, so that their mean projected diameter at frame 0 is reflectors.px. */
-#include "../kernels/base/pose.h"
-#include "../model/core.h"
-#include "shapes.h"
-#include "sources.h"
-#include "view.h"
 #include <stdlib.h>
+#include "kernels/base/pose.h"
+#include "model/core.h"
+#include "scene/shapes.h"
+#include "scene/sources.h"
+#include "scene/view.h"
 
 #define INNER 0.6f          /* of half the hall */
 #define CLEARANCE 0.16f     /* from the eye, in halves of the hall */

@@ -1,7 +1,7 @@
 /* Surfels sampled from the triangles of a scene: surfels.from_mesh. */
 #ifndef TS_SCENE_SAMPLE_H
 #define TS_SCENE_SAMPLE_H
-#include "build.h"
+#include "scene/build.h"
 
 /* Adds surfels to a build whose triangles have been checked: about params->surfels_from_mesh of them, none if that is
  * 0. Each triangle is aligned in its own plane and sampled there as pieces are (EPR 3.2, 3.3; METHODS 2), by a lattice

@@ -1,9 +1,9 @@
 /* The scene as the stages see it: plain arrays of records.def's records. */
 #ifndef TS_SCENE_SCENE_H
 #define TS_SCENE_SCENE_H
-#include "../kernels/base/records.h"
 #include <touchstone/scene.h>
-#include "../model/param.h"
+#include "kernels/base/records.h"
+#include "model/param.h"
 
 #define TS_COORDINATE_LIMIT 16777216.0f /* of any coordinate in the world */
 

@@ -1,7 +1,7 @@
 /* The shapes of the added reflectors: closed surfaces of revolution of about 2000 triangles. */
 #ifndef TS_SCENE_SHAPES_H
 #define TS_SCENE_SHAPES_H
-#include "build.h"
+#include "scene/build.h"
 
 /* Appends one shape to the build's current object, around the origin; `radius` is that of the ball that holds it, world
  * units. shape: TS_SHAPE_SPHERE, _CYLINDER, _TORUS or _LATHE. Normals point outwards, and triangles are

@@ -1,8 +1,8 @@
 /* Sources of scenes: each fills a build. Failures stick to the build, as in build.h. */
 #ifndef TS_SCENE_SOURCES_H
 #define TS_SCENE_SOURCES_H
-#include "build.h"
-#include "rays.h"
+#include "scene/build.h"
+#include "scene/rays.h"
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -1,8 +1,8 @@
 /* Finds by rays what pictures of a file should show (METHODS 4): a room from inside, or a thing from outside. */
 #ifndef TS_SCENE_SUBJECT_H
 #define TS_SCENE_SUBJECT_H
-#include "../model/param.h"
-#include "rays.h"
+#include "model/param.h"
+#include "scene/rays.h"
 
 /* Crops the box to what stands on a wide and flat ground that is more than four times as large as the rest; otherwise
  * the box stays.

@@ -1,8 +1,8 @@
 /* Surfels from points: circles, checked ellipses, and ellipses deformed by a map. */
-#include "surfel.h"
+#include "scene/surfel.h"
 #include <stdlib.h>
 #include <string.h>
-#include "../model/core.h"
+#include "model/core.h"
 
 #define RIGHT 0.00390625f      /* 1/256: greatest cosine of a right angle */
 #define SKEW 1.52587890625e-5f /* 2^-16: more is not rounding */

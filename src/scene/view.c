@@ -1,5 +1,5 @@
 /* The eye: a camera of the scene, or on an ellipse around the middle of the hall (METHODS 2). */
-#include "view.h"
+#include "scene/view.h"
 
 #define EYE_HEIGHT 0.35f /* of the box, above its floor: inside a room the picture is a visitor's */
 #define TARGET_HEIGHT 0.3f

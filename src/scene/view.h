@@ -1,8 +1,8 @@
 /* The eye, and the spaces in which the eye and the added reflectors move. */
 #ifndef TS_SCENE_VIEW_H
 #define TS_SCENE_VIEW_H
-#include "../kernels/base/vec.h"
-#include "scene.h"
+#include "kernels/base/vec.h"
+#include "scene/scene.h"
 
 /* Frames in which the eye, and each added reflector, makes one turn. */
 #define TS_FRAMES_A_TURN 240u

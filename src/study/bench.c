@@ -1,11 +1,11 @@
 /* The tables of `bench`. */
+#include "study/bench.h"
 #include <assert.h>
 #include <stdlib.h>
-#include "bench.h"
-#include "bench_paper.h"
-#include "claims.h"
-#include "frames.h"
-#include "truths.h"
+#include "study/bench_paper.h"
+#include "study/claims.h"
+#include "study/frames.h"
+#include "study/truths.h"
 
 enum { RUNS = 3, MOST = 64 };
 

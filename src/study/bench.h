@@ -1,10 +1,10 @@
 /* Shared by the tables of `bench`. */
-#ifndef TS_CLI_BENCH_H
-#define TS_CLI_BENCH_H
-#include "job.h"
-#include "measure.h"
-#include "plot.h"
-#include "table.h"
+#ifndef TS_STUDY_BENCH_H
+#define TS_STUDY_BENCH_H
+#include "study/job.h"
+#include "study/measure.h"
+#include "study/plot.h"
+#include "study/table.h"
 
 enum { TS_BENCH_OBJECTS = 1000 }; /* at most */
 

@@ -1,6 +1,6 @@
 /* The atomic limit of a machine: the kernel bench_min on a buffer like cube_face.depth_triangle. */
-#include "../kernels/base/bench.h"
-#include "bench.h"
+#include "kernels/base/bench.h"
+#include "study/bench.h"
 
 enum { OFFERS = 1 << 23 }; /* per launch, at least */
 

@@ -1,7 +1,7 @@
 /* `bench backends`: each stage in C and on every device, on the same frame, beside limits of scattering. The columns
  * take turns within a run, so that other load on the machine affects all equally; the first turn is not counted. */
+#include "study/bench_backends.h"
 #include <stdlib.h>
-#include "bench_backends.h"
 
 const u32 ts_bench_limit_mib[TS_BENCH_ATOMICS] = {1, 16, 128};
 

@@ -1,7 +1,7 @@
 /* `bench backends`: columns, shared by the files that fill and print them. */
-#ifndef TS_CLI_BENCH_BACKENDS_H
-#define TS_CLI_BENCH_BACKENDS_H
-#include "bench.h"
+#ifndef TS_STUDY_BENCH_BACKENDS_H
+#define TS_STUDY_BENCH_BACKENDS_H
+#include "study/bench.h"
 
 enum { TS_BENCH_DEVICES = 3, TS_BENCH_COLUMNS = 2 + TS_BENCH_DEVICES, TS_BENCH_ATOMICS = 3 };
 /* Rows of samples: the stages in the order of ts_measure.timings, the whole frame, the atomic limits. */

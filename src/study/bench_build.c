@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "bench_backends.h"
+#include "study/bench_backends.h"
 
 enum { MAX_PATH = 4096, OPEN_FOLDERS = 16 };
 

@@ -1,10 +1,10 @@
 /* One scene with one number of mirrors or lights, by several methods that take turns, so that other load on the machine
  * affects all equally. */
+#include "study/bench_case.h"
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "bench_case.h"
-#include "truths.h"
-#include "words.h"
+#include "study/truths.h"
+#include "study/words.h"
 
 /* The variant whose image is kept. */
 typedef struct {

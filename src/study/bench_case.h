@@ -1,8 +1,8 @@
 /* A case: one scene with one number of mirrors or lights, run by several methods in turn. */
-#ifndef TS_CLI_BENCH_CASE_H
-#define TS_CLI_BENCH_CASE_H
-#include "job.h"
-#include "measure.h"
+#ifndef TS_STUDY_BENCH_CASE_H
+#define TS_STUDY_BENCH_CASE_H
+#include "study/job.h"
+#include "study/measure.h"
 
 enum { TS_BENCH_VARIANTS = 24 }; /* at most */
 

@@ -1,8 +1,8 @@
 /* The columns of `bench backends`: C with one thread and with --threads, and the devices. */
 #include <string.h>
-#include "../scene/print.h"
-#include "../vectors/vectors.h"
-#include "bench_backends.h"
+#include "scene/print.h"
+#include "study/bench_backends.h"
+#include "vectors/vectors.h"
 
 void ts_bench_note(ts_bench_table *table, const char *format, ...)
 {

@@ -2,7 +2,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
-#include "bench_paper.h"
+#include "study/bench_paper.h"
 
 /* Whether `text` begins with `prefix`, in any case. */
 static bool begins(const char *text, const char *prefix)

@@ -1,10 +1,10 @@
 /* The figures of a table. */
+#include "study/bench_figure.h"
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "../model/decimal.h"
-#include "bench_figure.h"
-#include "words.h"
+#include "model/decimal.h"
+#include "study/words.h"
 
 static double parameter(const ts_params *params, const char *name)
 {

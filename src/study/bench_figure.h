@@ -1,9 +1,9 @@
 /* The figures of a table: measured ones, of the variants of a case, and ones derived from them, here and in the
  * paper. */
-#ifndef TS_CLI_BENCH_FIGURE_H
-#define TS_CLI_BENCH_FIGURE_H
-#include "bench_case.h"
-#include "table.h"
+#ifndef TS_STUDY_BENCH_FIGURE_H
+#define TS_STUDY_BENCH_FIGURE_H
+#include "study/bench_case.h"
+#include "study/table.h"
 
 enum { TS_BENCH_FIGURES = 96 }; /* at most */
 

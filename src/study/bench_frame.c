@@ -1,9 +1,9 @@
 /* The frame that tables of backends measure. */
 #include <string.h>
-#include "../scene/print.h"
-#include "bench.h"
-#include "methods.h"
-#include "words.h"
+#include "scene/print.h"
+#include "study/bench.h"
+#include "study/methods.h"
+#include "study/words.h"
 
 const char *ts_bench_frame_spec(const ts_job *job) { return job->scenes != NULL ? job->scenes : "atrium"; }
 

@@ -1,8 +1,8 @@
 /* The output of a table of `bench`: its report on standard output and, with -o, in a folder, each table also as CSV. */
 #include <stdlib.h>
-#include "../output/file.h"
-#include "bench.h"
-#include "folder.h"
+#include "output/file.h"
+#include "study/bench.h"
+#include "study/folder.h"
 
 static void put_cell(FILE *out, const json_t *value)
 {

@@ -1,11 +1,11 @@
 /* Measuring a paper's table. Times are medians, and ratios are taken within one run. */
+#include "study/bench_paper.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "bench.h"
-#include "bench_paper.h"
-#include "busy.h"
-#include "words.h"
+#include "study/bench.h"
+#include "study/busy.h"
+#include "study/words.h"
 
 enum { SPEC_BYTES = 4096 };
 

@@ -1,10 +1,10 @@
 /* A table of a paper as data: methods and scenes to run, figures to show, the paper's values, and relations that must
  * hold. */
-#ifndef TS_CLI_BENCH_PAPER_H
-#define TS_CLI_BENCH_PAPER_H
-#include "bench_figure.h"
-#include "frames.h"
-#include "plot.h"
+#ifndef TS_STUDY_BENCH_PAPER_H
+#define TS_STUDY_BENCH_PAPER_H
+#include "study/bench_figure.h"
+#include "study/frames.h"
+#include "study/plot.h"
 
 /* Lists of figures end with this one. */
 enum { TS_NO_FIGURE = 255 };

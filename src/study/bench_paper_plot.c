@@ -2,8 +2,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "bench.h"
-#include "bench_paper.h"
+#include "study/bench.h"
+#include "study/bench_paper.h"
 
 /* Plots one scene. */
 static ts_status plot_scene(const ts_paper_table *table, const ts_paper_line *lines, u32 n, u32 scene)

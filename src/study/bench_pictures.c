@@ -2,9 +2,9 @@
  * them. */
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "../image/about.h"
-#include "bench_paper.h"
-#include "folder.h"
+#include "image/about.h"
+#include "study/bench_paper.h"
+#include "study/folder.h"
 
 typedef struct {
 	const ts_bench_case *c;

@@ -1,7 +1,7 @@
 /* Claims about a table that is not a paper's table of rows. */
 #include <assert.h>
 #include <string.h>
-#include "bench.h"
+#include "study/bench.h"
 
 static const ts_column columns[] = {{"relation", "relation", false}, {"bound", "must be", false},
                                     {"here", "here", true},          {"paper", "paper", true},

@@ -1,8 +1,8 @@
 /* The report of a paper's table: its parts, ours above the paper's, and whether the paper's claims hold here. */
 #include <math.h>
 #include <string.h>
-#include "bench_paper.h"
-#include "busy.h"
+#include "study/bench_paper.h"
+#include "study/busy.h"
 
 typedef struct {
 	ts_table table;

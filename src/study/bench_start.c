@@ -6,8 +6,8 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "../model/json.h"
-#include "bench.h"
+#include "model/json.h"
+#include "study/bench.h"
 
 extern char **environ;
 

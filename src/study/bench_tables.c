@@ -1,6 +1,6 @@
 /* The tables of `bench backends`. */
 #include <string.h>
-#include "bench_backends.h"
+#include "study/bench_backends.h"
 
 /* The texts of a table with one column per backend, and optionally one per ratio. */
 typedef struct {

@@ -1,5 +1,5 @@
 /* Other processes' processor time, from /proc/stat. */
-#include "busy.h"
+#include "study/busy.h"
 #include <math.h>
 #include <stdio.h>
 #include <sys/resource.h>

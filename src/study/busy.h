@@ -2,7 +2,7 @@
  * of this process and of its ended children. */
 #ifndef TS_STUDY_BUSY_H
 #define TS_STUDY_BUSY_H
-#include "../model/core.h"
+#include "model/core.h"
 
 typedef struct {
 	double seconds, all, own; /* of a monotonic clock; busy, of all processors; busy, of this process */

@@ -1,5 +1,5 @@
 /* `bench list`: all claims of the papers, with the verdict of the last runs of scripts/verdicts. */
-#include "claims.h"
+#include "study/claims.h"
 #include <assert.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@ enum { TEXT_BYTES = 4096 };
 
 #define MEASURED(version, commit, scenes) static const char measured[] = version ", commit " commit ", scenes " scenes;
 #define VERDICT(paper, place, verdict, times)
-#include "verdicts.def"
+#include "study/verdicts.def"
 #undef MEASURED
 #undef VERDICT
 
@@ -16,7 +16,7 @@ enum { TEXT_BYTES = 4096 };
 static const struct {
 	const char *paper, *place, *verdict, *times;
 } verdicts[] = {
-#include "verdicts.def"
+#include "study/verdicts.def"
 	{NULL, NULL, NULL, NULL},
 };
 

@@ -1,8 +1,8 @@
 /* Claims: what the papers' tables, figures, algorithms and slides show, which table of `bench` tests it here, and the
  * result of the last test (verdicts.def). */
-#ifndef TS_CLI_CLAIMS_H
-#define TS_CLI_CLAIMS_H
-#include "bench.h"
+#ifndef TS_STUDY_CLAIMS_H
+#define TS_STUDY_CLAIMS_H
+#include "study/bench.h"
 
 /* One of `bench` and `cannot` is NULL. */
 typedef struct {

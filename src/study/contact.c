@@ -1,9 +1,9 @@
 /* A contact sheet. */
-#include "contact.h"
+#include "study/contact.h"
 #include <stdlib.h>
 #include <string.h>
 #include <touchstone/image.h>
-#include "../output/folder.h"
+#include "output/folder.h"
 
 enum { WIDEST = 240, GAP = 4, DARK = 32 };
 

@@ -1,8 +1,8 @@
 /* A contact sheet: small pictures of several renders in rows and columns. */
 #ifndef TS_STUDY_CONTACT_H
 #define TS_STUDY_CONTACT_H
-#include "../model/core.h"
-#include "../kernels/base/compat.h"
+#include "kernels/base/compat.h"
+#include "model/core.h"
 
 typedef struct {
 	u8 *rgb;

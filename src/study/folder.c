@@ -1,8 +1,8 @@
 /* The folder of results: what it may replace, and what report.json records about it. */
+#include "study/folder.h"
 #include <stdlib.h>
-#include "../output/file.h"
-#include "folder.h"
-#include "folder_ours.h"
+#include "output/file.h"
+#include "study/folder_ours.h"
 
 static ts_status keep(const char *dir)
 {

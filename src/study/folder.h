@@ -1,8 +1,8 @@
 /* The folder of results, with report.json or another file that lists its files. */
 #ifndef TS_STUDY_FOLDER_H
 #define TS_STUDY_FOLDER_H
-#include "../output/folder.h"
-#include "table.h"
+#include "output/folder.h"
+#include "study/table.h"
 
 /* ts_folder_begin: DIR must be absent or empty, or, with `force`, hold nothing but the regular files that its
  * report.json or vectors.json, of an earlier run, lists. */

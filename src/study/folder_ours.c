@@ -1,5 +1,6 @@
 /* What --force may replace. A report.json or vectors.json is untrusted: its names are only compared with those in the
  * folder. */
+#include "study/folder_ours.h"
 #include <dirent.h>
 #include <errno.h>
 #include <jansson.h>
@@ -7,9 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include "../model/core.h"
-#include "../model/json.h"
-#include "folder_ours.h"
+#include "model/core.h"
+#include "model/json.h"
 
 enum { MAX_REPORT_BYTES = 1 << 24, PATH_BYTES = 4096 + 300 };
 

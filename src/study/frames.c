@@ -1,5 +1,5 @@
 /* Frames of the animation, and least, mean and greatest of figures over them. */
-#include "frames.h"
+#include "study/frames.h"
 #include <math.h>
 
 u32 ts_frames_count(const ts_frames *frames)

@@ -1,9 +1,9 @@
 /* What the options ask of a render or a measurement: what to show, how to run, what to write. */
-#ifndef TS_CLI_JOB_H
-#define TS_CLI_JOB_H
-#include "../methods/stage.h"
-#include "../scene/places.h"
-#include "shard.h"
+#ifndef TS_STUDY_JOB_H
+#define TS_STUDY_JOB_H
+#include "methods/stage.h"
+#include "scene/places.h"
+#include "study/shard.h"
 
 enum { TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
 

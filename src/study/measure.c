@@ -1,13 +1,13 @@
 /* Running a method and keeping its figures. */
+#include "study/measure.h"
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "methods/stages.h"
+#include "study/viewer.h"
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif
-#include "../methods/stages.h"
-#include "measure.h"
-#include "viewer.h"
 
 static const ts_buffer_id *const *keeps;
 static const ts_lower_rule *const *lowers;

@@ -1,12 +1,12 @@
 /* Runs a method and keeps pictures, times, counters and sizes. */
-#ifndef TS_CLI_MEASURE_H
-#define TS_CLI_MEASURE_H
-#include "../methods/pipeline.h"
-#include "../trace/write.h"
-#include "../truth/texels.h"
-#include "notes.h"
-#include "picture.h"
-#include "stage_pictures.h"
+#ifndef TS_STUDY_MEASURE_H
+#define TS_STUDY_MEASURE_H
+#include "methods/pipeline.h"
+#include "study/notes.h"
+#include "study/picture.h"
+#include "study/stage_pictures.h"
+#include "trace/write.h"
+#include "truth/texels.h"
 
 /* Takes the buffers that families look at after a run: lists ended by NULL, each ended by TS_N_BUFFERS. They must
  * stay. */

@@ -1,7 +1,7 @@
 /* The pipelines that --method names. */
+#include "study/methods.h"
 #include <string.h>
-#include "methods.h"
-#include "words.h"
+#include "study/words.h"
 
 ts_status ts_effect_check(const char *effect)
 {

@@ -1,8 +1,8 @@
 /* Finds the pipelines that --method names. */
-#ifndef TS_CLI_METHODS_H
-#define TS_CLI_METHODS_H
-#include "../methods/pipeline.h"
-#include "job.h"
+#ifndef TS_STUDY_METHODS_H
+#define TS_STUDY_METHODS_H
+#include "methods/pipeline.h"
+#include "study/job.h"
 
 enum { TS_MAX_METHODS = 16 };
 

@@ -4,7 +4,7 @@
  * more. */
 #include <stdio.h>
 #include <string.h>
-#include "words.h"
+#include "study/words.h"
 
 enum { MAX_NAME = 64 };
 

@@ -1,5 +1,5 @@
 /* Notes of the families on a run. */
-#include "notes.h"
+#include "study/notes.h"
 #include <assert.h>
 
 static const ts_note_rule *const *lists;

@@ -1,7 +1,7 @@
 /* Notes of a family to the user of a successful run, about a setting that does harm. */
-#ifndef TS_CLI_NOTES_H
-#define TS_CLI_NOTES_H
-#include "../methods/stage.h"
+#ifndef TS_STUDY_NOTES_H
+#define TS_STUDY_NOTES_H
+#include "methods/stage.h"
 
 enum { TS_NOTE_CHARS = 256 };
 

@@ -1,13 +1,13 @@
 /* Pictures: of runs, and of the truths. */
-#include "picture.h"
+#include "study/picture.h"
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "../kernels/base/srgb.h"
-#include "../methods/stages.h"
-#include "near_light.h"
+#include "kernels/base/srgb.h"
+#include "methods/stages.h"
+#include "study/near_light.h"
 
 static u64 n_pixels(const ts_params *params) { return (u64)TS_PARAM(params, width) * TS_PARAM(params, height); }
 

@@ -1,8 +1,8 @@
 /* Pictures of the eye's size: of runs, and of the truths. */
-#ifndef TS_CLI_PICTURE_H
-#define TS_CLI_PICTURE_H
-#include "../methods/stage.h"
-#include "../truth/table.h"
+#ifndef TS_STUDY_PICTURE_H
+#define TS_STUDY_PICTURE_H
+#include "methods/stage.h"
+#include "truth/table.h"
 
 /* Pixels of a picture with shadows: those in sight, and of these those lit by all samples of all lights, by some, by
  * none. */

@@ -1,5 +1,5 @@
 /* A plot of curves as SVG 1.1, in a picture of 800 by 560. */
-#include "plot.h"
+#include "study/plot.h"
 #include <math.h>
 
 enum { WIDTH = 800, HEIGHT = 560, LEFT = 70, RIGHT = 770, TOP = 50, BOTTOM = 500, LEGEND = 560 };

@@ -1,8 +1,8 @@
 /* A plot of curves as SVG. */
-#ifndef TS_CLI_PLOT_H
-#define TS_CLI_PLOT_H
+#ifndef TS_STUDY_PLOT_H
+#define TS_STUDY_PLOT_H
 #include <stdio.h>
-#include "../kernels/base/compat.h"
+#include "kernels/base/compat.h"
 
 enum { TS_PLOT_CURVES = 5 }; /* at most */
 

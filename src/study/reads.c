@@ -1,14 +1,14 @@
 /* Which stages, methods and truths read a parameter, from the notes of scripts/reads. */
-#include "reads.h"
+#include "study/reads.h"
 #include <string.h>
-#include "../model/table.h"
-#include "words.h"
+#include "model/table.h"
+#include "study/words.h"
 
 #define READS(kind, name, params) {kind, name, params},
 static const struct {
 	const char *kind, *name, *params;
 } table[] = {
-#include "reads.def"
+#include "study/reads.def"
 };
 
 bool ts_reads(const char *kind, const char *name, const char *param)

@@ -1,7 +1,7 @@
 /* Who reads which parameter. */
 #ifndef TS_STUDY_READS_H
 #define TS_STUDY_READS_H
-#include "../methods/pipeline.h"
+#include "methods/pipeline.h"
 
 /* Whether reads.def has such a row: a stage, a method by its effect, a size, a truth or a kind of scene reads the
  * parameter. Name NULL: any of that kind. */

@@ -1,5 +1,5 @@
 /* Shards of a table of cases. */
-#include "shard.h"
+#include "study/shard.h"
 #include <stdio.h>
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* A part of a table of cases, --shard I/N: each case is in exactly one of the N parts; sizes differ by one at most. */
 #ifndef TS_STUDY_SHARD_H
 #define TS_STUDY_SHARD_H
-#include "../model/core.h"
-#include "../kernels/base/compat.h"
+#include "kernels/base/compat.h"
+#include "model/core.h"
 
 enum { TS_MOST_SHARDS = 1000 };
 

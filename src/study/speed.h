@@ -2,7 +2,7 @@
  * or method of another family are left out where that family is missing. */
 #ifndef TS_STUDY_SPEED_H
 #define TS_STUDY_SPEED_H
-#include "../kernels/base/compat.h"
+#include "kernels/base/compat.h"
 
 /* One frame by some methods. */
 typedef struct {

@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../model/decimal.h"
-#include "speed_work.h"
-#include "words.h"
+#include "model/decimal.h"
+#include "study/speed_work.h"
+#include "study/words.h"
 
 enum { POINTS = 16, SPEC_BYTES = 96 };
 

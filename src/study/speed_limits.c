@@ -1,7 +1,7 @@
 /* Limits of memory: scattered minima and streams. */
-#include "speed_limits.h"
+#include "study/speed_limits.h"
 #include <stdlib.h>
-#include "../backends/wide.h"
+#include "backends/wide.h"
 
 enum { BLOCK = 64, OFFERS = 1 << 24, STREAM_WORDS = 1 << 24, PASSES = 4 };
 

@@ -1,7 +1,7 @@
 /* Limits of a machine, with which stages are compared. */
 #ifndef TS_STUDY_SPEED_LIMITS_H
 #define TS_STUDY_SPEED_LIMITS_H
-#include "../methods/stages.h"
+#include "methods/stages.h"
 
 /* 64-bit minima a second of one thread, at random texels of a buffer of so many bytes, one for each thread:
  * independent, without branches, prefetched. */

@@ -1,8 +1,8 @@
 /* A bare point renderer: a lower limit of drawing as many points into cubes. */
 #include <math.h>
 #include <stdlib.h>
-#include "../backends/wide.h"
-#include "speed_limits.h"
+#include "backends/wide.h"
+#include "study/speed_limits.h"
 
 enum { BLOCK = 256 };
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <time.h>
-#include "speed_work.h"
+#include "study/speed_work.h"
 
 #define SLOWER 1.1 /* than the best loop is not quiet */
 #define LOAD 0.5   /* of the last minute, per processor */

@@ -1,7 +1,7 @@
 /* Rows of `bench speed`: see speed_work.h. */
 #include <math.h>
 #include <stdlib.h>
-#include "speed_work.h"
+#include "study/speed_work.h"
 
 enum { TRIES = 3, LONG = 20 }; /* seconds of a row after which it rests */
 

@@ -2,11 +2,11 @@
  * is checked whether the machine is quiet. */
 #ifndef TS_STUDY_SPEED_WORK_H
 #define TS_STUDY_SPEED_WORK_H
-#include "../truth/bare.h"
-#include "bench.h"
-#include "busy.h"
-#include "speed.h"
-#include "speed_limits.h"
+#include "study/bench.h"
+#include "study/busy.h"
+#include "study/speed.h"
+#include "study/speed_limits.h"
+#include "truth/bare.h"
 
 /* Whether the machine is quiet: other processes leave the processors idle, and a fixed loop takes no longer than its
  * best time (speed_quiet.c). */

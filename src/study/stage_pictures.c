@@ -1,5 +1,5 @@
 /* Pictures of what the stages made. */
-#include "stage_pictures.h"
+#include "study/stage_pictures.h"
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>

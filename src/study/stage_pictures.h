@@ -1,7 +1,7 @@
 /* Pictures of the outputs of stages, in false colours. */
-#ifndef TS_CLI_STAGE_PICTURES_H
-#define TS_CLI_STAGE_PICTURES_H
-#include "../methods/stage.h"
+#ifndef TS_STUDY_STAGE_PICTURES_H
+#define TS_STUDY_STAGE_PICTURES_H
+#include "methods/stage.h"
 
 enum { TS_MAX_STAGE_PICTURES = 8 };
 

@@ -1,7 +1,7 @@
 /* Combinations of parameters. */
-#include "sweep.h"
+#include "study/sweep.h"
 #include <stdio.h>
-#include "words.h"
+#include "study/words.h"
 
 enum { MAX_COMBINATIONS = 10000 };
 

@@ -1,7 +1,7 @@
 /* Parameters of which several values were typed, --set NAME=A,B,C: every combination is a render, and a line of CSV. */
-#ifndef TS_CLI_SWEEP_H
-#define TS_CLI_SWEEP_H
-#include "job.h"
+#ifndef TS_STUDY_SWEEP_H
+#define TS_STUDY_SWEEP_H
+#include "study/job.h"
 
 /* Adds the values of one parameter, separated by commas; each is checked. `text` must stay. */
 ts_status ts_sweep_add(ts_sweep *sweep, const ts_params *params, const char *name, const char *values);

@@ -1,12 +1,12 @@
 /* Tables as text and as JSON. */
+#include "study/table.h"
 #include <fnmatch.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../output/file.h"
-#include "../scene/print.h"
-#include "table.h"
+#include "output/file.h"
+#include "scene/print.h"
 
 enum { LINE_WIDTH = 120, NARROW = 20, NARROWEST = 12, NARROW_FIGURE = 10, GAP = 2 };
 

@@ -1,10 +1,10 @@
 /* Figures as aligned text for people and as JSON for programs, from one description. */
-#ifndef TS_CLI_TABLE_H
-#define TS_CLI_TABLE_H
+#ifndef TS_STUDY_TABLE_H
+#define TS_STUDY_TABLE_H
 #include <jansson.h>
 #include <stdio.h>
-#include "../output/file.h"
-#include "job.h"
+#include "output/file.h"
+#include "study/job.h"
 
 enum { TS_MAX_COLUMNS = 16 };
 

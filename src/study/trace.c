@@ -1,9 +1,9 @@
 /* The options of traces, and whether there is room for them. */
-#include "trace.h"
+#include "study/trace.h"
 #include <stdio.h>
 #include <sys/statvfs.h>
-#include "folder.h"
-#include "words.h"
+#include "study/folder.h"
+#include "study/words.h"
 
 static const char *place(void *user, const char *name)
 {

@@ -1,8 +1,8 @@
 /* The traces that --trace, --trace-only and --crop ask for. */
-#ifndef TS_CLI_TRACE_H
-#define TS_CLI_TRACE_H
-#include "../trace/write.h"
-#include "job.h"
+#ifndef TS_STUDY_TRACE_H
+#define TS_STUDY_TRACE_H
+#include "study/job.h"
+#include "trace/write.h"
 
 /* A method's trace in the output folder, under trace-METHOD. */
 typedef struct {

@@ -1,9 +1,9 @@
 /* The ground truths that --truth names. */
-#include "truths.h"
+#include "study/truths.h"
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
-#include "words.h"
+#include "study/words.h"
 
 const ts_truth_kind *ts_truths_one(const char *name, const char *effect)
 {

@@ -1,8 +1,8 @@
 /* Finds the ground truths that --truth names. */
-#ifndef TS_CLI_TRUTHS_H
-#define TS_CLI_TRUTHS_H
-#include "../truth/table.h"
-#include "../kernels/base/compat.h"
+#ifndef TS_STUDY_TRUTHS_H
+#define TS_STUDY_TRUTHS_H
+#include "kernels/base/compat.h"
+#include "truth/table.h"
 
 /* The truth of that name and effect (NULL: of any effect); NULL: there is none. */
 const ts_truth_kind *ts_truths_one(const char *name, const char *effect);

@@ -1,6 +1,6 @@
 /* Videos by ffmpeg, in a process of its own that writes to memory: the folder of results gets complete videos only. */
 #define _GNU_SOURCE
-#include "video.h"
+#include "study/video.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>
@@ -10,8 +10,8 @@
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "../output/file.h"
-#include "../output/folder.h"
+#include "output/file.h"
+#include "output/folder.h"
 
 enum { OUT = 3, BLOCK = 1 << 16 };
 

@@ -1,7 +1,7 @@
 /* Makes videos of written frames by ffmpeg, where it is installed. */
 #ifndef TS_STUDY_VIDEO_H
 #define TS_STUDY_VIDEO_H
-#include "../model/core.h"
+#include "model/core.h"
 
 #define TS_VIDEO_RATE "30" /* frames a second */
 

@@ -1,8 +1,8 @@
 /* Copies of buffers for viewers, by the rules that families have registered. */
-#include "viewer.h"
+#include "study/viewer.h"
 #include <assert.h>
 #include <stdio.h>
-#include "folder.h"
+#include "study/folder.h"
 
 static const ts_viewer_rule *const *lists;
 

@@ -1,7 +1,7 @@
 /* Copies of a run's buffers in formats for people and viewers; never hashed, never compared. */
-#ifndef TS_CLI_VIEWER_H
-#define TS_CLI_VIEWER_H
-#include "../methods/stage.h"
+#ifndef TS_STUDY_VIEWER_H
+#define TS_STUDY_VIEWER_H
+#include "methods/stage.h"
 
 /* A buffer, and the function that writes its copy into a folder of the output. */
 typedef struct {

@@ -1,5 +1,5 @@
 /* Reading typed words. */
-#include "words.h"
+#include "study/words.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* Reads typed words. */
-#ifndef TS_CLI_WORDS_H
-#define TS_CLI_WORDS_H
-#include "../model/core.h"
-#include "../kernels/base/compat.h"
-#include "job.h"
+#ifndef TS_STUDY_WORDS_H
+#define TS_STUDY_WORDS_H
+#include "kernels/base/compat.h"
+#include "model/core.h"
+#include "study/job.h"
 
 /* Reads a decimal count in [min, max]; `what` names it in the message. */
 ts_status ts_words_count(u32 *value, const char *text, u32 min, u32 max, const char *what);

@@ -1,16 +1,16 @@
 /* The families, in the order of their rows in the engines' tables. */
-#include "tools.h"
-#include "../methods/tools/family.h"
+#include "tools/tools.h"
+#include "methods/tools/family.h"
 
 #define FAMILY(name) FAMILY_FILE(methods, name, tools.def)
 
 #define TOOLS(name) extern const ts_family_tools ts_##name##_tools;
-#include "../families.def"
+#include "families.def"
 #undef TOOLS
 
 #define TOOLS(name) &ts_##name##_tools,
 static const ts_family_tools *const families[] = {
-#include "../families.def"
+#include "families.def"
 };
 #undef TOOLS
 

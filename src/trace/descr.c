@@ -1,5 +1,5 @@
 /* Dtypes of buffers. */
-#include "descr.h"
+#include "trace/descr.h"
 #include <assert.h>
 #include <stdio.h>
 #include <string.h>

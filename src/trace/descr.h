@@ -1,8 +1,8 @@
 /* The dtype of a buffer's elements, for the header of its .npy file. */
 #ifndef TS_TRACE_DESCR_H
 #define TS_TRACE_DESCR_H
-#include "../model/frame.h"
-#include "../output/npy.h"
+#include "model/frame.h"
+#include "output/npy.h"
 
 enum { TS_NPY_DESCR = 2048 };
 

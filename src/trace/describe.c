@@ -1,8 +1,8 @@
 /* The text of trace.json. */
-#include "describe.h"
+#include "trace/describe.h"
 #include <stdio.h>
-#include "../scene/print.h"
-#include "producer.h"
+#include "scene/print.h"
+#include "trace/producer.h"
 
 json_t *ts_trace_params(const ts_params *params)
 {

@@ -2,8 +2,8 @@
 #ifndef TS_TRACE_DESCRIBE_H
 #define TS_TRACE_DESCRIBE_H
 #include <jansson.h>
-#include "../model/digest.h"
-#include "emit.h"
+#include "model/digest.h"
+#include "trace/emit.h"
 
 /* Files of a trace of version 1 are plain .npy files of its folder. In version 2 they may also be compressed, or files
  * of the scene that the traces of one run share. */

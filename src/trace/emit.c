@@ -1,8 +1,8 @@
 /* From a run's buffers to the parts of files. */
-#include "emit.h"
+#include "trace/emit.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "../model/order.h"
+#include "model/order.h"
 
 bool ts_emit_is_scene(ts_buffer_id id) { return strncmp(ts_buffer_table[id].name, "scene.", 6) == 0; }
 

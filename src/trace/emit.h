@@ -2,8 +2,8 @@
  * buffers in parts, which become one file here. */
 #ifndef TS_TRACE_EMIT_H
 #define TS_TRACE_EMIT_H
-#include "../methods/pipeline.h"
-#include "descr.h"
+#include "methods/pipeline.h"
+#include "trace/descr.h"
 
 enum { TS_EMIT_NAME = 64 };
 

@@ -1,9 +1,9 @@
 /* Fields of records.def's elements. */
-#include "field.h"
-#include "../kernels/base/scene.h"
+#include "trace/field.h"
 #include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
+#include "kernels/base/scene.h"
 
 static const struct {
 	const char *type;

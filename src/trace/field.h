@@ -1,7 +1,7 @@
 /* Fields of the elements of buffers: comparing and printing their values. */
 #ifndef TS_TRACE_FIELD_H
 #define TS_TRACE_FIELD_H
-#include "../model/frame.h"
+#include "model/frame.h"
 
 /* What stands for an index of the candidate that names no point of the reference. */
 #define TS_NO_PARTNER 0xfffffffeu

@@ -1,5 +1,5 @@
 /* Files of traces, which are untrusted. */
-#include "item.h"
+#include "trace/item.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "describe.h"
-#include "field.h"
-#include "packed.h"
+#include "trace/describe.h"
+#include "trace/field.h"
+#include "trace/packed.h"
 
 static bool is_plain(const char *name) { return name[0] != 0 && name[0] != '.' && strchr(name, '/') == NULL; }
 

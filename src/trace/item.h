@@ -1,7 +1,7 @@
 /* The file of one buffer of a trace: its name, its kind and its header. */
 #ifndef TS_TRACE_ITEM_H
 #define TS_TRACE_ITEM_H
-#include "read.h"
+#include "trace/read.h"
 
 enum { TS_PATH = 4096 };
 

@@ -1,6 +1,6 @@
 /* trace.json as a file. */
-#include "../output/file.h"
-#include "describe.h"
+#include "output/file.h"
+#include "trace/describe.h"
 
 ts_status ts_trace_write_json(const char *path, json_t *root)
 {

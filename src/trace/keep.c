@@ -1,8 +1,8 @@
 /* From the parts of a run's files to arrays in memory. */
-#include "keep.h"
+#include "trace/keep.h"
 #include <stdlib.h>
-#include "emit.h"
-#include "item.h"
+#include "trace/emit.h"
+#include "trace/item.h"
 
 typedef struct {
 	ts_trace *trace;

@@ -1,7 +1,7 @@
 /* Keeps a run's buffers in memory as a trace. */
 #ifndef TS_TRACE_KEEP_H
 #define TS_TRACE_KEEP_H
-#include "read.h"
+#include "trace/read.h"
 
 /* Which buffers of a run are kept. */
 typedef struct {

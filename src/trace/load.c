@@ -1,9 +1,9 @@
 /* From the files of traces to a run. */
-#include "load.h"
+#include "trace/load.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../kernels/base/num.h"
+#include "kernels/base/num.h"
 
 const ts_trace_item *ts_load_item(const ts_trace *reference, const ts_trace *candidate, ts_buffer_id id)
 {

@@ -1,7 +1,7 @@
 /* Loads buffers of traces into memory, as the state of a run from which a stage can be replayed. */
 #ifndef TS_TRACE_LOAD_H
 #define TS_TRACE_LOAD_H
-#include "read.h"
+#include "trace/read.h"
 
 typedef struct {
 	ts_run run;     /* its frame owns the loaded buffers; its parameters are the reference's; ts_check sets its plan */

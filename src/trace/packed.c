@@ -1,5 +1,5 @@
 /* Frames of zstd, one block of the file at a time. */
-#include "packed.h"
+#include "trace/packed.h"
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>

@@ -2,8 +2,8 @@
  * untrusted: a frame may need a window of at most 8 MiB, must hold exactly those bytes, and nothing may follow. */
 #ifndef TS_TRACE_PACKED_H
 #define TS_TRACE_PACKED_H
-#include "../output/file.h"
-#include "../kernels/base/compat.h"
+#include "kernels/base/compat.h"
+#include "output/file.h"
 
 #define TS_PACKED_SUFFIX ".zst"
 

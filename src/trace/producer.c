@@ -1,7 +1,7 @@
 /* This build's description of itself. */
-#include "producer.h"
-#include "../model/core.h"
-#include "../kernels/base/compat.h"
+#include "trace/producer.h"
+#include "kernels/base/compat.h"
+#include "model/core.h"
 
 json_t *ts_producer(const ts_run *run)
 {

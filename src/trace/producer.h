@@ -2,7 +2,7 @@
 #ifndef TS_TRACE_PRODUCER_H
 #define TS_TRACE_PRODUCER_H
 #include <jansson.h>
-#include "../methods/stage.h"
+#include "methods/stage.h"
 
 /* Name, version and commit of this program; name, device, compiler and flags of its backend. New references, or NULL
  * without memory. */

@@ -1,13 +1,13 @@
 /* trace.json and the headers of the files that it names. */
-#include "read.h"
+#include "trace/read.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
-#include "../model/json.h"
-#include "describe.h"
-#include "item.h"
-#include "packed.h"
+#include "model/json.h"
+#include "trace/describe.h"
+#include "trace/item.h"
+#include "trace/packed.h"
 
 enum { MAX_JSON_BYTES = 1 << 24 };
 

@@ -3,11 +3,11 @@
  * beside it. */
 #ifndef TS_TRACE_READ_H
 #define TS_TRACE_READ_H
-#include "../methods/pipeline.h"
 #include <touchstone/trace.h>
-#include "descr.h"
-#include "../model/digest.h"
-#include "reader.h"
+#include "methods/pipeline.h"
+#include "model/digest.h"
+#include "trace/descr.h"
+#include "trace/reader.h"
 
 /* All elements of a compressed file, unpacked at the first use. */
 typedef struct {

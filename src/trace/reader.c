@@ -1,12 +1,12 @@
 /* A direct-mapped cache of blocks of a file; or memory. */
-#include "reader.h"
+#include "trace/reader.h"
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "../model/order.h"
+#include "model/order.h"
 
 _Static_assert(TS_LITTLE_ENDIAN, "on a big-endian machine make core alone: traces are read as they are");
 

@@ -1,8 +1,8 @@
 /* Elements of a file, in any order, through a few blocks of memory: how traces that are larger than memory are read. */
 #ifndef TS_TRACE_READER_H
 #define TS_TRACE_READER_H
-#include "../model/core.h"
-#include "../kernels/base/compat.h"
+#include "kernels/base/compat.h"
+#include "model/core.h"
 
 typedef struct ts_reader ts_reader;
 

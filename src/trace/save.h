@@ -1,8 +1,8 @@
 /* Writes a trace in memory, or part of one, as files: .npy and a trace.json that names them. */
 #ifndef TS_TRACE_SAVE_H
 #define TS_TRACE_SAVE_H
-#include "read.h"
-#include "write.h"
+#include "trace/read.h"
+#include "trace/write.h"
 
 /* Writes all buffers to the files that `place` gives, then trace.json. producer: the name of the trace's producer;
  * NULL: this program. On failure the message names the file that could not be written, and written files stay. */

@@ -1,5 +1,5 @@
 /* Digests of a run's files. */
-#include "sums.h"
+#include "trace/sums.h"
 
 ts_status ts_sums_take(void *user, const ts_chunk *chunk)
 {

@@ -3,8 +3,8 @@
 #ifndef TS_TRACE_SUMS_H
 #define TS_TRACE_SUMS_H
 #include <stdio.h>
-#include "../model/digest.h"
-#include "emit.h"
+#include "model/digest.h"
+#include "trace/emit.h"
 
 typedef struct {
 	char hex[TS_N_BUFFERS][TS_DIGEST_BYTES]; /* "": not made */

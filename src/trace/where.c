@@ -1,10 +1,10 @@
 /* Elements by the shapes of their buffers. */
-#include "where.h"
+#include "trace/where.h"
 #include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
-#include "../kernels/base/num.h"
-#include "reader.h"
+#include "kernels/base/num.h"
+#include "trace/reader.h"
 
 static const ts_where_rule *const *lists;
 static _Thread_local bool failed; /* an existing row could not be read */

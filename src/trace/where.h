@@ -3,7 +3,7 @@
  * 1". */
 #ifndef TS_TRACE_WHERE_H
 #define TS_TRACE_WHERE_H
-#include "read.h"
+#include "trace/read.h"
 
 enum { TS_WHERE_TEXT = 128 };
 

@@ -1,11 +1,11 @@
 /* Files of a trace, written as the stages make them. */
-#include "write.h"
+#include "trace/write.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "../output/file.h"
-#include "describe.h"
-#include "packed.h"
-#include "sums.h"
+#include "output/file.h"
+#include "trace/describe.h"
+#include "trace/packed.h"
+#include "trace/sums.h"
 
 struct ts_trace_writer {
 	const ts_pipeline *pipeline;

@@ -2,8 +2,8 @@
  * chooses the places of files: a folder with all traces of the run, which appears as a whole or not at all. */
 #ifndef TS_TRACE_WRITE_H
 #define TS_TRACE_WRITE_H
-#include "../model/digest.h"
-#include "emit.h"
+#include "model/digest.h"
+#include "trace/emit.h"
 
 /* The path for a new file of the trace, "05-split.piece.npy", or of the scene that traces share, "../scene/..."; the
  * path stays valid. NULL with the message set on failure. */

@@ -1,10 +1,10 @@
 /* Embree alone: see bare.h. */
-#include "bare.h"
+#include "truth/bare.h"
 #include <math.h>
 #include <stdlib.h>
-#include "../kernels/raster/offscreen.h"
-#include "query.h"
-#include "tree.h"
+#include "kernels/raster/offscreen.h"
+#include "truth/query.h"
+#include "truth/tree.h"
 
 enum {
 	SIDE = 4,

@@ -3,7 +3,7 @@
  * judged. */
 #ifndef TS_TRUTH_BARE_H
 #define TS_TRUTH_BARE_H
-#include "truth.h"
+#include "truth/truth.h"
 
 typedef struct ts_bare ts_bare;
 

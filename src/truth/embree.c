@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../kernels/base/surface.h"
-#include "parts.h"
+#include "kernels/base/surface.h"
+#include "truth/parts.h"
 
 enum { BATCH = 16 * TS_TRUTH_PACKET, ONE_OF = 16 };
 

@@ -1,5 +1,5 @@
 /* The first failure of many threads: see first_error.h. */
-#include "first_error.h"
+#include "truth/first_error.h"
 #include <stdio.h>
 
 void ts_first_error_begin(ts_first_error *error)

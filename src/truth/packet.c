@@ -12,8 +12,8 @@
 #include <assert.h>
 #include <math.h>
 #include <string.h>
-#include "../backends/wide.h"
-#include "parts.h"
+#include "backends/wide.h"
+#include "truth/parts.h"
 
 #define AS_FAR 0.0000152587890625f /* 2^-16: distances that differ by less count as equal */
 

@@ -1,6 +1,6 @@
 /* Distributes a truth's triangles among geometries of Embree: see parts.h. The order of the triangles, which decides
  * between equal distances, does not depend on the borders of parts. */
-#include "parts.h"
+#include "truth/parts.h"
 #include <stdlib.h>
 #include <string.h>
 

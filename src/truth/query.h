@@ -1,8 +1,8 @@
 /* Rays into Embree's tree, as truths cast them. */
 #ifndef TS_TRUTH_QUERY_H
 #define TS_TRUTH_QUERY_H
-#include "../kernels/base/hit.h"
-#include "truth.h"
+#include "kernels/base/hit.h"
+#include "truth/truth.h"
 
 /* A leg of a light path that began at the eye. A hit q has a footprint of spread * (path + |from - q|) world units. */
 typedef struct {

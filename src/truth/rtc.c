@@ -1,10 +1,10 @@
 /* Opening Embree: see rtc.h. */
-#include "rtc.h"
+#include "truth/rtc.h"
 #include <dlfcn.h>
 #include <pthread.h>
 #include <stdio.h>
-#include "../model/core.h"
-#include "../model/library.h"
+#include "model/core.h"
+#include "model/library.h"
 
 #define TEXT_OF(number) #number
 #define TEXT(number) TEXT_OF(number)

@@ -1,8 +1,8 @@
 /* Embree, version 3 or 4, opened with the first tree, so that a process without truths does not load its 40 MB. */
 #ifndef TS_TRUTH_RTC_H
 #define TS_TRUTH_RTC_H
-#include "../kernels/base/num.h"
 #include <touchstone/status.h>
+#include "kernels/base/num.h"
 #if TS_EMBREE == 4
 #include <embree4/rtcore.h>
 #else

@@ -1,7 +1,7 @@
 /* Shares of a truth's rays, and the loop over its pixels: see sampling.h. */
-#include "sampling.h"
-#include "../kernels/base/num.h"
-#include "work.h"
+#include "truth/sampling.h"
+#include "kernels/base/num.h"
+#include "truth/work.h"
 
 enum { STREAM_ITEMS = 9, STREAM_PIXELS = 10 };                  /* of ts_random */
 enum { CHUNK_RAYS = 1 << 18, LEAST_CHUNK = 256, CHUNK = 4096 }; /* between two reports of progress */

@@ -4,7 +4,7 @@
  * so that two runs, by any number of threads, give the same. */
 #ifndef TS_TRUTH_SAMPLING_H
 #define TS_TRUTH_SAMPLING_H
-#include "../methods/stage.h"
+#include "methods/stage.h"
 
 /* The items that a pixel asks: all, or one at random of each of `asked` parts of nearly equal size. */
 typedef struct {

@@ -1,5 +1,5 @@
 /* Whether two points see each other. */
-#include "query.h"
+#include "truth/query.h"
 
 #define SKIP 0.000244140625f /* 2^-12 of the greatest coordinate */
 

@@ -1,5 +1,5 @@
 /* The ground truths that families have registered. */
-#include "table.h"
+#include "truth/table.h"
 #include <assert.h>
 
 static const ts_truth_kind *table[TS_MAX_TRUTHS + 1];

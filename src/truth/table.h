@@ -1,9 +1,9 @@
 /* The table of ground truths. A row holds all that the command, its reports and the documents know of a truth. */
 #ifndef TS_TRUTH_TABLE_H
 #define TS_TRUTH_TABLE_H
-#include "../methods/pipeline.h"
-#include "sampling.h"
-#include "truth.h"
+#include "methods/pipeline.h"
+#include "truth/sampling.h"
+#include "truth/truth.h"
 
 enum { TS_MAX_TRUTHS = 32 }; /* sets of truths are the bits of a u32 */
 

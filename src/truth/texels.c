@@ -1,5 +1,5 @@
 /* The rules that families have registered: see texels.h. */
-#include "texels.h"
+#include "truth/texels.h"
 #include <assert.h>
 
 static const ts_texel_rule *const *lists;

@@ -1,7 +1,7 @@
 /* Judges by rays the texels in which a method looks things up, by rules of families. */
 #ifndef TS_TRUTH_TEXELS_H
 #define TS_TRUTH_TEXELS_H
-#include "truth.h"
+#include "truth/truth.h"
 
 enum { TS_MOST_REASONS = 10 };
 

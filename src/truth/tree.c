@@ -1,5 +1,5 @@
 /* A tree of Embree. */
-#include "tree.h"
+#include "truth/tree.h"
 #include <stdio.h>
 
 #if TS_EMBREE == 4

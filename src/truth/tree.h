@@ -1,9 +1,9 @@
 /* A device of Embree, version 3 or 4, and a scene in it, with their first error and their limit of memory. */
 #ifndef TS_TRUTH_TREE_H
 #define TS_TRUTH_TREE_H
-#include "../methods/stages.h"
-#include "first_error.h"
-#include "rtc.h"
+#include "methods/stages.h"
+#include "truth/first_error.h"
+#include "truth/rtc.h"
 #if TS_EMBREE == 4
 typedef struct RTCRayQueryContext ts_tree_context;
 #else

@@ -2,7 +2,7 @@
  * the triangle. No result depends on threads. */
 #ifndef TS_TRUTH_TRUTH_H
 #define TS_TRUTH_TRUTH_H
-#include "../methods/pipeline.h"
+#include "methods/pipeline.h"
 
 typedef struct ts_truth ts_truth;
 

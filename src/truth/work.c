@@ -1,6 +1,6 @@
 /* Work of rays that may take long: see work.h. */
-#include "work.h"
-#include "../model/core.h"
+#include "truth/work.h"
+#include "model/core.h"
 
 static const double first = 0.5, lengthy = 10; /* seconds: measured before an estimate; least printed one */
 

@@ -2,7 +2,7 @@
  * clock has no effect on results. */
 #ifndef TS_TRUTH_WORK_H
 #define TS_TRUTH_WORK_H
-#include "../kernels/base/compat.h"
+#include "kernels/base/compat.h"
 
 typedef struct {
 	const char *label;

@@ -1,7 +1,7 @@
 /* Primitives: operations that IEEE 754 defines, one each, and the two that compilers like to fuse (CONTRACT rules 4 to
  * 6). */
-#include "../kernels/vectors/vectors_number.h"
-#include "row.h"
+#include "kernels/vectors/vectors_number.h"
+#include "vectors/row.h"
 
 FLOAT_ITEM(add_flush, flushed(flushed(A) + flushed(B)))
 FLOAT_ITEM(sub_flush, flushed(flushed(A) - flushed(B)))

@@ -1,6 +1,6 @@
 /* Composites of triangles (kernels/vectors/composites_geometry.h). */
-#include "../kernels/vectors/composites_geometry.h"
-#include "relate.h"
+#include "kernels/vectors/composites_geometry.h"
+#include "vectors/relate.h"
 
 static void relate_corners(u32 *in, u32 random) { ts_relate_triangle(in, in + 3, in + 6, &random); }
 

@@ -1,6 +1,6 @@
 /* Composites of the lattice of samples (kernels/vectors/composites_lattice.h). */
-#include "../kernels/vectors/composites_lattice.h"
-#include "relate.h"
+#include "kernels/vectors/composites_lattice.h"
+#include "vectors/relate.h"
 
 enum { SCALE = 12 };
 

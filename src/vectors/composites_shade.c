@@ -1,6 +1,6 @@
 /* Composites of visible surfaces (kernels/vectors/composites_shade.h). */
-#include "../kernels/vectors/composites_shade.h"
-#include "relate.h"
+#include "kernels/vectors/composites_shade.h"
+#include "vectors/relate.h"
 
 /* The point at the light, at the end of its range, or anywhere. */
 static void relate_light(u32 *in, u32 random)

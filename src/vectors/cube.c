@@ -1,6 +1,6 @@
 /* Primitives of cube maps: places and texels (kernels/raster/cube.h). */
-#include "../kernels/vectors/vectors_texture.h"
-#include "row.h"
+#include "kernels/vectors/vectors_texture.h"
+#include "vectors/row.h"
 
 static void cube_place_reciprocal(u32 *out, const u32 *in)
 {

@@ -1,5 +1,5 @@
 /* Compares a port's outputs with ours, bit by bit, and finds which well-known fault would explain them. */
-#include "row.h"
+#include "vectors/row.h"
 
 static i64 ordinal(u32 u)
 {

@@ -1,6 +1,6 @@
 /* Inputs that are biased to the extremes, from a hash of the primitive's name and a counter. */
 #include <assert.h>
-#include "row.h"
+#include "vectors/row.h"
 
 /* From each of these on, items are drawn in another style. */
 enum { MIXED_FROM = 1024, MODERATE_FROM = 2048, BITS_FROM = 2560, FAULTS_FROM = 3072 };

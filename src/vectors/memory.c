@@ -1,6 +1,6 @@
 /* Primitives of shared memory: keys, minima, sums, prefix sums, Morton codes (CONTRACT rules 24 to 30). */
-#include "../kernels/vectors/vectors_memory.h"
-#include "row.h"
+#include "kernels/vectors/vectors_memory.h"
+#include "vectors/row.h"
 
 static f32 depth_of_24_bits(f32 depth) { return (f32)(rint(fmin((double)depth, 1) * 16777215) / 16777215); }
 

@@ -1,6 +1,6 @@
 /* Primitives of kernels/base/num.h and half.h: sanitizing, fixed point, conversions, hashes, elementary functions. */
-#include "../kernels/vectors/vectors_number.h"
-#include "row.h"
+#include "kernels/vectors/vectors_number.h"
+#include "vectors/row.h"
 
 static void clamped_chosen(u32 *out, const u32 *in)
 {

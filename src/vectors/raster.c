@@ -1,6 +1,6 @@
 /* Primitives of rasterization: projection, snapping, edges, coverage, interpolation (CONTRACT rules 15 to 22). */
-#include "../kernels/vectors/vectors_raster.h"
-#include "row.h"
+#include "kernels/vectors/vectors_raster.h"
+#include "vectors/row.h"
 
 enum { SNAPPED_MAX = (1 << 23) - 1, PIXEL_MAX = 32767 };
 

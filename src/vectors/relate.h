@@ -2,9 +2,9 @@
  * and values at which a function branches. Values are stored as kernels store them, so that ranges hold. */
 #ifndef TS_VECTORS_RELATE_H
 #define TS_VECTORS_RELATE_H
-#include "../kernels/base/hit.h"
-#include "../kernels/raster/patch.h"
-#include "row.h"
+#include "kernels/base/hit.h"
+#include "kernels/raster/patch.h"
+#include "vectors/row.h"
 
 /* Columns: places and lengths near each other; values that are only divided or multiplied; parts of 1; directions. */
 /* clang-format off */

@@ -1,8 +1,8 @@
 /* Shared by the tables of primitives: models of faults, ranges of arguments. */
-#ifndef TS_TRACE_VECTORS_ROW_H
-#define TS_TRACE_VECTORS_ROW_H
-#include "../kernels/vectors/composites_row.h"
-#include "vectors.h"
+#ifndef TS_VECTORS_ROW_H
+#define TS_VECTORS_ROW_H
+#include "kernels/vectors/composites_row.h"
+#include "vectors/vectors.h"
 
 /* The tables of the primitives that all methods share, each ended by a row without a name. */
 extern const ts_vector ts_vectors_arithmetic[], ts_vectors_number[], ts_vectors_vector[], ts_vectors_raster[],

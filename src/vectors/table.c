@@ -3,7 +3,7 @@
 #include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
-#include "row.h"
+#include "vectors/row.h"
 
 static const ts_launch launch = TS_LAUNCH(vectors, TS_ALL), launch_composites = TS_LAUNCH(composites, TS_ALL);
 

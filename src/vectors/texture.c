@@ -1,6 +1,6 @@
 /* Primitives of textures and display values (kernels/base/texture.h, srgb.h). */
-#include "../kernels/vectors/vectors_texture.h"
-#include "row.h"
+#include "kernels/vectors/vectors_texture.h"
+#include "vectors/row.h"
 
 /* At most one texel outside. */
 static void relate_neighbour(u32 *in, u32 random)

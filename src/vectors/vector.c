@@ -1,7 +1,7 @@
 /* Primitives of kernels/base/vec.h. The fused forms are those that compilers choose: gcc and clang fuse the later
  * product, some the earlier one. */
-#include "../kernels/vectors/vectors_number.h"
-#include "row.h"
+#include "kernels/vectors/vectors_number.h"
+#include "vectors/row.h"
 
 static f32 products_fused_first(f32 a, f32 b, f32 c, f32 d)
 {

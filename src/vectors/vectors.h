@@ -1,12 +1,12 @@
 /* Arithmetic vectors: inputs and outputs of every primitive that a port must compute with the same bits (CONTRACT rule
  * 32), and the check of a port's outputs for these inputs. A row holds the columns of one item as little-endian words
  * of 32 bits without padding, 64-bit values low word first: as a structured dtype of numpy. */
-#ifndef TS_TRACE_VECTORS_H
-#define TS_TRACE_VECTORS_H
+#ifndef TS_VECTORS_VECTORS_H
+#define TS_VECTORS_VECTORS_H
 #include <touchstone/vectors.h>
-#include "../backends/backend.h"
-#include "../model/core.h"
-#include "../kernels/base/compat.h"
+#include "backends/backend.h"
+#include "kernels/base/compat.h"
+#include "model/core.h"
 
 enum { TS_VECTOR_ITEMS = 4096, TS_VECTOR_COLUMNS = 60, TS_VECTOR_WORDS = 128, TS_VECTOR_VARIANTS = 6 };
 enum { TS_VECTOR_DESCR = 2048 };

@@ -2,7 +2,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "row.h"
+#include "vectors/row.h"
 
 /* Memory for one primitive: inputs, right outputs, the backend's outputs. */
 typedef struct {

@@ -1,16 +1,9 @@
 /* What the tests of the public API share: small runs, by its headers alone. */
 #ifndef TS_TESTS_API_API_H
 #define TS_TESTS_API_API_H
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
 #include <touchstone/touchstone.h>
+#include "tests/model/test.h"
 
 #define SMALL "atrium:triangles=10000:texels=32"
 enum { FOLDER = 128, PATH = FOLDER + 64 };

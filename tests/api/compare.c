@@ -1,6 +1,6 @@
 /* Verdicts: a bit that is planted in one buffer of a candidate is found there, and told with its bits; and a stage is
  * right or wrong given the candidate's own inputs. */
-#include "run.h"
+#include "tests/api/run.h"
 
 static void a_copy_is_the_same(void **state)
 {

@@ -1,10 +1,10 @@
 /* Contexts: what they refuse, whom they tell, how a host ends what takes long; and that the library keeps to itself. */
-#include "../../src/api/api.h"
-#include "api.h"
 #include <fcntl.h>
 #include <locale.h>
 #include <pthread.h>
 #include <unistd.h>
+#include "api/api.h"
+#include "tests/api/api.h"
 
 static void wrong_options_of_a_context_are_refused(void **state)
 {

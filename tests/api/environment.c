@@ -1,7 +1,7 @@
 /* The floating-point environment of a host: no function that takes a context or a page changes it, and none does
  * anything where it is not the default. */
-#include "run.h"
 #include <fenv.h>
+#include "tests/api/run.h"
 
 enum { RAISED = FE_INVALID | FE_DIVBYZERO };
 

@@ -1,6 +1,6 @@
 /* Explanations by the library: the line that stores an element has its value; of two traces the first line that differs
  * is found; and what cannot be asked is refused. */
-#include "run.h"
+#include "tests/api/run.h"
 
 /* Ten values of the picture: the store that is told is of that element, and has its bits. */
 static void the_store_told_is_of_the_element(void **state)

@@ -1,8 +1,8 @@
 /* Goldens by the library: those of the repository hold; one whose digest, element, parameter or picture is another is
  * told, and a folder that is none is refused. */
-#include "api.h"
 #include <sys/stat.h>
 #include <unistd.h>
+#include "tests/api/api.h"
 
 #define GOLDEN "reference/goldens/small-epr"
 

@@ -1,6 +1,6 @@
 /* Pages by the library: they hold what was added, the same bytes each time, and refuse what cannot be shown. */
-#include "api.h"
 #include <unistd.h>
+#include "tests/api/api.h"
 
 static ts_context *context;
 static ts_trace *reference;

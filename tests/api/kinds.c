@@ -1,7 +1,7 @@
 /* The kind of each failure, by calls of the API that fail for one reason each. */
-#include "run.h"
 #include <pthread.h>
 #include <sys/resource.h>
+#include "tests/api/run.h"
 
 static void fails_as(ts_kind kind, ts_status status, const char *words)
 {

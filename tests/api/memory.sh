@@ -8,7 +8,7 @@ case $build in
 	echo "1..0 # SKIP a sanitizer has a malloc of its own"
 	exit ;;
 esac
-${CC:-gcc} -std=gnu11 -O1 -shared -fPIC tests/faults/*.c -o "$scratch/fault.so" -ldl 2> "$scratch/stderr" &&
+${CC:-gcc} -std=gnu11 -O1 -iquote . -shared -fPIC tests/faults/*.c -o "$scratch/fault.so" -ldl 2> "$scratch/stderr" &&
 	LD_PRELOAD=$scratch/fault.so TOUCHSTONE_FAULT=memory:0 true ||
 	{ echo "1..0 # SKIP calls cannot be failed here" && exit; }
 mkdir "$scratch/lib"

@@ -1,6 +1,6 @@
 /* Answers: of a trace in memory they are those of the same trace in a folder, which the command prints. */
-#include "run.h"
 #include <inttypes.h>
+#include "tests/api/run.h"
 
 static void memory_and_folder_give_the_same_answers(void **state)
 {

@@ -1,7 +1,7 @@
 /* A small run that the tests of a program share: its group's set-up and tear-down. */
 #ifndef TS_TESTS_API_RUN_H
 #define TS_TESTS_API_RUN_H
-#include "api.h"
+#include "tests/api/api.h"
 
 static ts_context *context;
 static ts_params *params;

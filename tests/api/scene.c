@@ -1,5 +1,5 @@
 /* Scenes from bytes in memory: the same as from the file that holds these bytes. */
-#include "run.h"
+#include "tests/api/run.h"
 
 typedef struct {
 	char *bytes;

@@ -1,5 +1,5 @@
 /* The tables that the API walks are those that the command lists, with all that their rows promise. */
-#include "api.h"
+#include "tests/api/api.h"
 
 static void methods_list_their_stages_in_order(void **state)
 {

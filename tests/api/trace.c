@@ -1,10 +1,10 @@
 /* Traces in memory: what every method makes has the digests of the files of a trace, and a part of a run has the bits
  * of the whole. */
-#include "../../src/trace/sums.h"
-#include "../../src/scene/scene.h"
-#include "run.h"
 #include <sys/stat.h>
 #include <unistd.h>
+#include "scene/scene.h"
+#include "tests/api/run.h"
+#include "trace/sums.h"
 
 typedef struct {
 	ts_trace *trace;

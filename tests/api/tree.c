@@ -1,6 +1,6 @@
 /* Trees: each kind of node, walked and as JSON. */
-#include "api.h"
 #include <jansson.h>
+#include "tests/api/api.h"
 
 static void trees_are_walked_by_index_and_name(void **state)
 {

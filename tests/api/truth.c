@@ -1,6 +1,6 @@
 /* Truths: each that a small scene has is a picture that a method's resembles, whatever the threads. */
-#include "run.h"
 #include <math.h>
+#include "tests/api/run.h"
 
 static bool has_word(const char *text, const char *word)
 {

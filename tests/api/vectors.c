@@ -1,7 +1,7 @@
 /* Vectors in memory: right outputs pass; of wrong ones the verdict names the item, the value in it, how far it is off,
  * and a known fault. */
-#include "api.h"
 #include <math.h>
+#include "tests/api/api.h"
 
 static ts_context *context;
 

@@ -1,8 +1,8 @@
 /* All that verdicts say: bits planted at random places of several buffers are listed, counted by field and marked there
  * and nowhere else; and a part of a comparison says what the whole does. */
 #include <unistd.h>
-#include "../lcg.h"
-#include "run.h"
+#include "tests/api/run.h"
+#include "tests/lcg.h"
 
 enum { PLANTED = 7 };
 

@@ -1,7 +1,7 @@
 /* What kernels take as rows: they cover the structs, and launches bind what they say and nothing else. */
-#include "../../src/backends/args.h"
-#include "../../src/backends/kernels.h"
-#include "../model/test.h"
+#include "backends/args.h"
+#include "backends/kernels.h"
+#include "tests/model/test.h"
 
 static size_t bytes_of(const ts_arg *row, size_t next) { return next - row->offset; }
 

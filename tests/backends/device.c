@@ -1,10 +1,10 @@
 /* Backends of devices through their functions: where memory is, work groups, offsets, prefix sums, whole pipelines. */
-#include "device.h"
-#include "../kernels/points/mesh.h"
-#include "../../src/methods/pipeline.h"
-#include "../../src/scene/sources.h"
-#include "../../src/trace/sums.h"
-#include "../../src/backends/kernels.h"
+#include "tests/backends/device.h"
+#include "backends/kernels.h"
+#include "methods/pipeline.h"
+#include "scene/sources.h"
+#include "tests/kernels/points/mesh.h"
+#include "trace/sums.h"
 
 enum { MOST = 6000, GROUPS = 5 };
 static const u32 groups[GROUPS] = {1, 32, 64, 256, 0};

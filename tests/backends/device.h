@@ -2,8 +2,8 @@
 #ifndef TS_TESTS_BACKENDS_DEVICE_H
 #define TS_TESTS_BACKENDS_DEVICE_H
 #include <dlfcn.h>
-#include "../status.h"
-#include "../../src/backends/backend.h"
+#include "backends/backend.h"
+#include "tests/status.h"
 
 static const ts_backend_kind *const device_kinds[] = {&ts_opencl_kind, &ts_vulkan_kind, &ts_cuda_kind};
 enum { DEVICE_KINDS = sizeof device_kinds / sizeof *device_kinds };

@@ -1,8 +1,8 @@
 /* Bands, as on a device that ends long loops: the bits of whole items, whatever makes the items. */
 #include <string.h>
-#include "../model/test.h"
-#include "../../src/backends/device.h"
-#include "../../src/trace/sums.h"
+#include "backends/device.h"
+#include "tests/model/test.h"
+#include "trace/sums.h"
 
 static u64 items[TS_N_KERNELS];
 

@@ -1,8 +1,8 @@
 /* Launches on a device. A launch asks for all items. Where the device ends long loops, kernels that know bands are
  * launched a band at a time. Kernels of points that lie by pieces are launched over the pieces. */
-#include "../model/test.h"
-#include "../../src/backends/device.h"
-#include "../../src/backends/kernels.h"
+#include "backends/device.h"
+#include "backends/kernels.h"
+#include "tests/model/test.h"
 
 static struct {
 	u32 n_calls;

@@ -1,6 +1,6 @@
 /* Arrays in parts, as on a device that cannot allocate them at once: the same bits. */
-#include "device.h"
-#include "../../src/trace/sums.h"
+#include "tests/backends/device.h"
+#include "trace/sums.h"
 
 static ts_status sums_of(ts_sums *sums, ts_backend *backend)
 {

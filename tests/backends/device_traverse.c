@@ -1,6 +1,6 @@
 /* The traversal on a device: queues in memory that is lent, the same pairs and maps. */
-#include "device.h"
-#include "../methods/views/grove.h"
+#include "tests/backends/device.h"
+#include "tests/methods/views/grove.h"
 
 /* In the host's memory and in copies, kept or mapped at once, by one queue or in pieces. */
 static void traverse(const ts_backend_kind *kind)

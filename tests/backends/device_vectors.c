@@ -1,6 +1,6 @@
 /* Every vector on every kind of device: primitives, and what is composed of them. */
-#include "device.h"
-#include "../../src/vectors/vectors.h"
+#include "tests/backends/device.h"
+#include "vectors/vectors.h"
 
 static void vectors(const ts_backend_kind *kind)
 {

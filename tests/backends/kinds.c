@@ -1,6 +1,6 @@
 /* The kinds of backends: each by its name, and a device that is not there leaves none. */
-#include "../model/test.h"
-#include "../../src/backends/backend.h"
+#include "backends/backend.h"
+#include "tests/model/test.h"
 
 static void each_kind_is_found_by_its_name(void **state)
 {

@@ -1,7 +1,7 @@
 /* Modules of kernels: of the library, packed; of a build that has none. */
-#include "../model/test.h"
-#include "../../src/backends/modules.h"
 #include <zlib.h>
+#include "backends/modules.h"
+#include "tests/model/test.h"
 
 enum { BYTES = 5 };
 static const ts_kernel kernel = 2;

@@ -1,6 +1,6 @@
 /* What the OpenCL backend refuses, and what the arithmetic vectors find of its options. */
-#include "device.h"
-#include "../../src/vectors/vectors.h"
+#include "tests/backends/device.h"
+#include "vectors/vectors.h"
 
 static void refuses(const char *words, ts_backend_options options)
 {

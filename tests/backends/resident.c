@@ -1,7 +1,7 @@
 /* Where a frame's buffers are, on a device that fails: what it must keep to itself is told once. */
 #include <string.h>
-#include "../model/test.h"
-#include "../../src/backends/resident.h"
+#include "backends/resident.h"
+#include "tests/model/test.h"
 
 /* A device whose memory is the host's, of another address. */
 static bool fails;

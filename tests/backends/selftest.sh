@@ -27,7 +27,7 @@ result $? "each of $(wc -l < "$folder/objects") objects has a self-test"
 
 cat > "$folder/main.c" <<'C'
 #include <stdio.h>
-#include "../../src/model/core.h"
+#include "model/core.h"
 int main(void)
 {
 	ts_status status = ts_selftest_require();
@@ -44,9 +44,9 @@ named() {
 		skip "$* $source" "no $1"
 		return
 	fi
-	"$@" -std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Iinclude -iquote src/backends/c/points -c "$source" \
+	"$@" -std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Iinclude -iquote src -c "$source" \
 		-o "$folder/other.o" &&
-		${CC:-gcc} -fopenmp -Iinclude -iquote tests/model "$folder/main.c" "$folder/other.o" "$build/libtouchstone.a" \
+		${CC:-gcc} -fopenmp -Iinclude -iquote src "$folder/main.c" "$folder/other.o" "$build/libtouchstone.a" \
 		-lcrypto -lm \
 			-o "$folder/other" 2> "$folder/log"
 	if [ $? -ne 0 ]; then
@@ -82,13 +82,13 @@ for compiler in gcc clang; do
 	named $one "not-a-number" $one $compiler -O2 $exact -ffinite-math-only $sly
 done
 named $one "division" $one gcc -O2 $exact -freciprocal-math
-named "src/backends/c/items.c of ../../kernels/points/align.h" "addition" src/backends/c/items.c gcc -O1 \
+named "src/backends/c/items.c of kernels/points/align.h" "addition" src/backends/c/items.c gcc -O1 \
 	-ffast-math $sly \
-	-I"${BUILD:-build/release}/gen" '-DITEMS="../../kernels/points/align.h"' '-DITEMS_DEF="items/points/align.def"'
+	-I"${BUILD:-build/release}/gen" '-DITEMS="kernels/points/align.h"' '-DITEMS_DEF="items/points/align.def"'
 
 # begin, end TEXT...: that source with it before all else, and before its end.
 begin() { printf '%s\n' "$@" | cat - $one > "$folder/pragma.c"; }
-end() { head -n -1 $one | cat - <(printf '%s\n' "$@" '#include "../../selftest.h"') > "$folder/pragma.c"; }
+end() { head -n -1 $one | cat - <(printf '%s\n' "$@" '#include "backends/selftest.h"') > "$folder/pragma.c"; }
 end '#pragma GCC optimize("fast-math")'
 named "$folder/pragma.c" "re-associated" "$folder/pragma.c" gcc -O2 $exact
 if grep -qw fma /proc/cpuinfo; then

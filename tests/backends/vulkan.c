@@ -1,8 +1,8 @@
 /* What the Vulkan backend refuses, a dispatch of more groups than one may have, and a loop that a driver ends. */
-#include "device.h"
-#include "../../src/backends/kernels.h"
-#include "../../src/backends/vulkan/vk.h"
-#include "../../src/vectors/vectors.h"
+#include "backends/kernels.h"
+#include "backends/vulkan/vk.h"
+#include "tests/backends/device.h"
+#include "vectors/vectors.h"
 
 static void need(void)
 {

@@ -1,6 +1,6 @@
 /* A test can take the vector widths that other machines have; what is none, or is not here, is refused. */
-#include "../../src/backends/wide.h"
-#include "../status.h"
+#include "backends/wide.h"
+#include "tests/status.h"
 
 static const void *caller(void) { return __builtin_return_address(0); }
 static const void *(*volatile asked)(void) = caller;

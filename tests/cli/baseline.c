@@ -1,8 +1,8 @@
 /* Lists of what is known: each line is read and checked by itself, and found by its case and buffer. */
-#include "../../src/cli/baseline.h"
-#include "../../src/model/core.h"
-#include "../model/test.h"
-#include "../scratch.h"
+#include "cli/baseline.h"
+#include "model/core.h"
+#include "tests/model/test.h"
+#include "tests/scratch.h"
 
 static const int user = 7;
 

@@ -5,6 +5,7 @@
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/stamp.bash"
+root=$PWD
 sources=$(realpath "$(dirname "$0")"/../faults/{fault,calls,serve,tree}.c) # a sanitizer keeps its malloc
 stamp clean-1 "$scratch"
 touchstone=$scratch/touchstone
@@ -14,7 +15,7 @@ tiny=(render reflections atrium:triangles=10000:texels=32 --size 16x16 --reflect
 	--trace-only cube_size,image)
 
 # shellcheck disable=SC2086
-if ! ${CC:-gcc} -std=gnu11 -shared -fPIC -o fault.so $sources -ldl 2> stderr; then
+if ! ${CC:-gcc} -std=gnu11 -iquote "$root" -shared -fPIC -o fault.so $sources -ldl 2> stderr; then
 	echo "ok 1 - the library that kills # SKIP ${CC:-gcc} makes no shared library: $(head -1 stderr)"
 	finish
 fi

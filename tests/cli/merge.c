@@ -1,10 +1,10 @@
 /* Shards of a comparison that are put together: rows in the order of the cases, the first difference, the pictures of
  * what differs; and folders that are no shards. */
 #include <sys/stat.h>
-#include "../../src/cli/sharded.h"
-#include "../../src/model/digest.h"
-#include "../scratch.h"
-#include "typed.h"
+#include "cli/sharded.h"
+#include "model/digest.h"
+#include "tests/cli/typed.h"
+#include "tests/scratch.h"
 
 /* Stages a, b and c, the first and the last of which are in the first shard; a and c differ. */
 static const char *const reports[2] = {

@@ -1,6 +1,6 @@
 /* Cases in Test Anything Protocol, a line each, and in Markdown, whatever texts a shard's report holds. */
-#include "../../src/cli/outcomes.h"
-#include "../model/test.h"
+#include "cli/outcomes.h"
+#include "tests/model/test.h"
 
 static bool in_markdown;
 

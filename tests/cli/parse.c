@@ -1,6 +1,6 @@
 /* Command lines: what is typed wrongly is refused by one line that says what would be right; what is right is taken,
  * and what was not typed has its default. */
-#include "typed.h"
+#include "tests/cli/typed.h"
 
 static void assert_refused(const char *line, const char *why)
 {

@@ -1,7 +1,7 @@
 /* A render reports planted figures: each row has the names of its pictures and their figures. */
-#include "../../src/cli/render.h"
-#include "../model/test.h"
 #include <math.h>
+#include "cli/render.h"
+#include "tests/model/test.h"
 
 enum { WIDTH = 16, HEIGHT = 16 };
 

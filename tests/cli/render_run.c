@@ -1,7 +1,7 @@
 /* Pictures of a render that are compared: which with which, and over which pixels. */
-#include "../../src/cli/render.h"
-#include "../model/test.h"
 #include <math.h>
+#include "cli/render.h"
+#include "tests/model/test.h"
 
 enum { WIDTH = 16, HEIGHT = 12, PIXELS = WIDTH * HEIGHT };
 

@@ -1,6 +1,6 @@
 /* `replay` of one stage: its number is that of its files, its verdict that of its outputs; and what is no stage. */
-#include "../trace/small.h"
-#include "typed.h"
+#include "tests/cli/typed.h"
+#include "tests/trace/small.h"
 
 static int begin(void **state)
 {

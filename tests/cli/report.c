@@ -1,6 +1,6 @@
 /* `report` of two traces of a method: the page is written, and has the verdict of the second by the first. */
-#include "../trace/small.h"
-#include "typed.h"
+#include "tests/cli/typed.h"
+#include "tests/trace/small.h"
 
 static int begin(void **state)
 {

@@ -1,7 +1,7 @@
 /* Figures of a picture in a series: which there are, in what order, and what they are where a picture has none. */
-#include "../../src/cli/series.h"
-#include "../model/test.h"
 #include <math.h>
+#include "cli/series.h"
+#include "tests/model/test.h"
 
 static ts_render render;
 static ts_job job;

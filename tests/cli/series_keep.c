@@ -1,7 +1,7 @@
 /* Pictures that a sweep keeps: they come back where nothing that they depend on has changed, and their bytes are
  * counted. */
-#include "../../src/cli/series.h"
-#include "../model/test.h"
+#include "cli/series.h"
+#include "tests/model/test.h"
 
 enum { WIDTH = 8, HEIGHT = 4 };
 

@@ -3,8 +3,8 @@
 #define TS_TESTS_CLI_TYPED_H
 #include <jansson.h>
 #include <unistd.h>
-#include "../../src/cli/cli.h"
-#include "../model/test.h"
+#include "cli/cli.h"
+#include "tests/model/test.h"
 
 enum { TYPED_WORDS = 160, TYPED_LINE = 4096 };
 

@@ -1,8 +1,8 @@
 /* How far the first wrong item of a primitive is off: steps between floats, differences of integers of each width, and
  * no number where a float is none. */
 #include <sys/stat.h>
-#include "../trace/folder.h"
-#include "typed.h"
+#include "tests/cli/typed.h"
+#include "tests/trace/folder.h"
 
 static int begin(void **state)
 {

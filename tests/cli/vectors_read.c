@@ -2,10 +2,10 @@
  * refused without waiting, and what is not there is no failure. */
 #include <fcntl.h>
 #include <sys/stat.h>
-#include "../../src/cli/vectors.h"
-#include "../../src/output/npy.h"
-#include "../model/test.h"
-#include "../scratch.h"
+#include "cli/vectors.h"
+#include "output/npy.h"
+#include "tests/model/test.h"
+#include "tests/scratch.h"
 
 enum { N = 6 };
 

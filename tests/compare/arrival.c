@@ -2,11 +2,11 @@
  * index or a key is; and the memory that this takes. */
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include "../lcg.h"
-#include "../model/test.h"
-#include "../trace/small.h"
-#include "../../src/kernels/base/num.h"
-#include "../../src/compare/compare.h"
+#include "compare/compare.h"
+#include "kernels/base/num.h"
+#include "tests/lcg.h"
+#include "tests/model/test.h"
+#include "tests/trace/small.h"
 
 static ts_trace *ref, *cand;
 static ts_comparison c;

@@ -1,9 +1,9 @@
 /* Comparing a traced frame with copies of it that differ in one place, everywhere, and in what may differ. */
 #include <math.h>
-#include "../lcg.h"
-#include "../trace/small.h"
-#include "../../src/kernels/base/num.h"
-#include "../../src/compare/compare.h"
+#include "compare/compare.h"
+#include "kernels/base/num.h"
+#include "tests/lcg.h"
+#include "tests/trace/small.h"
 
 static ts_trace *ref, *cand;
 static char dir[2][SCRATCH_PATH];

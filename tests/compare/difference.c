@@ -1,6 +1,6 @@
 /* Differences in words, and lists that are full. */
-#include "../../src/compare/difference.h"
-#include "../model/test.h"
+#include "compare/difference.h"
+#include "tests/model/test.h"
 
 static void says_where(ts_buffer_id id, ts_difference d, const char *right)
 {

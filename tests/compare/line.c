@@ -1,7 +1,7 @@
 /* Lines of what differs: each kind of difference, how many there are, and what a stage's inputs were. */
-#include "../../src/compare/line.h"
 #include <math.h>
-#include "../model/test.h"
+#include "compare/line.h"
+#include "tests/model/test.h"
 
 /* A record's normal, from one float to another. */
 static void tells(f32 ref, f32 cand, const char *right)

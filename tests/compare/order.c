@@ -1,9 +1,9 @@
 /* Keys that meet in any order against a plain search, window by window; and what is missing, extra or repeated. */
-#include "../lcg.h"
-#include "../trace/folder.h"
-#include "../../src/kernels/base/num.h"
-#include "../../src/compare/gather.h"
-#include "../../src/compare/order.h"
+#include "compare/gather.h"
+#include "compare/order.h"
+#include "kernels/base/num.h"
+#include "tests/lcg.h"
+#include "tests/trace/folder.h"
 
 enum { MOST = 3000 };
 

@@ -1,6 +1,6 @@
 /* Rules of two families are found by their buffer; without one, nothing is. */
-#include "../../src/compare/tie.h"
-#include "../model/test.h"
+#include "compare/tie.h"
+#include "tests/model/test.h"
 
 static ts_status open_none(void **ties, const ts_trace *reference)
 {

@@ -1,9 +1,9 @@
 /* Explaining stages of one small trace: which items tell, which of them gives an element its value, and where two
  * traces part. */
-#include "../../src/explain/explain.h"
-#include "../../src/trace/item.h"
-#include "../../src/trace/keep.h"
-#include "../methods/small.h"
+#include "explain/explain.h"
+#include "tests/methods/small.h"
+#include "trace/item.h"
+#include "trace/keep.h"
 
 enum { MOST = 1 << 20 };
 

@@ -1,14 +1,8 @@
 /* Explanations made by hand: places in a text that no kernel has, a frame of one buffer, and what is told there. */
 #ifndef TS_TESTS_EXPLAIN_HAND_H
 #define TS_TESTS_EXPLAIN_HAND_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
-#include "../../src/explain/explain.h"
+#include "explain/explain.h"
+#include "tests/model/test.h"
 
 enum { HAND_KEYS = 5 };
 

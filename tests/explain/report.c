@@ -1,8 +1,8 @@
 /* Explanations as lines and as JSON, of what was told by hand: every line, its number, its depth and its mark; every
  * kind of number; and no answer at all where memory ends. */
-#include "hand.h"
-#include "../../src/explain/report.h"
-#include "../../src/trace/read.h"
+#include "explain/report.h"
+#include "tests/explain/hand.h"
+#include "trace/read.h"
 
 static ts_explanation one, two;
 static ts_explained_launch launches[2][2];

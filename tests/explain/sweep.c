@@ -1,8 +1,8 @@
 /* What items tell, of every stage of every method: the bits of the kernels, and the values that buffers receive. */
-#include "../../src/explain/explain.h"
-#include "../kernels/seeded.h"
-#include "../replay/traces.h"
-#include "../whole.h"
+#include "explain/explain.h"
+#include "tests/kernels/seeded.h"
+#include "tests/replay/traces.h"
+#include "tests/whole.h"
 
 static ts_telling silent;
 static bool reached[TS_N_KERNELS];

@@ -1,6 +1,6 @@
 /* What was told, in words: each kind of number, each kind of line, and what two lines at the same place differ in. */
-#include "hand.h"
-#include "../../src/kernels/base/compat.h"
+#include "kernels/base/compat.h"
+#include "tests/explain/hand.h"
 
 static ts_explanation one, two;
 

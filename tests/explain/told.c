@@ -1,6 +1,6 @@
 /* What is kept of what items tell: lines in their order, as deep as their calls, with their values; and who stored
  * where. */
-#include "hand.h"
+#include "tests/explain/hand.h"
 
 static u32 value_of(const ts_explanation *e, size_t number)
 {

@@ -1,16 +1,16 @@
 /* Every pipeline and stage of the families is registered once; the pipelines of an effect stand together. */
-#include "../model/test.h"
-#include "../../src/families/families.h"
-#include "../../src/methods/registry.h"
-#include "../../src/vectors/vectors.h"
+#include "families/families.h"
+#include "methods/registry.h"
+#include "tests/model/test.h"
+#include "vectors/vectors.h"
 
 #define FAMILY(name) FAMILY_FILE(methods, name, pipelines.def)
 #define PIPELINE(name) extern const ts_pipeline ts_pipeline_##name;
-#include "../../src/families.def"
+#include "families.def"
 #undef PIPELINE
 #define PIPELINE(name) &ts_pipeline_##name,
 static const ts_pipeline *const pipelines[] = {
-#include "../../src/families.def"
+#include "families.def"
 };
 #undef PIPELINE
 #undef FAMILY

@@ -18,7 +18,7 @@
 #include <sys/syscall.h>
 #include <ucontext.h>
 #include <unistd.h>
-#include "fault.h"
+#include "tests/faults/fault.h"
 
 #ifndef __x86_64__
 #error "system calls are written for x86-64 only"

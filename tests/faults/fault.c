@@ -1,6 +1,6 @@
 /* What fails, and when. */
 #define _GNU_SOURCE
-#include "fault.h"
+#include "tests/faults/fault.h"
 #include <dlfcn.h>
 #include <errno.h>
 #include <stdio.h>

@@ -5,8 +5,8 @@
  *   TOUCHSTONE_FAULT_MOVES=yes     and the file system cannot exchange folders
  *   TOUCHSTONE_FAULT_COUNT=FILE    how many there were, written at the end
  *   TOUCHSTONE_FAULTS=KIND:N:STEP:LAST  runs the command for N, N + STEP, ... until none is left, or LAST (serve.c) */
-#ifndef TS_FAULT_H
-#define TS_FAULT_H
+#ifndef TS_TESTS_FAULTS_FAULT_H
+#define TS_TESTS_FAULTS_FAULT_H
 #include <stdbool.h>
 
 typedef enum {

@@ -7,7 +7,7 @@
 #include <sys/auxv.h>
 #include <sys/mman.h>
 #include <unistd.h>
-#include "fault.h"
+#include "tests/faults/fault.h"
 
 /* The function that would have been called, looked up once; two threads may both do it. */
 #define NEXT(name) \

@@ -17,8 +17,8 @@
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "fault.h"
-#include "tree.h"
+#include "tests/faults/fault.h"
+#include "tests/faults/tree.h"
 
 enum { LIMIT_MS = 30000, MAX_WHY = 2 * TS_MAX_PATH };
 

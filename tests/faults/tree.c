@@ -1,6 +1,6 @@
 /* Folders as a whole. What cannot be copied is a fault of the test, and ends it. */
 #define _GNU_SOURCE
-#include "tree.h"
+#include "tests/faults/tree.h"
 #include <ctype.h>
 #include <dirent.h>
 #include <stdio.h>

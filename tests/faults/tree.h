@@ -1,6 +1,6 @@
 /* Folders as a whole: copied, removed, compared. */
-#ifndef TS_FAULT_TREE_H
-#define TS_FAULT_TREE_H
+#ifndef TS_TESTS_FAULTS_TREE_H
+#define TS_TESTS_FAULTS_TREE_H
 #include <stdbool.h>
 #include <stddef.h>
 

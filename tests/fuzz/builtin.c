@@ -1,8 +1,8 @@
 /* libFuzzer on the names of built-in scenes, "atrium:triangles=1.05M:texels=64": `make fuzz`. An accepted name
  * gives a scene as large as such names can say. */
-#include "folder.h"
-#include "../../src/scene/scene.h"
-#include "../../src/scene/sources.h"
+#include "scene/scene.h"
+#include "scene/sources.h"
+#include "tests/fuzz/folder.h"
 
 enum { LEAST = 10000, MOST = 16000000, MOST_SIDE = 512 };
 

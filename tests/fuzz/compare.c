@@ -1,9 +1,9 @@
 /* libFuzzer on candidates: `make fuzz`. An input is a byte of flags, then keys, records, splats, look-ups, pixels and
  * sums of a candidate, cut into files by a byte of length each, bare or with a header of its own; it is compared with a
  * small reference, and its first differences put into words. */
-#include "folder.h"
-#include "../../src/kernels/base/num.h"
-#include "../../src/compare/compare.h"
+#include "compare/compare.h"
+#include "kernels/base/num.h"
+#include "tests/fuzz/folder.h"
 
 enum { MOST = 3, N_POINTS = 6, N_TEXELS = 24, N_FILES = 6, N_SUMS = 5 };
 static const ts_buffer_id ids[N_FILES] = {TS_B_points_key,   TS_B_points_record,       TS_B_splat_depth_index,

@@ -1,9 +1,9 @@
 /* libFuzzer on image files: `make fuzz`. Each input is decoded in memory, as a texture of a scene is, and read as a
  * file, as an image to compare is; a PNG as it is or, after an even last byte, with right checksums, without which
  * nothing behind them would be reached. All pixels of what is taken are there. */
-#include "folder.h"
 #include <touchstone/image.h>
 #include <zlib.h>
+#include "tests/fuzz/folder.h"
 
 enum { MOST_TEXELS = 1 << 20, SIGNATURE = 8, FRAME = 12 };
 static const char *path;

@@ -1,6 +1,6 @@
 /* libFuzzer on .npy headers: `make fuzz`. The first byte chooses the buffer, the rest is the file. What is taken must
  * agree with the size of the file, and writing it again must say the same. */
-#include "folder.h"
+#include "tests/fuzz/folder.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 {

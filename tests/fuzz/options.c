@@ -1,12 +1,12 @@
 /* libFuzzer on command lines: `make fuzz`. An input is the words behind `touchstone`, each ended by a byte 0. Nothing
  * is run. An accepted option is one of the command, and its parameters are in their ranges. The parser leaves names of
  * methods, truths and stages as they are: these are looked up then. */
-#include "folder.h"
-#include "../../src/cli/cli.h"
-#include "../../src/study/methods.h"
-#include "../../src/study/sweep.h"
-#include "../../src/study/trace.h"
-#include "../../src/study/truths.h"
+#include "cli/cli.h"
+#include "study/methods.h"
+#include "study/sweep.h"
+#include "study/trace.h"
+#include "study/truths.h"
+#include "tests/fuzz/folder.h"
 
 enum { MOST_WORDS = 64 };
 

@@ -1,8 +1,8 @@
 /* libFuzzer on compressed files: `make fuzz`. Each input is such a file. What its head says is what reading gives: the
  * first bytes are the same, and one byte more or less is refused. */
 #include <fcntl.h>
-#include "folder.h"
-#include "../../src/trace/packed.h"
+#include "tests/fuzz/folder.h"
+#include "trace/packed.h"
 
 enum { HEAD = 4096, MOST = 1 << 22 };
 

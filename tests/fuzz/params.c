@@ -1,7 +1,7 @@
 /* libFuzzer on values of parameters: `make fuzz`. The first byte chooses the parameter, the rest is its text. What is
  * taken is printed, and reads back to the same bits; what is refused changes nothing. */
-#include "folder.h"
-#include "../../src/model/param.h"
+#include "model/param.h"
+#include "tests/fuzz/folder.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 {

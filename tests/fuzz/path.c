@@ -1,9 +1,9 @@
 /* libFuzzer on the keyframes of an eye: `make fuzz`. An accepted file gives the eye of each frame as
  * <touchstone/records.def> promises it; the parameter eye.fov changes nothing but the field of view. */
-#include "folder.h"
 #include <math.h>
-#include "../../src/scene/build.h"
-#include "../../src/scene/path.h"
+#include "scene/build.h"
+#include "scene/path.h"
+#include "tests/fuzz/folder.h"
 
 static const double nearly = 1e-5;
 static const char *path;

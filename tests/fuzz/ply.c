@@ -1,8 +1,8 @@
 /* libFuzzer on PLY files: `make fuzz`. An accepted file gives surfels as <touchstone/scene.h> promises them. */
-#include "folder.h"
 #include <math.h>
-#include "../../src/scene/scene.h"
-#include "../../src/scene/surfel.h"
+#include "scene/scene.h"
+#include "scene/surfel.h"
+#include "tests/fuzz/folder.h"
 
 static const char *path;
 

@@ -1,8 +1,8 @@
 /* libFuzzer on trace.json: `make fuzz`. Each input is the trace.json of a folder that has a file of keys, plain and
  * compressed, and one of bytes, and beside it a folder of shared files; what is taken is compared with itself. */
-#include "folder.h"
-#include "../../src/compare/compare.h"
-#include "../../src/trace/packed.h"
+#include "compare/compare.h"
+#include "tests/fuzz/folder.h"
+#include "trace/packed.h"
 
 static const char *folder, *json;
 

@@ -1,7 +1,7 @@
 /* libFuzzer on what a port computed of arithmetic vectors: `make fuzz`. The first byte says which file of the folder
  * the rest is: vectors.json, or the outputs of a primitive, which are judged where they are taken. */
-#include "folder.h"
-#include "../../src/cli/vectors.h"
+#include "cli/vectors.h"
+#include "tests/fuzz/folder.h"
 
 static const char *index_file;
 static ts_context *context;

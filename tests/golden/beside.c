@@ -1,6 +1,6 @@
 /* What a golden has beside its buffers: pictures that differ in one pixel, reasons that say nothing. */
-#include "dir.h"
-#include "../../src/golden/beside.h"
+#include "golden/beside.h"
+#include "tests/golden/dir.h"
 
 enum { WIDTH = 5, HEIGHT = 4 };
 

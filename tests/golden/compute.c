@@ -1,9 +1,9 @@
 /* Goldens of a scene of one triangle: all files are kept, whole; floats that are not finite are counted, and the first
  * buffer with one is named. */
 #include <math.h>
-#include "../model/test.h"
-#include "../../src/golden/golden.h"
-#include "../../src/scene/sources.h"
+#include "golden/golden.h"
+#include "scene/sources.h"
+#include "tests/model/test.h"
 
 static ts_golden golden;
 

@@ -1,9 +1,9 @@
 /* What the tests of a golden's files share: an open folder, and files in it. */
 #ifndef TS_TESTS_GOLDEN_DIR_H
 #define TS_TESTS_GOLDEN_DIR_H
-#include "../scratch.h"
-#include "../status.h"
-#include "../../src/golden/file.h"
+#include "golden/file.h"
+#include "tests/scratch.h"
+#include "tests/status.h"
 
 static ts_golden_dir dir;
 

@@ -1,12 +1,12 @@
 /* Files of goldens: read in any pieces, through interruptions, never beyond what is allowed or through links. */
-#include "../kernels/seeded.h"
-#include "dir.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/uio.h>
+#include "tests/golden/dir.h"
+#include "tests/kernels/seeded.h"
 
 enum { BYTES = 1000 };
 

@@ -1,8 +1,8 @@
 /* Goldens in memory: which difference is the first, and how it is told. */
-#include "../model/test.h"
-#include "../../src/kernels/base/num.h"
 #include <math.h>
-#include "../../src/golden/golden.h"
+#include "golden/golden.h"
+#include "kernels/base/num.h"
+#include "tests/model/test.h"
 
 /* A file of n elements of that buffer, all bytes 0. */
 static ts_golden_file file_of(ts_buffer_id id, u32 n_dims, const u64 *shape)

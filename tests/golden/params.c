@@ -1,6 +1,6 @@
 /* params.txt of a golden: what each line sets, and nothing of the file before; and what is refused. */
-#include "dir.h"
-#include "../../src/golden/params.h"
+#include "golden/params.h"
+#include "tests/golden/dir.h"
 
 static ts_status read_text(ts_golden_settings *settings, const char *text, size_t n)
 {

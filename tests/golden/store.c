@@ -1,11 +1,11 @@
 /* Goldens on disk: what was computed and written is what is read, in every file; and damage to the list of digests or
  * beside it is refused by name. */
-#include "../methods/small.h"
-#include "../scratch.h"
-#include "../status.h"
-#include "../../src/golden/golden.h"
-#include "../../src/output/folder.h"
 #include <sys/stat.h>
+#include "golden/golden.h"
+#include "output/folder.h"
+#include "tests/methods/small.h"
+#include "tests/scratch.h"
+#include "tests/status.h"
 
 enum { MOST = 64 << 10 };
 

@@ -1,13 +1,13 @@
 /* Degenerate triangles, in every method: no stage stores a number that none may have, and the fast paths store what the
  * kernels do. */
-#include "../kernels/seeded.h"
-#include "../methods/small.h"
-#include "../status.h"
-#include "../whole.h"
-#include "../../src/golden/golden.h"
-#include "../../src/kernels/base/scene.h"
-#include "../../src/scene/sources.h"
-#include "../../src/scene/surfel.h"
+#include "golden/golden.h"
+#include "kernels/base/scene.h"
+#include "scene/sources.h"
+#include "scene/surfel.h"
+#include "tests/kernels/seeded.h"
+#include "tests/methods/small.h"
+#include "tests/status.h"
+#include "tests/whole.h"
 
 /* ---- triangles without area, too small, too large, in one plane, about the eye, on a lattice, near 0 ---- */
 

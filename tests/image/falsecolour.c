@@ -1,11 +1,7 @@
 /* False colours: the ramp grows lighter throughout, and neighbouring names differ. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdlib.h>
-#include <cmocka.h>
-#include "../../src/image/falsecolour.h"
+#include "image/falsecolour.h"
+#include "tests/model/test.h"
 
 static int lightness(const uint8_t rgb[3]) { return 2126 * rgb[0] + 7152 * rgb[1] + 722 * rgb[2]; }
 

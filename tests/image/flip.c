@@ -1,16 +1,11 @@
 /* FLIP by closed forms: equal images, uniform colours, the two that are farthest apart. And what must hold of any two:
  * symmetry, mirroring, transposition, a growing spot, any number of threads. flip.py beside has a second opinion. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
 #include <omp.h>
-#include "../lcg.h"
-#include "../srgb.h"
-#include "../../src/image/flip.h"
+#include "image/flip.h"
+#include "tests/lcg.h"
+#include "tests/model/test.h"
+#include "tests/srgb.h"
 
 enum { WIDTH = 37, HEIGHT = 23, N = WIDTH * HEIGHT };
 

@@ -1,8 +1,8 @@
 /* Image files: what is written is read back, what is damaged or too large is refused. */
-#include <unistd.h>
 #include <touchstone/image.h>
-#include "../status.h"
-#include "../scratch.h"
+#include <unistd.h>
+#include "tests/scratch.h"
+#include "tests/status.h"
 
 enum { WIDTH = 13, HEIGHT = 7, TEXELS = WIDTH * HEIGHT };
 

@@ -1,14 +1,8 @@
 /* Image metrics against closed forms, and SSIM against its definition written out window by window. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include <touchstone/image.h>
-#include "../lcg.h"
+#include "tests/lcg.h"
+#include "tests/model/test.h"
 
 enum { WIDTH = 83, HEIGHT = 29, PIXELS = WIDTH * HEIGHT };
 

@@ -1,9 +1,9 @@
 /* PNG files from strangers: every legal kind passes, and no damage does. */
-#include "../status.h"
-#include "../../src/image/png.h"
-#include "../../src/kernels/base/num.h"
 #include <touchstone/image.h>
 #include <zlib.h>
+#include "image/png.h"
+#include "kernels/base/num.h"
+#include "tests/status.h"
 
 enum { WIDTH = 11, HEIGHT = 9, MOST = 8192 };
 

@@ -1,9 +1,9 @@
 /* Every kernel header compiles as OpenCL C 1.2, alone, through clBuildProgram on each device that is there. */
-#include <glob.h>
-#include <unistd.h>
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
-#include "../backends/device.h"
+#include <glob.h>
+#include <unistd.h>
+#include "tests/backends/device.h"
 
 static cl_device_id first_device(void)
 {

@@ -9,8 +9,8 @@ check() { # NAME COMPILER FLAG...
 	n=$((n + 1))
 	if ! command -v "$1" >/dev/null; then
 		echo "ok $n - $name # SKIP no $1"
-	elif printf '#include "%s"\n' "${header#src/kernels/}" |
-		"$@" -Isrc/kernels -fsyntax-only -Wall -Wextra -Werror -; then
+	elif printf '#include "%s"\n' "${header#src/}" |
+		"$@" -Iinclude -iquote src -fsyntax-only -Wall -Wextra -Werror -; then
 		echo "ok $n - $name"
 	else
 		echo "not ok $n - $name"

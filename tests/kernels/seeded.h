@@ -1,13 +1,9 @@
 /* cmocka, seeded random input, and vectors in double precision for independent truths. */
 #ifndef TS_TESTS_KERNELS_SEEDED_H
 #define TS_TESTS_KERNELS_SEEDED_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <math.h>
-#include <cmocka.h>
-#include "../../src/kernels/base/vec.h"
+#include "kernels/base/vec.h"
+#include "tests/model/test.h"
 
 enum { SEED = 17, STREAM = 6 };
 

@@ -1,8 +1,8 @@
 /* A small scene that tests fill by hand. */
 #ifndef TS_TESTS_KERNELS_SMALL_H
 #define TS_TESTS_KERNELS_SMALL_H
-#include "seeded.h"
-#include "../../src/kernels/base/scene.h"
+#include "kernels/base/scene.h"
+#include "tests/kernels/seeded.h"
 
 enum { MAX_TRIANGLES = 1024, MAX_TEXELS = 4096 };
 

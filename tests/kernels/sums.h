@@ -1,7 +1,7 @@
 /* Prefix sums, as the host makes them between two kernels. */
 #ifndef TS_TESTS_KERNELS_SUMS_H
 #define TS_TESTS_KERNELS_SUMS_H
-#include "../../src/kernels/base/compat.h"
+#include "kernels/base/compat.h"
 
 /* n counts become the sums of those before each, and one more of all. */
 static inline void prefix_sums(u32 *counts, u32 n)

@@ -35,8 +35,8 @@ int main(void)
 }
 END
 	# shellcheck disable=SC2086
-	clang $traps -std=c11 -ffp-contract=off -Wno-everything "$folder/kernel.c" -o "$folder/kernel" \
-		-lm 2> "$folder/log" || sed 's/^/# /' "$folder/log"
+	clang $traps -std=c11 -Iinclude -iquote src -ffp-contract=off -Wno-everything "$folder/kernel.c" \
+		-o "$folder/kernel" -lm 2> "$folder/log" || sed 's/^/# /' "$folder/log"
 	{ (ulimit -c 0; exec "$folder/kernel"); } 2> /dev/null
 	local status=$?
 	[ -x "$folder/kernel" ] && if [ "$1" = stops ]; then [ $status -gt 128 ]; else [ $status -eq 0 ]; fi

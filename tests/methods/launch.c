@@ -1,9 +1,9 @@
 /* Launches of stages: they name what their kernels have; filling makes what they write by its shape, once a stage or
  * once for all batches, and leaves what they do not bind NULL. One that fails ends the method. */
-#include "../../src/kernels/points/mirror.h"
-#include "../../src/kernels/points/splat.h"
-#include "../whole.h"
-#include "small.h"
+#include "kernels/points/mirror.h"
+#include "kernels/points/splat.h"
+#include "tests/methods/small.h"
+#include "tests/whole.h"
 
 static void launches_bind_only_known_members(void **state)
 {

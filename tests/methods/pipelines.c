@@ -1,6 +1,6 @@
 /* The rows of effects and methods, and what is asked of them instead of their names. */
-#include "small.h"
-#include "../../src/model/core.h"
+#include "model/core.h"
+#include "tests/methods/small.h"
 
 static void assert_is(const ts_pipeline *pipeline, const char *effect, const char *name)
 {

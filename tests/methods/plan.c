@@ -1,7 +1,7 @@
 /* Plans: what each method derives from parameters, counts and requests, by the closed forms of its file; what a method
  * sets itself reaches its stages; a replay follows what a trace holds. */
-#include "small.h"
-#include "../../src/kernels/points/view_density.h"
+#include "kernels/points/view_density.h"
+#include "tests/methods/small.h"
 
 static ts_params params;
 static ts_scene *scene;

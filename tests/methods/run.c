@@ -1,8 +1,8 @@
 /* Whole runs: the same bits on any number of threads, what the counters count, the sizes that were expected, and
  * switches that must agree. */
-#include "small.h"
-#include "../../src/methods/stages.h"
-#include "../../src/trace/sums.h"
+#include "methods/stages.h"
+#include "tests/methods/small.h"
+#include "trace/sums.h"
 
 /* Name and digest of every buffer, a line each; by free(). */
 static char *digests_of(const ts_scene *scene, const ts_params *params, const char *method, u32 threads,

@@ -1,16 +1,9 @@
 /* What the tests of the stages share: small runs of both methods on the atrium; and one stage alone. */
-#ifndef TS_TESTS_STAGES_SMALL_H
-#define TS_TESTS_STAGES_SMALL_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
-#include "../../src/kernels/points/samples.h"
-#include "../../src/methods/pipeline.h"
+#ifndef TS_TESTS_METHODS_SMALL_H
+#define TS_TESTS_METHODS_SMALL_H
+#include "kernels/points/samples.h"
+#include "methods/pipeline.h"
+#include "tests/model/test.h"
 
 #define SMALL_SCENE "atrium:triangles=10000:texels=32"
 

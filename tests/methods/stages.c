@@ -1,6 +1,6 @@
 /* The table of the stages: complete, in an order that makes every buffer before it is read, and true: a stage
  * depends on what it claims to read and on nothing else. */
-#include "small.h"
+#include "tests/methods/small.h"
 
 /* Buffers of the scene: there before any stage. */
 static bool is_scene(ts_buffer_id id) { return strncmp(ts_buffer_table[id].name, "scene.", 6) == 0; }

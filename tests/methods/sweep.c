@@ -1,7 +1,7 @@
 /* Every parameter at its ends and every choice, alone and all at once at random: runs end well, with finite pictures.
  * What leaves the scene as it is runs on the atrium; what does not, and all at once, on a soup, which opens at once. */
-#include "small.h"
-#include "../truth/soup.h"
+#include "tests/methods/small.h"
+#include "tests/truth/soup.h"
 
 enum { N_RANDOM = 24 };
 

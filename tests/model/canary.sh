@@ -7,7 +7,7 @@ n=0
 
 cat > "$folder/main.c" <<'C'
 #include <stdio.h>
-#include "../../src/model/core.h"
+#include "model/core.h"
 int main(void)
 {
 	ts_status status = ts_selftest_require();
@@ -15,7 +15,7 @@ int main(void)
 	return (int)status;
 }
 C
-flags="-std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Iinclude -iquote tests/model"
+flags="-std=c11 -D_POSIX_C_SOURCE=200809L -fopenmp -Iinclude -iquote src"
 
 result() { # GOOD NAME
 	n=$((n + 1))

@@ -1,8 +1,8 @@
 /* Decimal numbers are read with a point, and to the last bit, whatever the locale of the host program. */
-#include "../comma.h"
-#include "../../src/model/decimal.h"
 #include <float.h>
 #include <math.h>
+#include "model/decimal.h"
+#include "tests/comma.h"
 
 static void check(void)
 {

@@ -1,6 +1,6 @@
 /* SHA-256 against the published examples (FIPS 180-4, NIST). */
-#include "test.h"
-#include "../../src/model/digest.h"
+#include "model/digest.h"
+#include "tests/model/test.h"
 
 static void digest_is(const char *text, size_t times, const char *expected)
 {

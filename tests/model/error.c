@@ -1,8 +1,8 @@
 /* Messages: one printable line, kept by thread, never a crash. */
 #include <pthread.h>
 #include <wchar.h>
-#include "test.h"
-#include "../../src/model/core.h"
+#include "model/core.h"
+#include "tests/model/test.h"
 
 static void message_is_formatted(void **state)
 {

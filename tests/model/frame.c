@@ -1,6 +1,6 @@
 /* The frame: accounting of bytes, batches, borrowed memory, and the tables of records.def. */
-#include "test.h"
-#include "../../src/model/frame.h"
+#include "model/frame.h"
+#include "tests/model/test.h"
 
 static void buffers_are_made_and_dropped(void **state)
 {

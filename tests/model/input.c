@@ -1,8 +1,8 @@
 /* Files read whole: what they hold, and what is no file. */
-#include "test.h"
 #include <sys/stat.h>
 #include <unistd.h>
-#include "../../src/model/core.h"
+#include "model/core.h"
+#include "tests/model/test.h"
 
 static char path[64];
 

@@ -1,6 +1,6 @@
 /* JSON: memory that ends anywhere while it is read is told from text that is wrong. */
-#include "test.h"
-#include "../../src/model/json.h"
+#include "model/json.h"
+#include "tests/model/test.h"
 
 static const char text[] = "{\"names\": [\"a\", \"b\\u00e9\"], \"deep\": {\"x\": [1, 2.5, -3e9, true, null]}, "
 						   "\"long\": \"0123456789012345678901234567890123456789012345678901234567890123456789\"}";

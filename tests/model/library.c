@@ -1,8 +1,8 @@
 /* Calls of shared libraries. */
-#include "../../src/model/library.h"
 #include <dlfcn.h>
 #include <string.h>
-#include "test.h"
+#include "model/library.h"
+#include "tests/model/test.h"
 
 static void all_calls_are_found(void **state)
 {

@@ -1,6 +1,6 @@
 /* Allocation: no overflow, no crash, a message with the name. */
-#include "test.h"
-#include "../../src/model/core.h"
+#include "model/core.h"
+#include "tests/model/test.h"
 
 static void zero_bytes_give_a_pointer(void **state)
 {

@@ -1,13 +1,13 @@
 /* How much memory there is: every limit counts, less what is taken, and none where a system says so. Control groups are
  * read from a tree of files made here. */
-#include "test.h"
-#include "../scratch.h"
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "../../src/model/core.h"
-#include "../../src/model/memory_limit.h"
+#include "model/core.h"
+#include "model/memory_limit.h"
+#include "tests/model/test.h"
+#include "tests/scratch.h"
 
 #define NONE UINT64_MAX
 

@@ -1,6 +1,6 @@
 /* The order of bytes: each number of each record by its own member, and what a file says. */
-#include "test.h"
-#include "../../src/model/order.h"
+#include "model/order.h"
+#include "tests/model/test.h"
 
 enum { ELEMENTS = 3, MOST_BYTES = 1024 };
 

@@ -1,8 +1,8 @@
 /* Parameters: defaults, exact ranges, and text that reads back to the same bits. */
-#include "../comma.h"
-#include "../lcg.h"
-#include "../../src/model/core.h"
-#include "../../src/model/param.h"
+#include "model/core.h"
+#include "model/param.h"
+#include "tests/comma.h"
+#include "tests/lcg.h"
 
 static const ts_param_info *row_of(const char *name, size_t *row)
 {

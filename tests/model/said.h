@@ -2,7 +2,7 @@
 #ifndef TS_TESTS_MODEL_SAID_H
 #define TS_TESTS_MODEL_SAID_H
 #include <string.h>
-#include "../../src/model/core.h"
+#include "model/core.h"
 
 static char said_text[4096];
 

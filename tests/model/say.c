@@ -1,8 +1,8 @@
 /* Who hears of the work, and who ends it. */
 #include <pthread.h>
-#include "test.h"
-#include "../status.h"
-#include "../../src/model/core.h"
+#include "model/core.h"
+#include "tests/model/test.h"
+#include "tests/status.h"
 
 static int asked, yes_at;
 

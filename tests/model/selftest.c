@@ -1,7 +1,7 @@
 /* The self-test passes here, and sees a changed floating-point environment. tests/model/canary.sh changes the build. */
 #include <fenv.h>
-#include "test.h"
-#include "../../src/model/core.h"
+#include "model/core.h"
+#include "tests/model/test.h"
 #if defined(__SSE__)
 #include <xmmintrin.h>
 #endif

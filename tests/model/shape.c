@@ -1,6 +1,6 @@
 /* Sizes and shapes: products, one more, what is refused, and what is unknown. */
-#include "../../src/model/shape.h"
-#include "test.h"
+#include "model/shape.h"
+#include "tests/model/test.h"
 
 static ts_sizes some(void)
 {

@@ -1,7 +1,7 @@
 /* The rows of records.def agree with each other. */
-#include "../../src/model/table.h"
 #include <string.h>
-#include "test.h"
+#include "model/table.h"
+#include "tests/model/test.h"
 
 /* ts_buffer_shape itself asserts that each shape is one. */
 static void shapes_of_the_table_are_shapes(void **state)

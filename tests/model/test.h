@@ -1,6 +1,6 @@
 /* cmocka and what it needs. */
-#ifndef TS_TESTS_CORE_TEST_H
-#define TS_TESTS_CORE_TEST_H
+#ifndef TS_TESTS_MODEL_TEST_H
+#define TS_TESTS_MODEL_TEST_H
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,6 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* Wants those above. */
 #include <cmocka.h>
 
 /* Whether memory is a sanitizer's, which keeps what is released. */

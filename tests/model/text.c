@@ -1,6 +1,6 @@
 /* Printable lines. */
-#include "test.h"
-#include "../../src/model/core.h"
+#include "model/core.h"
+#include "tests/model/test.h"
 
 static void every_control_byte_becomes_a_question_mark(void **state)
 {

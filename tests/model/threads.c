@@ -4,8 +4,8 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "said.h"
-#include "test.h"
+#include "tests/model/said.h"
+#include "tests/model/test.h"
 
 static void wanted_threads_are_there(void **state)
 {

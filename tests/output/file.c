@@ -8,9 +8,9 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "../kernels/seeded.h"
-#include "../scratch.h"
-#include "../../src/output/file.h"
+#include "output/file.h"
+#include "tests/kernels/seeded.h"
+#include "tests/scratch.h"
 
 enum { MOST = 1 << 20 };
 

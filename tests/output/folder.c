@@ -4,11 +4,11 @@
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include "../kernels/seeded.h"
-#include "../scratch.h"
-#include "../status.h"
-#include "../../src/output/file.h"
-#include "../../src/output/folder.h"
+#include "output/file.h"
+#include "output/folder.h"
+#include "tests/kernels/seeded.h"
+#include "tests/scratch.h"
+#include "tests/status.h"
 
 static u32 n_judged;
 

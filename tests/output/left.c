@@ -3,11 +3,11 @@
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include "../kernels/seeded.h"
-#include "../scratch.h"
-#include "../../src/output/file.h"
-#include "../../src/output/folder.h"
-#include "../../src/output/left.h"
+#include "output/file.h"
+#include "output/folder.h"
+#include "output/left.h"
+#include "tests/kernels/seeded.h"
+#include "tests/scratch.h"
 
 static ts_status keep(const char *dir) { return ts_fail("%s: stays", dir); }
 

@@ -1,8 +1,8 @@
 /* Locks: one holder at a time, who is named; files of killed processes; what cannot be locked. */
 #include <errno.h>
-#include "../scratch.h"
-#include "../status.h"
-#include "../../src/output/lock.h"
+#include "output/lock.h"
+#include "tests/scratch.h"
+#include "tests/status.h"
 
 static void a_lock_has_one_holder(void **state)
 {

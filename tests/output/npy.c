@@ -1,5 +1,5 @@
 /* .npy headers against the specification of the format, by a parser of its own; and every way to damage one. */
-#include "../trace/folder.h"
+#include "tests/trace/folder.h"
 
 static const struct {
 	const char *descr;

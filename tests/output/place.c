@@ -1,12 +1,12 @@
 /* Folders that take the place of others, each step and what takes it back; and folders that are given to the disk. */
-#include <sys/stat.h>
 #include <fcntl.h>
-#include "../kernels/seeded.h"
-#include "../scratch.h"
-#include "../status.h"
-#include "../../src/output/file.h"
-#include "../../src/output/place.h"
-#include "../../src/output/tree.h"
+#include <sys/stat.h>
+#include "output/file.h"
+#include "output/place.h"
+#include "output/tree.h"
+#include "tests/kernels/seeded.h"
+#include "tests/scratch.h"
+#include "tests/status.h"
 
 static char dir[SCRATCH_PATH], partial[SCRATCH_PATH], old[SCRATCH_PATH];
 static const ts_place place = {dir, partial, old};

@@ -2,11 +2,11 @@
  * folder goes. `remove` here stands in place of the C library's. */
 #include <errno.h>
 #include <sys/stat.h>
-#include "../kernels/seeded.h"
-#include "../scratch.h"
-#include "../status.h"
-#include "../../src/output/file.h"
-#include "../../src/output/folder.h"
+#include "output/file.h"
+#include "output/folder.h"
+#include "tests/kernels/seeded.h"
+#include "tests/scratch.h"
+#include "tests/status.h"
 
 static bool denied;
 static char lock_path[SCRATCH_PATH], lock_said[64];

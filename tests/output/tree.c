@@ -1,14 +1,9 @@
 /* Folders that are removed, and given to the disk; links in them are not followed. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <string.h>
 #include <sys/stat.h>
-#include "../scratch.h"
-#include "../../src/output/file.h"
-#include "../../src/output/tree.h"
+#include "output/file.h"
+#include "output/tree.h"
+#include "tests/model/test.h"
+#include "tests/scratch.h"
 
 static void fails(ts_status status, const char *path)
 {

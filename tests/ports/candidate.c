@@ -2,10 +2,10 @@
  * convention that it undoes. Beside the tests:
  *   candidate table              prints the rows between the header's markers
  *   candidate copy TRACE FOLDER  a candidate of the trace's buffers, held as a port holds them */
-#include "../model/test.h"
 #include <sys/stat.h>
 #include <touchstone/candidate.h>
-#include "../../src/trace/read.h"
+#include "tests/model/test.h"
+#include "trace/read.h"
 
 /* Rows of the header's table that records.def has too. */
 enum { N_BOTH = (int)TS_CANDIDATE_BUFFERS < (int)TS_N_BUFFERS ? (int)TS_CANDIDATE_BUFFERS : (int)TS_N_BUFFERS };

@@ -1,6 +1,6 @@
 /* The rows of the probe: which answers, and what is refused. */
-#include "../../src/tools/tools.h"
-#include "probed.h"
+#include "tests/probe/probed.h"
+#include "tools/tools.h"
 
 static traced epr, soft;
 

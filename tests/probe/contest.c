@@ -1,6 +1,6 @@
 /* Who competed: offers in the order of their keys, by how much each lost, and all triangles that a pixel has. */
-#include "probed.h"
-#include "../../src/probe/parts.h"
+#include "probe/parts.h"
+#include "tests/probe/probed.h"
 
 static ts_probe p;
 

@@ -1,6 +1,6 @@
 /* Parts of answers: numbers with their bits, and what is said of bits that agree or differ. */
-#include "../model/test.h"
-#include "../../src/probe/parts.h"
+#include "probe/parts.h"
+#include "tests/model/test.h"
 
 /* Takes over the value, and requires its text. */
 static void assert_json(json_t *value, const char *right)

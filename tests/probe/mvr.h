@@ -1,8 +1,8 @@
 /* A small run of reflections by MVR that is probed. */
 #ifndef TS_TESTS_PROBE_MVR_H
 #define TS_TESTS_PROBE_MVR_H
-#include "probed.h"
-#include "../../src/probe/parts.h"
+#include "probe/parts.h"
+#include "tests/probe/probed.h"
 
 enum { WIDTH = 24, HEIGHT = 16, MIRRORS = 2 };
 

@@ -1,5 +1,5 @@
 /* Pixels of the eye, of one sample and of four: what an answer has, and what it says of the picture. */
-#include "mvr.h"
+#include "tests/probe/mvr.h"
 
 enum { N_TRIED = 6 };
 

@@ -1,13 +1,13 @@
 /* What the tests of the probe share: runs whose traces are probed, and figures of answers. */
-#ifndef TS_TESTS_TRACE_PROBED_H
-#define TS_TESTS_TRACE_PROBED_H
-#include "../methods/small.h"
-#include "../status.h"
+#ifndef TS_TESTS_PROBE_PROBED_H
+#define TS_TESTS_PROBE_PROBED_H
 #include <dirent.h>
 #include <math.h>
 #include <unistd.h>
-#include "../../src/probe/probe.h"
-#include "../../src/trace/write.h"
+#include "probe/probe.h"
+#include "tests/methods/small.h"
+#include "tests/status.h"
+#include "trace/write.h"
 
 typedef struct {
 	char dir[200], path[512];

@@ -1,6 +1,6 @@
 /* Elements of an untrusted trace: what is fetched, and what is refused of values, places and whole traces. */
-#include "../replay/spot.h"
-#include "mvr.h"
+#include "tests/probe/mvr.h"
+#include "tests/replay/spot.h"
 
 /* Any run of elements, up to the last one, is the buffer's. */
 static void any_run_of_elements_is_fetched(void **state)

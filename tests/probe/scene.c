@@ -1,5 +1,5 @@
 /* The scene of an untrusted trace: what is refused of views, images and shapes, and that textures are read whole. */
-#include "mvr.h"
+#include "tests/probe/mvr.h"
 
 /* Reads the scene of a trace with another first element of a buffer. */
 static ts_status scene_with(ts_buffer_id id, const void *element)

@@ -1,5 +1,5 @@
 /* Surfaces of answers: what a triangle belongs to, what its textures give, and the terms of its light. */
-#include "mvr.h"
+#include "tests/probe/mvr.h"
 
 /* Of every triangle its material and object, and the reflector if that is one. */
 static void every_triangle_tells_whose_it_is(void **state)

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/model/param.h"
+#include "model/param.h"
 
 enum { MOST_READERS = 256, MOST_DEPTH = 16 };
 

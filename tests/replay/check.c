@@ -1,5 +1,5 @@
 /* Checks of sizes, indices and floats: for each a fault planted in a copy of a buffer is refused with its place. */
-#include "faults.h"
+#include "tests/replay/faults.h"
 
 /* The first stage of any method that reads a buffer of its trace; NULL: none. Indices into lights need a method that
  * has some. */

@@ -1,6 +1,6 @@
 /* Checks of the scene: faults planted in the arrays that a stage reads, and the least and the most that is right. */
 #include <inttypes.h>
-#include "loaded.h"
+#include "tests/replay/loaded.h"
 
 enum { MIRRORS = 3 };
 

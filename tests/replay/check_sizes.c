@@ -1,7 +1,7 @@
 /* Checks of sizes, shapes, sums, keys and floats of what a stage reads: the first value that is wrong and the last that
  * is right, in a run in memory; and the words of the refusals. */
 #include <inttypes.h>
-#include "loaded.h"
+#include "tests/replay/loaded.h"
 
 /* One reflector is one batch: what the run leaves is all that it made. */
 static int begin(void **state)

@@ -1,7 +1,7 @@
 /* Checks of values that kernels loop over or address by; and whatever is planted anywhere, a stage is refused or ends
  * without harm, which the sanitizers judge. */
-#include "../whole.h"
-#include "faults.h"
+#include "tests/replay/faults.h"
+#include "tests/whole.h"
 
 /* Rows of a value that a kernel loops over or addresses by. */
 static void values_that_kernels_address_by_are_bounded(void **state)

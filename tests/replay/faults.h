@@ -1,9 +1,9 @@
 /* Faults in a copy of one buffer of a trace, and what a replay from it says. */
-#ifndef TS_TESTS_TRACE_FAULTS_H
-#define TS_TESTS_TRACE_FAULTS_H
-#include "../lcg.h"
-#include "spot.h"
-#include "traces.h"
+#ifndef TS_TESTS_REPLAY_FAULTS_H
+#define TS_TESTS_REPLAY_FAULTS_H
+#include "tests/lcg.h"
+#include "tests/replay/spot.h"
+#include "tests/replay/traces.h"
 
 static u32 random_state;
 

@@ -1,7 +1,7 @@
 /* Teacher forcing: a stage answers for what it makes of its own inputs, not for theirs. */
-#include "../../src/replay/forced.h"
-#include "../../src/replay/replay.h"
-#include "loaded.h"
+#include "replay/forced.h"
+#include "replay/replay.h"
+#include "tests/replay/loaded.h"
 
 static const ts_relaxations exactly = {.ulp = 0};
 static ts_comparison c;

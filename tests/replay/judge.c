@@ -1,8 +1,8 @@
 /* Verdicts on what a stage made: whose file is judged, shapes, crops, and what is said of the first difference. Buffers
  * and files are arrays of the test. */
-#include "../model/test.h"
-#include "../../src/kernels/base/num.h"
-#include "../../src/replay/judge.h"
+#include "kernels/base/num.h"
+#include "replay/judge.h"
+#include "tests/model/test.h"
 
 enum { ROWS = 5, COLUMNS = 4, BYTES = ROWS * COLUMNS * 3 };
 

@@ -1,9 +1,9 @@
 /* What the tests of checks share: a run whose buffers are a trace's, in memory, and faults planted in them. */
-#ifndef TS_TESTS_TRACE_LOADED_H
-#define TS_TESTS_TRACE_LOADED_H
-#include "../methods/small.h"
-#include "../../src/replay/check.h"
-#include "spot.h"
+#ifndef TS_TESTS_REPLAY_LOADED_H
+#define TS_TESTS_REPLAY_LOADED_H
+#include "replay/check.h"
+#include "tests/methods/small.h"
+#include "tests/replay/spot.h"
 
 static ts_run run;
 static ts_scene *scene;

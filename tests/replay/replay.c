@@ -1,6 +1,6 @@
 /* Replay: every stage of both methods, alone, makes what the trace holds; what a candidate made otherwise is found. */
-#include "../../src/replay/forced.h"
-#include "traces.h"
+#include "replay/forced.h"
+#include "tests/replay/traces.h"
 
 /* Samples of pixels, of traces with one sample a pixel. */
 static bool is_left_out(u32 m, ts_buffer_id id)

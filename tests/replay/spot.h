@@ -1,8 +1,8 @@
 /* Where a number stands in a buffer: a component of a field of an element. */
 #ifndef TS_TESTS_REPLAY_SPOT_H
 #define TS_TESTS_REPLAY_SPOT_H
-#include "../model/test.h"
-#include "../../src/trace/field.h"
+#include "tests/model/test.h"
+#include "trace/field.h"
 
 typedef struct {
 	void *at;

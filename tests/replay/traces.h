@@ -1,13 +1,13 @@
 /* Traces of a small scene by methods of every kind, made once a program, and candidates with a buffer or two of their
  * own. */
-#ifndef TS_TESTS_TRACE_TRACES_H
-#define TS_TESTS_TRACE_TRACES_H
-#include "../methods/small.h"
-#include "../scratch.h"
+#ifndef TS_TESTS_REPLAY_TRACES_H
+#define TS_TESTS_REPLAY_TRACES_H
 #include <sys/stat.h>
 #include <unistd.h>
-#include "../../src/replay/judge.h"
-#include "../../src/trace/write.h"
+#include "replay/judge.h"
+#include "tests/methods/small.h"
+#include "tests/scratch.h"
+#include "trace/write.h"
 
 enum { MAX_TEXT = 4096 };
 

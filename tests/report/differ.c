@@ -1,8 +1,8 @@
 /* Where a candidate's pictures differ: each pixel has the first buffer that differs there, in the pipeline's order; the
  * first differences have their pixel; and as many pixels as there is room for are probed, on both sides. */
-#include "pages.h"
-#include "../trace/small.h"
-#include "../../src/trace/emit.h"
+#include "tests/report/pages.h"
+#include "tests/trace/small.h"
+#include "trace/emit.h"
 
 enum { W = 64, H = 36, MOST = 9 };
 

@@ -1,7 +1,7 @@
 /* Folders that render or compare wrote: which of their files are pictures, which are judged, what is said of each, and
  * what is refused. */
-#include "pages.h"
 #include <errno.h>
+#include "tests/report/pages.h"
 
 enum { W = 3, H = 2 };
 

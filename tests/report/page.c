@@ -1,7 +1,7 @@
 /* The page as a file: the data that it holds are those that were put in, no text ends the script early, and the file
  * appears whole; and JSON that is read. */
-#include "pages.h"
-#include "../../src/image/falsecolour.h"
+#include "image/falsecolour.h"
+#include "tests/report/pages.h"
 
 static char *written(ts_page *page, size_t *bytes)
 {

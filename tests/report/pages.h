@@ -1,9 +1,9 @@
 /* What the tests of pages share: pages in memory, pictures, and the pixels that a page holds. */
 #ifndef TS_TESTS_REPORT_PAGES_H
 #define TS_TESTS_REPORT_PAGES_H
-#include "../trace/folder.h"
 #include <touchstone/image.h>
-#include "../../src/report/page.h"
+#include "report/page.h"
+#include "tests/trace/folder.h"
 
 static inline ts_page *new_page(u32 n_probes)
 {

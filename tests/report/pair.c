@@ -1,10 +1,10 @@
 /* Which pictures of a page are judged against each other, in small pages of all kinds against the rule as written; and
  * how far apart two pictures are. */
-#include "pages.h"
-#include "../lcg.h"
 #include <math.h>
-#include "../../src/image/flip.h"
-#include "../../src/kernels/base/num.h"
+#include "image/flip.h"
+#include "kernels/base/num.h"
+#include "tests/lcg.h"
+#include "tests/report/pages.h"
 
 static void add(ts_page *page, ts_page_picture p, const u8 *rgb)
 {

@@ -1,7 +1,7 @@
 /* Pictures of a page: base64 as RFC 4648 has it, pixels that come back, names that are the page's own; and what does
  * not fit is refused. */
-#include "pages.h"
-#include "../../src/kernels/base/num.h"
+#include "kernels/base/num.h"
+#include "tests/report/pages.h"
 
 /* The RFC's own examples. */
 static void base64_gives_the_examples(void **state)

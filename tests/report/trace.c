@@ -1,9 +1,9 @@
 /* Traces of a page: the picture is the trace's display values, or those of its radiance where it holds no others; and
  * what trace.json says. */
-#include "pages.h"
-#include "../srgb.h"
 #include <math.h>
-#include "../trace/small.h"
+#include "tests/report/pages.h"
+#include "tests/srgb.h"
+#include "tests/trace/small.h"
 
 static ts_trace *opened(const char *name)
 {

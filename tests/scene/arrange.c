@@ -1,10 +1,10 @@
 /* What the pictures of a file show: a room, a thing, or what looks like one; where eye, mirrors and lamps stand. */
-#include "../../src/kernels/base/scene.h"
-#include "../../src/kernels/base/pose.h"
-#include "../../src/scene/lamp.h"
-#include "../../src/scene/sources.h"
-#include "../../src/scene/view.h"
-#include "../model/test.h"
+#include "kernels/base/pose.h"
+#include "kernels/base/scene.h"
+#include "scene/lamp.h"
+#include "scene/sources.h"
+#include "scene/view.h"
+#include "tests/model/test.h"
 
 static ts_params params;
 static u32 two_sided;

@@ -1,9 +1,9 @@
 /* Scenes from arrays: what a file holds, given as arrays, makes the scene of the file, to the bit; and arrays that make
  * no scene are refused. */
 #include <math.h>
-#include "../status.h"
-#include "../../src/methods/pipeline.h"
-#include "../../src/scene/sources.h"
+#include "methods/pipeline.h"
+#include "scene/sources.h"
+#include "tests/status.h"
 
 /* The arrays of a scene that has no textures and to which nothing was added. */
 static ts_scene_arrays arrays_of(const ts_scene *s, ts_camera_array *camera)

@@ -1,8 +1,8 @@
 /* Building a scene: what is added, what is refused, what is kept, and the mip chains. */
-#include "../srgb.h"
-#include "../status.h"
-#include "../../src/scene/build.h"
-#include "../../src/kernels/base/shade.h"
+#include "kernels/base/shade.h"
+#include "scene/build.h"
+#include "tests/srgb.h"
+#include "tests/status.h"
 
 static ts_params params;
 

@@ -1,10 +1,7 @@
 /* The hall of a scene: rooms of known size with all that could mislead the rays. */
-#include "../../src/scene/build.h"
-#include "../../src/kernels/base/scene.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "kernels/base/scene.h"
+#include "scene/build.h"
+#include "tests/model/test.h"
 
 static ts_params params;
 static u32 masked, two_sided;

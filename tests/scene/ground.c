@@ -1,12 +1,12 @@
 /* The added ground: it lies under the scene, and neither box, hall, eye nor mirrors are others for it. */
-#include "../../src/kernels/base/pose.h"
-#include "../../src/scene/lamp.h"
-#include "../../src/scene/sources.h"
-#include "../../src/scene/view.h"
-#include "../status.h"
-#include "../whole.h"
-#include "folder.h"
 #include <unistd.h>
+#include "kernels/base/pose.h"
+#include "scene/lamp.h"
+#include "scene/sources.h"
+#include "scene/view.h"
+#include "tests/scene/folder.h"
+#include "tests/status.h"
+#include "tests/whole.h"
 
 static const ts_scene_options none = {0}, circle = {.camera = TS_CAMERA_CIRCLE};
 

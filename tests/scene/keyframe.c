@@ -1,7 +1,7 @@
 /* Between keyframes, against closed forms in doubles: the shorter arc, lines, and Hermite's cubic. STEP and the order
  * of keys are judged by tests/cli/animation.sh, from whole files. */
-#include "../../src/scene/keyframe.h"
-#include "../kernels/seeded.h"
+#include "scene/keyframe.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 20000 };
 

@@ -1,8 +1,8 @@
 /* Area lights: where their samples lie and what the views from them see, against double arithmetic. */
-#include "../../src/scene/lamp.h"
-#include "../../src/scene/view.h"
-#include "../../src/kernels/base/shade.h"
-#include "../kernels/seeded.h"
+#include "kernels/base/shade.h"
+#include "scene/lamp.h"
+#include "scene/view.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 400 };
 

@@ -1,13 +1,8 @@
 /* Nearest neighbours against all distances, on clouds with many equal distances and equal points. */
-#include "../../src/scene/neighbours.h"
 #include <omp.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
-#include <cmocka.h>
+#include "scene/neighbours.h"
+#include "tests/model/test.h"
 
 static f32 coordinate(u32 i, u32 axis, u32 steps)
 {

@@ -1,15 +1,10 @@
 /* Estimated normals against closed forms: spheres, tori, planes, hills; and, in double precision, the plane that fits
  * best. */
-#include "../../src/scene/normals.h"
 #include <math.h>
 #include <omp.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
-#include <cmocka.h>
+#include "scene/normals.h"
+#include "tests/model/test.h"
 
 #define TURN 6.283185307179586
 enum { N = 4000 };

@@ -1,7 +1,7 @@
 /* Numbers of glTF files against their definitions in double precision: KHR_texture_transform, the cones of
  * KHR_lights_punctual, and normalized integers. */
-#include "../kernels/seeded.h"
-#include "../../src/scene/numbers.h"
+#include "scene/numbers.h"
+#include "tests/kernels/seeded.h"
 
 static void is_about(double value, double expected, double scale)
 {

@@ -1,15 +1,11 @@
 /* The eye's path against closed forms in doubles, and files that are refused. */
-#include "../../src/scene/path.h"
-#include "../../src/model/core.h"
-#include "../../src/scene/sources.h"
-#include "../../src/scene/view.h"
-#include "../comma.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdio.h>
-#include <cmocka.h>
+#include "model/core.h"
+#include "scene/path.h"
+#include "scene/sources.h"
+#include "scene/view.h"
+#include "tests/comma.h"
+#include "tests/model/test.h"
 
 static void put(const char *file, const char *text, size_t bytes)
 {

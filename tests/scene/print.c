@@ -1,8 +1,8 @@
 /* What `info` says of a scene: its figures, as text and as JSON; the bytes are those of its arrays. */
 #include <jansson.h>
-#include "../../src/kernels/base/num.h"
-#include "../../src/scene/scene.h"
-#include "../model/test.h"
+#include "kernels/base/num.h"
+#include "scene/scene.h"
+#include "tests/model/test.h"
 
 static char *printed(const ts_scene *scene, bool json)
 {

@@ -1,11 +1,8 @@
 /* Rays and clearances against every triangle, one by one, in double arithmetic. */
-#include "../../src/scene/rays.h"
-#include "../../src/kernels/base/scene.h"
-#include "../../src/scene/build.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "kernels/base/scene.h"
+#include "scene/build.h"
+#include "scene/rays.h"
+#include "tests/model/test.h"
 
 enum { N = 600 };
 

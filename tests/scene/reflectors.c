@@ -1,15 +1,12 @@
 /* The added reflectors: their mean size, that they stay in the scene and apart, and what they are made of. */
-#include "../../src/kernels/base/pose.h"
-#include "../../src/scene/sources.h"
-#include "../../src/scene/view.h"
-#include "../status.h"
-#include "../whole.h"
-#include "folder.h"
 #include <unistd.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "kernels/base/pose.h"
+#include "scene/sources.h"
+#include "scene/view.h"
+#include "tests/model/test.h"
+#include "tests/scene/folder.h"
+#include "tests/status.h"
+#include "tests/whole.h"
 
 static ts_params params;
 

@@ -1,15 +1,10 @@
 /* Surfels sampled from triangles: that they lie on them, cover them, look like them, and are as many as asked for. */
-#include "../../src/scene/sample.h"
-#include "../../src/model/core.h"
-#include "../../src/kernels/base/texture.h"
-#include "../../src/kernels/base/vec.h"
 #include <omp.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "kernels/base/texture.h"
+#include "kernels/base/vec.h"
+#include "model/core.h"
+#include "scene/sample.h"
+#include "tests/model/test.h"
 
 static ts_params params;
 

@@ -1,10 +1,7 @@
 /* The files in scenes/, as scenes/README.md describes them. */
-#include "../../src/kernels/base/texture.h"
-#include "../../src/scene/scene.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "kernels/base/texture.h"
+#include "scene/scene.h"
+#include "tests/model/test.h"
 
 static ts_scene *open_scene(const char *path, u32 reflectors, const ts_scene_options *options)
 {

@@ -1,10 +1,7 @@
 /* The shapes of the added reflectors: closed, outward, of the right volume, their normals agreeing with their faces. */
-#include "../../src/scene/shapes.h"
-#include "../../src/kernels/base/vec.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdlib.h>
-#include <cmocka.h>
+#include "kernels/base/vec.h"
+#include "scene/shapes.h"
+#include "tests/model/test.h"
 
 #define RADIUS 2.5f
 static const double pi = 3.14159265358979323846;

@@ -1,10 +1,10 @@
 /* A room beside an open place is found, with its own floor and ceiling; and where something stands on the circle of its
  * eye the hall is drawn in until the eye is free. */
-#include "../../src/scene/subject.h"
-#include "../../src/scene/build.h"
-#include "../../src/kernels/base/scene.h"
-#include "../../src/scene/view.h"
-#include "../model/test.h"
+#include "kernels/base/scene.h"
+#include "scene/build.h"
+#include "scene/subject.h"
+#include "scene/view.h"
+#include "tests/model/test.h"
 
 static ts_params params;
 

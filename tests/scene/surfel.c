@@ -1,14 +1,9 @@
 /* Surfels against double arithmetic: circles, what ellipses are refused, and what nodes make of them. */
-#include "../../src/scene/surfel.h"
-#include "../../src/kernels/base/num.h"
-#include "../../src/scene/place.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "kernels/base/num.h"
+#include "scene/place.h"
+#include "scene/surfel.h"
+#include "tests/model/test.h"
 
 static f32 number(u32 i, u32 stream) { return 2.0f * ts_uniform(ts_random(i, stream, 3)) - 1.0f; }
 

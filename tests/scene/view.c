@@ -1,9 +1,6 @@
 /* The eye: where it is, where it looks, and its projection, against double arithmetic. */
-#include "../../src/scene/view.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "scene/view.h"
+#include "tests/model/test.h"
 
 static ts_params params;
 static ts_info room;

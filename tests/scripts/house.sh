@@ -27,7 +27,7 @@ gives() {
 	result $? "$name"
 }
 
-for check in rooms clients rebuilt nouns sets; do
+for check in rooms clients rebuilt nouns sets includes; do
 	"$house" "$check" > "$folder/out" 2>&1
 	result $? "the tree itself: $check"
 done
@@ -52,37 +52,37 @@ result $? "no test of the one program defines what libc or the library has"
 mkdir -p "$folder"/tree/src/{model,trace,cli} "$folder"/tree/obj/src/{model,trace,cli}
 cd "$folder/tree" || exit
 printf '#include FAMILY(%s)\n' raster points another > src/families.def
-echo '#include "../trace/b.h"' > src/model/a.h
-echo '#include "../model/a.h"' > src/trace/b.h
+echo '#include "trace/b.h"' > src/model/a.h
+echo '#include "model/a.h"' > src/trace/b.h
 printf 'int upper(void);\nint lower(void) { return upper(); }\n' > src/model/a.c
 printf 'int upper(void) { return 0; }\n' > src/cli/c.c
-for source in src/*/*.c; do ${CC:-gcc} -c "$source" -o "obj/$source.o"; done
+for source in src/*/*.c; do ${CC:-gcc} -iquote src -c "$source" -o "obj/$source.o"; done
 BUILD=. gives 1 "upward: model -> trace" "an include line that goes up a floor" "$house" rooms
 BUILD=. gives 1 "circle: model trace" "rooms that include each other" "$house" rooms
 BUILD=. gives 1 "src/model/a.c -> src/cli/c.c" "a symbol of a floor above" "$house" rooms
 mkdir -p include/touchstone
 echo 'TS_API int ts_asked(void);' > include/touchstone/a.h
 echo 'struct context;' > src/cli/client.h
-echo '#include "client.h"' > src/cli/own.h
-printf '#include "own.h"\nint ts_hidden(void);\nint g(void) { return ts_hidden(); }\n' > src/cli/g.c
+echo '#include "cli/client.h"' > src/cli/own.h
+printf '#include "cli/own.h"\nint ts_hidden(void);\nint g(void) { return ts_hidden(); }\n' > src/cli/g.c
 printf 'int ts_asked(void) { return 1; }\nint ts_hidden(void) { return 0; }\n' > src/trace/asked.c
-for source in src/cli/g.c src/trace/asked.c; do ${CC:-gcc} -c "$source" -o "obj/$source.o"; done
+for source in src/cli/g.c src/trace/asked.c; do ${CC:-gcc} -iquote src -c "$source" -o "obj/$source.o"; done
 BUILD=. gives 1 "g.c: ts_hidden of src/trace/asked.c" "a client that needs what no public header has" "$house" clients
-printf '#include "own.h"\nint ts_asked(void);\nint g(void) { return ts_asked(); }\n' > src/cli/g.c
-${CC:-gcc} -c src/cli/g.c -o obj/src/cli/g.c.o
+printf '#include "cli/own.h"\nint ts_asked(void);\nint g(void) { return ts_asked(); }\n' > src/cli/g.c
+${CC:-gcc} -iquote src -c src/cli/g.c -o obj/src/cli/g.c.o
 BUILD=. gives 0 "1 of 2 files" "a client of the public headers" "$house" clients
-echo '#include "../trace/b.h"' >> src/cli/g.c
-BUILD=. gives 1 "g.c: ../trace/b.h" "a client that includes a room's header" "$house" clients
+echo '#include "trace/b.h"' >> src/cli/g.c
+BUILD=. gives 1 "g.c: trace/b.h" "a client that includes a room's header" "$house" clients
 rm src/cli/g.c src/cli/own.h src/trace/asked.c
-echo '#include "../model/a.h"' > src/cli/b.h
+echo '#include "model/a.h"' > src/cli/b.h
 rm src/trace/b.h src/model/a.c
 BUILD=. gives 0 "by symbol: 0 arrows" "rooms in order" "$house" rooms
 mkdir -p src/kernels/{points,another,raster}
 : > src/kernels/points/d.h
-echo '#include "../points/d.h"' > src/kernels/another/e.h
+echo '#include "kernels/points/d.h"' > src/kernels/another/e.h
 BUILD=. gives 1 "between families: kernels/another -> kernels/points" "an arrow between families" "$house" rooms
 mv src/kernels/{points,raster}/d.h
-echo '#include "../raster/d.h"' > src/kernels/another/e.h
+echo '#include "kernels/raster/d.h"' > src/kernels/another/e.h
 BUILD=. gives 0 "0 between families" "what all families share" "$house" rooms
 rm -r src/kernels
 
@@ -113,4 +113,37 @@ gives 0 "sets: 0 families" "sets that were written" "$house" sets
 sed -i 's/; writes.*/; writes eye.view/' tests/methods/points/sets.txt
 gives 1 "writes eye.view" "a stage that writes another buffer" "$house" sets
 gives 2 "usage: scripts/house" "a check that there is not" "$house" roms
+
+rm -r src tests include && mkdir -p src/{model,trace} tests/trace include/touchstone
+guarded() { printf '#ifndef %s\n#define %s\n#endif\n' "$1" "$1"; }
+guarded TS_MODEL_A_H > src/model/a.h
+guarded TS_TRACE_B_H > src/trace/b.h
+guarded TS_TESTS_TRACE_B_H > tests/trace/b.h
+guarded TOUCHSTONE_C_H > include/touchstone/c.h
+printf '#include %s\n' '"model/a.h"' '<stdio.h>' '<touchstone/c.h>' '"made.inc"' '"trace/b.h"' > src/model/a.c
+printf '#include %s\n' '<stdio.h>' '"model/a.h"' '"tests/trace/b.h"' > tests/trace/d.c
+gives 0 "includes: 0 faults in 6 files with 5 names" "includes by the rules" "$house" includes
+
+# planted TEXT NAME FILE: the file, which standard input holds, is refused by that line, and no other.
+planted() {
+	cp "$3" "$folder/kept" 2> "$folder/out" || rm -f "$folder/kept"
+	cat > "$3"
+	gives 1 "includes: 1 faults" "$2" "$house" includes
+	gives 1 "$3: $1" "and its line" "$house" includes
+	mv "$folder/kept" "$3" 2> "$folder/out" || rm "$3"
+}
+planted '"../trace/b.h" is no path' "a header that is named from its folder" src/model/e.c <<< '#include "../trace/b.h"'
+planted '"b.h" is no path' "one of the same folder" src/trace/e.c <<< '#include "b.h"'
+planted '"tests/trace/b.h" is no path' "one of the tests in a source" src/trace/e.c <<< '#include "tests/trace/b.h"'
+mkdir -p src/model/trace && guarded TS_MODEL_TRACE_B_H > src/model/trace/b.h
+planted '"trace/b.h" is no path' "one that is hidden" src/model/a.c <<< '#include "trace/b.h"'
+rm -r src/model/trace
+planted '"model/a.h" would stand before <stdio.h>' "a file whose own header is not the first" src/model/a.c \
+	< <(printf '#include %s\n' '<stdio.h>' '"model/a.h"')
+planted '<math.h> would stand before <stdio.h>' "includes that are not by the alphabet" src/model/a.c \
+	< <(printf '#include %s\n' '<stdio.h>' '<math.h>')
+planted '<stdio.h> would stand before "model/a.h"' "quotes before <>" tests/trace/d.c \
+	< <(printf '#include %s\n' '"model/a.h"' '<stdio.h>')
+planted 'the guard TS_TRACE_B_H would be right' "a guard of another path" src/trace/b.h < <(guarded TS_CORE_B_H)
+planted 'the guard TOUCHSTONE_C_H would be right' "a public header without one" include/touchstone/c.h <<< 'int c;'
 echo "1..$n"

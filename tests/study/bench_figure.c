@@ -1,8 +1,8 @@
 /* Figures: those of a scene and of parameters, those that follow from others in closed form, and the paper's row that
  * is the nearest. */
-#include "../../src/study/bench_paper.h"
-#include "../model/test.h"
 #include <math.h>
+#include "study/bench_paper.h"
+#include "tests/model/test.h"
 
 /* clang-format off */
 enum { A, B, RATIO, SAVED, PERCENT, MORE, DIFFERENCE, SUM, GROWTH, RATE, N };

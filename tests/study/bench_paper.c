@@ -1,8 +1,8 @@
 /* A paper's table that is measured: a row for each scene and number of mirrors, the line that a row leaves, and how
  * often each variant runs. */
-#include "../trace/small.h"
-#include "../../src/study/bench_paper.h"
-#include "benched.h"
+#include "study/bench_paper.h"
+#include "tests/study/benched.h"
+#include "tests/trace/small.h"
 
 /* clang-format off */
 enum { TRIANGLES, MIRRORS, LOOKED, MS };

@@ -1,8 +1,8 @@
 /* Pictures of a table's rows: those that are there, and differences from the first where that is. */
-#include "../../src/study/bench_paper.h"
-#include "../../src/study/folder.h"
-#include "../model/test.h"
-#include "../scratch.h"
+#include "study/bench_paper.h"
+#include "study/folder.h"
+#include "tests/model/test.h"
+#include "tests/scratch.h"
 
 enum { SIDE = 2 };
 

@@ -1,8 +1,8 @@
 /* Verdicts on a paper's claims: one holds, one differs and says why, one is of a time of a busy machine. */
-#include "../../src/study/bench_paper.h"
-#include "../model/test.h"
 #include <math.h>
-#include "../../src/study/busy.h"
+#include "study/bench_paper.h"
+#include "study/busy.h"
+#include "tests/model/test.h"
 
 /* clang-format off */
 enum { MS, COUNT, RATE };

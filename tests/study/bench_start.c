@@ -1,7 +1,7 @@
 /* What is measured in a process of its own: this program again, which tells what it was asked, in place of seconds. */
-#include "../../src/study/bench_backends.h"
-#include "../scratch.h"
-#include "../status.h"
+#include "study/bench_backends.h"
+#include "tests/scratch.h"
+#include "tests/status.h"
 
 /* ---- a frame whose seconds are ours, in place of that of benches ---- */
 

@@ -1,8 +1,8 @@
 /* What tests of tables of `bench` share: a table that is run into a folder, quietly, and its report. */
 #ifndef TS_TESTS_STUDY_BENCHED_H
 #define TS_TESTS_STUDY_BENCHED_H
-#include "../trace/folder.h"
-#include "../../src/study/bench.h"
+#include "study/bench.h"
+#include "tests/trace/folder.h"
 
 /* A job of a small image, whose files go to the folder "out" of the scratch folder. */
 static inline ts_job benched_job(void)

@@ -1,10 +1,10 @@
 /* Who keeps the machine busy: another process counts, this one and its children that ended do not. */
-#include "../../src/study/busy.h"
-#include "../model/test.h"
 #include <math.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#include "study/busy.h"
+#include "tests/model/test.h"
 
 /* Takes so many seconds of a core, however long it waits for one. */
 static void spin(double seconds)

@@ -1,10 +1,10 @@
 /* What the papers show: each claim is asked by a table of `bench` that can be run in brief, or says why it cannot be
  * asked, and none is there twice. Causes have classes. */
-#include "../../src/study/bench_paper.h"
-#include "../../src/study/claims.h"
-#include "../../src/tools/tools.h"
-#include "../model/test.h"
 #include <string.h>
+#include "study/bench_paper.h"
+#include "study/claims.h"
+#include "tests/model/test.h"
+#include "tools/tools.h"
 
 static const ts_bench_row *bench_of(const ts_claim *claim)
 {

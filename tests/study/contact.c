@@ -1,12 +1,6 @@
 /* Contact sheets: what stands where, and means of what is below a pixel. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdlib.h>
-#include <string.h>
-#include "../../src/study/contact.h"
+#include "study/contact.h"
+#include "tests/model/test.h"
 
 static const u8 *cell(const ts_contact *c, u32 column, u32 row, u32 x, u32 y)
 {

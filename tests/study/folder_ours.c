@@ -1,6 +1,6 @@
 /* What --force may replace: folders of which a report lists every file, and nothing else. */
-#include "../../src/study/folder_ours.h"
-#include "../trace/folder.h"
+#include "study/folder_ours.h"
+#include "tests/trace/folder.h"
 
 /* All names of up to five of these characters, against the rule as it is written: "name" or "sub/name", none hidden. */
 static void names_of_ours_follow_their_rule(void **state)

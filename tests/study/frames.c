@@ -1,7 +1,7 @@
 /* Frames one after the other, and least, mean and greatest of figures over them. */
 #include <math.h>
-#include "../../src/study/frames.h"
-#include "../model/test.h"
+#include "study/frames.h"
+#include "tests/model/test.h"
 
 static void frames_go_by_steps_to_the_last(void **state)
 {

@@ -1,7 +1,7 @@
 /* What a run told: what it counted and made is what its buffers hold; and pictures of it. */
-#include "../methods/small.h"
-#include "../srgb.h"
-#include "../../src/study/measure.h"
+#include "study/measure.h"
+#include "tests/methods/small.h"
+#include "tests/srgb.h"
 
 enum { WIDTH = 64, HEIGHT = 36, N = WIDTH * HEIGHT };
 

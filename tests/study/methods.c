@@ -1,6 +1,6 @@
 /* Which methods are named: all of an effect, or those listed, in that order and each once. */
-#include "../../src/study/methods.h"
-#include "../status.h"
+#include "study/methods.h"
+#include "tests/status.h"
 
 static u32 found(const ts_pipeline *methods[TS_MAX_METHODS], const char *effect, const char *names)
 {

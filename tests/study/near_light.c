@@ -1,8 +1,8 @@
 /* Pixels near a triangle of light: against every triangle for every pixel, without quarters and boxes. */
-#include "../../src/study/near_light.h"
-#include "../lcg.h"
-#include "../model/test.h"
-#include "../../src/kernels/base/records.h"
+#include "kernels/base/records.h"
+#include "study/near_light.h"
+#include "tests/lcg.h"
+#include "tests/model/test.h"
 
 enum { WIDTH = 37, HEIGHT = 29, N = WIDTH * HEIGHT, PATCHES = 40 };
 

@@ -1,7 +1,7 @@
 /* "Did you mean": edits against a plain recursion over all alignments, and which names are near. */
 #include <string.h>
-#include "../model/test.h"
-#include "../../src/study/words.h"
+#include "study/words.h"
+#include "tests/model/test.h"
 
 static u32 least(u32 a, u32 b) { return a < b ? a : b; }
 

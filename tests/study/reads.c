@@ -1,7 +1,7 @@
 /* Who reads which parameter: a method, what makes a buffer of it, and scenes, by plain sums of the rows. */
-#include "../../src/study/reads.h"
-#include "../model/test.h"
-#include "../../src/methods/stages.h"
+#include "methods/stages.h"
+#include "study/reads.h"
+#include "tests/model/test.h"
 
 /* Whether a size that the buffer's shape names reads the parameter. */
 static bool shape_reads(ts_buffer_id id, const char *param)

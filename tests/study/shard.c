@@ -1,7 +1,7 @@
 /* Shards: each case of a table is in exactly one, and none has over one case more than another; what is no shard. */
 #include <stdio.h>
-#include "../model/test.h"
-#include "../../src/study/shard.h"
+#include "study/shard.h"
+#include "tests/model/test.h"
 
 enum { MOST = 40 };
 

@@ -1,14 +1,9 @@
 /* What the machine allows: that the loops measured do what they say. Times themselves are of the machine. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdlib.h>
-#include "../../src/study/speed_limits.h"
-#include "../truth/world.h"
 #include <time.h>
+#include "study/speed_limits.h"
+#include "tests/model/test.h"
+#include "tests/truth/world.h"
 
 /* In place of the library's: once it ticks, each call of a thread is a second later. */
 static bool ticks;

@@ -1,11 +1,7 @@
 /* Rows of `bench speed`: medians of quiet runs, how far they are apart, and rows that rest. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include "../../src/study/speed_work.h"
+#include "study/speed_work.h"
+#include "tests/model/test.h"
 
 static void assert_value(ts_speed_value value, double median, double spread, bool quiet)
 {

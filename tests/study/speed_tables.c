@@ -1,8 +1,8 @@
 /* Figures of `bench speed`: each term in closed form of what rows hold; sets that have nothing to measure; and names of
  * which nothing is measured. */
-#include "../../src/study/speed_work.h"
-#include "../status.h"
 #include <math.h>
+#include "study/speed_work.h"
+#include "tests/status.h"
 
 enum { RUNS = 3 };
 

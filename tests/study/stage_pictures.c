@@ -1,6 +1,6 @@
 /* Pictures of stages: as many as there is room for, found by name; what a mask leaves out is the image in grey. */
-#include "../../src/study/stage_pictures.h"
-#include "../model/test.h"
+#include "study/stage_pictures.h"
+#include "tests/model/test.h"
 
 static void pictures_are_found_by_their_names(void **state)
 {

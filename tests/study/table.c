@@ -1,10 +1,10 @@
 /* Tables: as text they are aligned and at most 120 columns wide, as JSON they have a row an object; and lines that only
  * some want. */
-#include "../../src/study/table.h"
-#include "../lcg.h"
-#include "../model/said.h"
-#include "../model/test.h"
 #include <math.h>
+#include "study/table.h"
+#include "tests/lcg.h"
+#include "tests/model/said.h"
+#include "tests/model/test.h"
 
 enum { LINE = 120 };
 

@@ -1,7 +1,7 @@
 /* What --trace-only and --crop leave of a trace, and traces that a disk has no room for. */
-#include "../../src/study/trace.h"
-#include "../../src/methods/stages.h"
-#include "../trace/small.h"
+#include "methods/stages.h"
+#include "study/trace.h"
+#include "tests/trace/small.h"
 
 static const ts_pipeline *epr(void) { return ts_pipeline_find("reflections", "epr"); }
 

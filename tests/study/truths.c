@@ -1,7 +1,7 @@
 /* Which truths are named: each by its name, in any case, of its effect alone. */
-#include "../../src/study/truths.h"
-#include "../../src/study/bench.h"
-#include "../status.h"
+#include "study/bench.h"
+#include "study/truths.h"
+#include "tests/status.h"
 
 static void assert_list(const char *effect, const char *last, const char *right)
 {

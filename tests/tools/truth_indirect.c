@@ -1,14 +1,10 @@
 /* Truths of indirect light of several families: a scene in which they tend to each other as reflective shadow maps
  * grow. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include "../../src/methods/hulls/tools/tools.h"
-#include "../../src/methods/raster/tools/truth_gather.h"
-#include "../../src/methods/views/tools/tools.h"
+#include "methods/hulls/tools/tools.h"
+#include "methods/raster/tools/truth_gather.h"
+#include "methods/views/tools/tools.h"
+#include "tests/model/test.h"
 
 /* Means of irradiance over the picture: of the truths, and of `direct`, which asks for no visibility. */
 typedef struct {

@@ -1,5 +1,5 @@
 /* Dtypes of all buffers: of the size of their elements, and taken back in the header of a file. */
-#include "folder.h"
+#include "tests/trace/folder.h"
 
 /* Sizes of the types in a dtype must add up to the element: no padding that records.def does not name. */
 static void dtypes_are_as_wide_as_their_elements(void **state)

@@ -1,7 +1,7 @@
 /* What a run offers as files: every buffer once, begun once, in parts that add up to its shape; names by the pipeline.
  */
-#include "small.h"
-#include "../../src/trace/emit.h"
+#include "tests/trace/small.h"
+#include "trace/emit.h"
 
 typedef struct {
 	u32 n_begun[TS_N_BUFFERS];

@@ -1,9 +1,9 @@
 /* Floats apart, by closed forms; fields by the offsets of the structs; values as they are shown. */
 #include <math.h>
-#include "folder.h"
-#include "../../src/kernels/base/compat.h"
-#include "../../src/kernels/base/num.h"
-#include "../../src/trace/field.h"
+#include "kernels/base/compat.h"
+#include "kernels/base/num.h"
+#include "tests/trace/folder.h"
+#include "trace/field.h"
 
 static void floats_are_apart_by_their_steps(void **state)
 {

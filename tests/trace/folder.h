@@ -2,12 +2,12 @@
  * small traces. */
 #ifndef TS_TESTS_TRACE_FOLDER_H
 #define TS_TESTS_TRACE_FOLDER_H
+#include <jansson.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <jansson.h>
-#include "../../src/trace/descr.h"
-#include "../scratch.h"
-#include "../status.h"
+#include "tests/scratch.h"
+#include "tests/status.h"
+#include "trace/descr.h"
 
 static inline void file_write(const char *path, const void *data, size_t bytes)
 {

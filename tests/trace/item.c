@@ -1,6 +1,6 @@
 /* Files of traces: paths that are too long by a byte, and candidates of other shapes than the reference's. */
-#include "folder.h"
-#include "../../src/trace/item.h"
+#include "tests/trace/folder.h"
+#include "trace/item.h"
 
 /* A folder's name so long that the path of "k.npy" in it takes `bytes`, its end included. */
 static char *folder_for(size_t bytes)

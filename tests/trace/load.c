@@ -1,5 +1,5 @@
 /* Loading: the candidate's buffers first, and what cannot be loaded refused before anything is read. */
-#include "../replay/traces.h"
+#include "tests/replay/traces.h"
 
 static const ts_buffer_id splat_reads[] = {TS_B_cube_size_face, TS_B_align_frame, TS_B_points_record, TS_N_BUFFERS};
 

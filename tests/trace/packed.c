@@ -1,10 +1,10 @@
 /* Compressed files: what is written is read again, and what is damaged, or holds other than it says, is refused. */
 #include <fcntl.h>
 #include <zstd.h>
-#include "folder.h"
-#include "../lcg.h"
-#include "../../src/model/core.h"
-#include "../../src/trace/packed.h"
+#include "model/core.h"
+#include "tests/lcg.h"
+#include "tests/trace/folder.h"
+#include "trace/packed.h"
 
 static u32 seed = 29;
 

@@ -1,7 +1,7 @@
 /* What a trace says of who made it: this program and its arithmetic, or a backend's that was measured. */
-#include "folder.h"
-#include "../../src/model/core.h"
-#include "../../src/trace/producer.h"
+#include "model/core.h"
+#include "tests/trace/folder.h"
+#include "trace/producer.h"
 
 static void is(const json_t *root, const char *key, const char *text)
 {

@@ -1,7 +1,7 @@
 /* Opening traces that are wrong in every way: none may be taken, each must be told what would be right. */
 #include <sys/stat.h>
-#include "small.h"
-#include "../../src/trace/read.h"
+#include "tests/trace/small.h"
+#include "trace/read.h"
 
 static char good[SCRATCH_PATH], bad[SCRATCH_PATH];
 

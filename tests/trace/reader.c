@@ -1,8 +1,8 @@
 /* Reading elements in any order against the plain file, and files that change meanwhile. */
-#include "folder.h"
-#include "../lcg.h"
-#include "../../src/model/core.h"
-#include "../../src/trace/reader.h"
+#include "model/core.h"
+#include "tests/lcg.h"
+#include "tests/trace/folder.h"
+#include "trace/reader.h"
 
 static u32 seed = 17;
 

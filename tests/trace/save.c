@@ -1,9 +1,9 @@
 /* Traces in memory as files: what is opened again is what was saved; digests are those of the files; and what cannot be
  * written is named. */
-#include "small.h"
-#include "../../src/model/digest.h"
-#include "../../src/trace/item.h"
-#include "../../src/trace/save.h"
+#include "model/digest.h"
+#include "tests/trace/small.h"
+#include "trace/item.h"
+#include "trace/save.h"
 
 static u64 keys[3] = {7, 8, 9};
 static u8 pixels[2 * 4 * 3];

@@ -1,9 +1,9 @@
 /* Traces of small runs. */
 #ifndef TS_TESTS_TRACE_SMALL_H
 #define TS_TESTS_TRACE_SMALL_H
-#include "folder.h"
-#include "../../src/methods/pipeline.h"
-#include "../../src/trace/write.h"
+#include "methods/pipeline.h"
+#include "tests/trace/folder.h"
+#include "trace/write.h"
 
 #define SMALL_SCENE "atrium:triangles=10000:texels=32"
 

@@ -1,6 +1,6 @@
 /* Places in words, by hand-made buffers. */
-#include "folder.h"
-#include "../../src/trace/where.h"
+#include "tests/trace/folder.h"
+#include "trace/where.h"
 
 static ts_trace trace;
 

@@ -1,14 +1,9 @@
 /* Embree alone, of the off-screen views of a run: every texel has a ray, and the rays go through the texels. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdlib.h>
-#include "../../src/methods/stages.h"
-#include "../../src/truth/bare.h"
-#include "world.h"
+#include "methods/stages.h"
+#include "tests/model/test.h"
+#include "tests/truth/world.h"
+#include "truth/bare.h"
 
 static world *room_new(void)
 {

@@ -1,15 +1,9 @@
 /* Rays into the tree: closed forms in a room and around a sphere, the three filters, all triangles tried in double. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include "../../src/truth/query.h"
-#include "../../src/truth/rtc.h"
-#include "world.h"
+#include "tests/model/test.h"
+#include "tests/truth/world.h"
+#include "truth/query.h"
+#include "truth/rtc.h"
 
 enum { SEED = 7, STREAM = 6 };
 

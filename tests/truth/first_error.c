@@ -1,13 +1,7 @@
 /* Of the failures of many threads one is kept, whole. */
-#include "../../src/truth/first_error.h"
 #include <assert.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-#include <cmocka.h>
+#include "tests/model/test.h"
+#include "truth/first_error.h"
 
 enum { N_THREADS = 8, N_ROUNDS = 200 };
 

@@ -1,12 +1,7 @@
 /* Shares of a truth's rays: which items, which pixels, and how many. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdlib.h>
-#include "../../src/kernels/base/num.h"
-#include "../../src/truth/sampling.h"
+#include "kernels/base/num.h"
+#include "tests/model/test.h"
+#include "truth/sampling.h"
 
 /* One item of each of as many parts, as equal as may be; all in their order, if all are asked. */
 static void each_part_gives_one_item(void **state)

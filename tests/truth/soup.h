@@ -2,8 +2,8 @@
 #ifndef TS_TESTS_TRUTH_SOUP_H
 #define TS_TESTS_TRUTH_SOUP_H
 #include <stddef.h>
-#include "../../src/kernels/base/scene.h"
-#include "../../src/scene/sources.h"
+#include "kernels/base/scene.h"
+#include "scene/sources.h"
 
 enum { SOUP_MATERIALS = 8, SOUP_STREAM = 6, SOUP_SEED = 21 };
 

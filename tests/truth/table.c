@@ -1,11 +1,7 @@
 /* The table of truths: every row can be made, in one way, of effects that there are. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
 #include <ctype.h>
-#include <string.h>
-#include "../../src/truth/table.h"
+#include "tests/model/test.h"
+#include "truth/table.h"
 
 static bool has_effect(const ts_truth_kind *kind, const char *effect)
 {

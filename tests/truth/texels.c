@@ -1,10 +1,6 @@
 /* The rule of a buffer is found in whichever list it stands. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include "../../src/truth/texels.h"
+#include "tests/model/test.h"
+#include "truth/texels.h"
 
 static ts_status judge(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id buffer)
 {

@@ -1,15 +1,9 @@
 /* Embree's devices, scenes and geometries: all that is made is released, also where Embree fails; and what is said
  * then. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include "../../src/truth/bare.h"
-#include "../../src/truth/rtc.h"
-#include "world.h"
+#include "tests/model/test.h"
+#include "tests/truth/world.h"
+#include "truth/bare.h"
+#include "truth/rtc.h"
 
 /* Embree as it is, and what it is made to do. */
 static ts_rtc_calls own;

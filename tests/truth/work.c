@@ -1,12 +1,7 @@
 /* What is said of long work, and that short work says nothing. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <string.h>
-#include "../../src/model/core.h"
-#include "../../src/truth/work.h"
+#include "model/core.h"
+#include "tests/model/test.h"
+#include "truth/work.h"
 
 static char said[256];
 static int lines;

@@ -3,8 +3,8 @@
 #define TS_TESTS_TRUTH_WORLD_H
 #include <assert.h>
 #include <string.h>
-#include "../../src/kernels/base/texture.h"
-#include "../../src/truth/truth.h"
+#include "kernels/base/texture.h"
+#include "truth/truth.h"
 
 enum { WORLD_TRIANGLES = 8192, WORLD_OBJECTS = 4, WORLD_MATERIALS = 11 };
 /* Materials: what their names say; CUT and UNCUT have an alpha below and above their cutoff. From WALL on: six colours

@@ -1,6 +1,6 @@
 /* The composites that methods share against their formulas in double precision. */
-#include "composites.h"
-#include "../../src/kernels/vectors/composites.h"
+#include "tests/vectors/composites.h"
+#include "kernels/vectors/composites.h"
 
 static judgement longest_edge(const u32 *in, const u32 *out)
 {

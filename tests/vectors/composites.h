@@ -2,9 +2,9 @@
  * a point's closest one of a triangle. */
 #ifndef TS_TESTS_VECTORS_COMPOSITES_H
 #define TS_TESTS_VECTORS_COMPOSITES_H
-#include "../model/test.h"
-#include "../kernels/seeded.h"
-#include "../../src/vectors/relate.h"
+#include "tests/kernels/seeded.h"
+#include "tests/model/test.h"
+#include "vectors/relate.h"
 
 /* Items whose answer hangs on rounding are not judged; of a composite an eighth must be. */
 typedef enum { NOT_JUDGED, RIGHT, WRONG } judgement;

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
-#include "../../src/vectors/row.h"
+#include "vectors/row.h"
 
 /* y rounded to odd, when the exact value lies `error` beyond it. */
 static inline double to_odd(double y, double error)

@@ -1,6 +1,6 @@
 /* Where elements of what a primitive gives stand in its rows. */
-#include "../model/test.h"
-#include "../../src/vectors/vectors.h"
+#include "tests/model/test.h"
+#include "vectors/vectors.h"
 
 /* Every element of every primitive, counted column by column. */
 static void every_element_has_its_spot(void **state)

@@ -1,10 +1,10 @@
 /* The primitives that methods share from operations rounded once, or exactly in integers. */
-#ifndef TS_TESTS_TRACE_VECTORS_TRUTH_H
-#define TS_TESTS_TRACE_VECTORS_TRUTH_H
+#ifndef TS_TESTS_VECTORS_TRUTH_H
+#define TS_TESTS_VECTORS_TRUTH_H
 #include <stdlib.h>
-#include "../kernels/base/half_truth.h"
-#include "../srgb.h"
-#include "rounded.h"
+#include "tests/kernels/base/half_truth.h"
+#include "tests/srgb.h"
+#include "tests/vectors/rounded.h"
 
 typedef void truth(u32 *right, const u32 *in);
 

@@ -1,10 +1,10 @@
 /* Every primitive that methods share against an independent truth: rounded once from wider arithmetic, exact in
  * integers, or within the error that the contract states. And every fault that a port may have is found and named, of
  * all. */
-#include "../model/test.h"
-#include "../../src/model/digest.h"
-#include "truth.h"
-#include "../../src/kernels/vectors/vectors.h"
+#include "kernels/vectors/vectors.h"
+#include "model/digest.h"
+#include "tests/model/test.h"
+#include "tests/vectors/truth.h"
 
 static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 static _Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS], found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];

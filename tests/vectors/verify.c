@@ -1,6 +1,6 @@
 /* The arithmetic vectors on a backend: C's is right, one that errs in a primitive is named, and what fails is told. */
-#include "../status.h"
-#include "../../src/vectors/vectors.h"
+#include "tests/status.h"
+#include "vectors/vectors.h"
 
 static enum { RIGHT, WRONG, NO_LAUNCH, NO_FETCH } way;
 static ts_c_backend in_c;

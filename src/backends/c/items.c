@@ -1,6 +1,6 @@
 /* The loops over the items of the kernels of a header, ITEMS, whose rows are ITEMS_DEF. The Makefile compiles this file
  * once per header that has kernels, so that editing a header compiles few of them again. */
-#include "../backend.h"
+#include "backends/backend.h"
 #include ITEMS
 #define TS_FILE __BASE_FILE__ " of " ITEMS
 
@@ -13,4 +13,4 @@
 	}
 #include ITEMS_DEF
 
-#include "../selftest.h"
+#include "backends/selftest.h"

@@ -1,8 +1,8 @@
 /* The reference backend: a threaded loop over the items of a kernel. The Makefile gives TS_FLAGS. */
 #include <stdatomic.h>
-#include "../../model/core.h"
-#include "../../model/order.h"
-#include "../fast.h"
+#include "backends/fast.h"
+#include "model/core.h"
+#include "model/order.h"
 
 #ifndef TS_FLAGS
 #define TS_FLAGS "unknown"
@@ -19,12 +19,12 @@
 typedef void kernel_items(const void *args, u64 begin, u64 end);
 
 #define KERNEL(name, args_type) kernel_items ts_c_items_##name;
-#include "../kernels.def"
+#include "backends/kernels.def"
 #undef KERNEL
 
 #define KERNEL(name, args_type) ts_c_items_##name,
 static kernel_items *const kernels[TS_N_KERNELS] = {
-#include "../kernels.def"
+#include "backends/kernels.def"
 };
 #undef KERNEL
 
@@ -154,4 +154,4 @@ static u32 devices(ts_device list[TS_MAX_DEVICES])
 
 const ts_backend_kind ts_c_kind = {"c", devices, NULL};
 
-#include "../selftest.h"
+#include "backends/selftest.h"

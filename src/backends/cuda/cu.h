@@ -3,8 +3,8 @@
  * are declared here, so that no toolkit is needed. */
 #ifndef TS_BACKENDS_CUDA_CU_H
 #define TS_BACKENDS_CUDA_CU_H
-#include "../device.h"
-#include "../modules.h"
+#include "backends/device.h"
+#include "backends/modules.h"
 
 typedef int CUresult, CUdevice;
 typedef u64 CUdeviceptr;

@@ -2,8 +2,8 @@
 #include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
-#include "../../model/library.h"
-#include "cu.h"
+#include "backends/cuda/cu.h"
+#include "model/library.h"
 
 static ts_status no_device(void)
 {

@@ -1,6 +1,6 @@
 /* Each kernel of kernels_of.h as an entry point of its name: items [first, n) of a grid of one dimension. */
-#include "builtins.h"
-#include "../kernels_of.h"
+#include "backends/cuda/builtins.h"
+#include "backends/kernels_of.h"
 #include KERNELS_H
 
 #define KERNEL(name, arguments) \

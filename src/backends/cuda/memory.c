@@ -1,6 +1,6 @@
 /* Parts of buffers on the device: copies, made and fetched in the order of the kernels. */
 #include <stdlib.h>
-#include "cu.h"
+#include "backends/cuda/cu.h"
 
 static ts_cu *of(ts_store *store) { return (ts_cu *)((u8 *)store - offsetof(ts_cu, store)); }
 

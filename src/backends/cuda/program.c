@@ -1,7 +1,7 @@
 /* The kernels' PTX. The driver compiles each when it is first launched, and keeps a cache. */
 #include <stdio.h>
 #include <string.h>
-#include "cu.h"
+#include "backends/cuda/cu.h"
 #include "ptx.inc"
 
 void ts_cu_open_modules(ts_cu *cu, const char *folder)

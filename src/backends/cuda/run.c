@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cu.h"
+#include "backends/cuda/cu.h"
 
 ts_status ts_cu_failed(const ts_cu *cu, const char *what, CUresult result)
 {

@@ -7,8 +7,8 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "../../model/library.h"
-#include "cl.h"
+#include "backends/opencl/cl.h"
+#include "model/library.h"
 
 enum { PLATFORMS = 16 };
 

@@ -2,8 +2,8 @@
  * struct with an offset in place of each pointer, followed by the buffers, or by all parts of those in parts. */
 #include <stdio.h>
 #include <stdlib.h>
-#include "../../output/file.h"
-#include "cl.h"
+#include "backends/opencl/cl.h"
+#include "output/file.h"
 
 enum { LISTS = 16 };
 

@@ -1,6 +1,6 @@
 /* Parts of buffers on the device. A device that shares the host's memory uses the frame's buffers, mapped while the
  * host reads them; others use copies. */
-#include "cl.h"
+#include "backends/opencl/cl.h"
 
 static ts_cl *of(ts_store *store) { return (ts_cl *)((u8 *)store - offsetof(ts_cl, store)); }
 

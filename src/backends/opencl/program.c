@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cl.h"
+#include "backends/opencl/cl.h"
 #include "program.inc"
 
 /* False if the log is empty. */

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cl.h"
+#include "backends/opencl/cl.h"
 
 ts_status ts_cl_failed(const char *what, cl_int status)
 {

@@ -1,6 +1,6 @@
 /* Commands are recorded into one buffer, and each sees the writes of those before it; flushing runs them and waits. */
 #include <string.h>
-#include "vk.h"
+#include "backends/vulkan/vk.h"
 
 ts_status ts_vk_record(ts_vk *vk)
 {

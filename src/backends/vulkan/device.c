@@ -2,7 +2,7 @@
 #include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
-#include "vk.h"
+#include "backends/vulkan/vk.h"
 
 static PFN_vkGetInstanceProcAddr loader(void)
 {

@@ -2,7 +2,7 @@
  * copied through a staging block that it sees. */
 #include <stdlib.h>
 #include <string.h>
-#include "vk.h"
+#include "backends/vulkan/vk.h"
 
 enum { STAGING = 8 << 20 };
 

@@ -1,5 +1,5 @@
 /* The kernels' SPIR-V, and the pipelines that the driver makes from it, each when first launched. */
-#include "vk.h"
+#include "backends/vulkan/vk.h"
 #include "spirv.inc"
 
 enum { SPIRV_MAGIC = 0x07230203 };

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "vk.h"
+#include "backends/vulkan/vk.h"
 
 ts_status ts_vk_failed(const char *what, VkResult result)
 {

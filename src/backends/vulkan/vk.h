@@ -4,8 +4,8 @@
 #define TS_BACKENDS_VULKAN_VK_H
 #define VK_NO_PROTOTYPES
 #include <vulkan/vulkan_core.h>
-#include "../device.h"
-#include "../modules.h"
+#include "backends/device.h"
+#include "backends/modules.h"
 
 /* The functions that are called. */
 /* clang-format off */

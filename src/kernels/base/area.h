@@ -1,7 +1,7 @@
 /* A triangle's size: its longest edge and its area. */
-#ifndef TS_KERNELS_AREA_H
-#define TS_KERNELS_AREA_H
-#include "vec.h"
+#ifndef TS_KERNELS_BASE_AREA_H
+#define TS_KERNELS_BASE_AREA_H
+#include "kernels/base/vec.h"
 
 /* k of the longest edge, which runs from corner k to the next; of equal lengths the lowest k. */
 TS_FN u32 ts_k_longest_edge(ts_v3 a, ts_v3 b, ts_v3 c, f32 *length)

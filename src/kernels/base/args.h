@@ -20,9 +20,9 @@
  *   ..._OPT    NULL unless a launch asks for the member
  *
  * The macros take fixed numbers of arguments, since OpenCL C has no variadic macros. */
-#ifndef TS_KERNELS_ARGS_H
-#define TS_KERNELS_ARGS_H
-#include "compat.h"
+#ifndef TS_KERNELS_BASE_ARGS_H
+#define TS_KERNELS_BASE_ARGS_H
+#include "kernels/base/compat.h"
 
 #ifndef TS_ARGS_ALSO /* what backends/args.c makes of the rows */
 #define TS_ARGS_ALSO(type)

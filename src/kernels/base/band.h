@@ -1,8 +1,8 @@
 /* Bands: on devices that stop long loops, n items share the rows of one loop. Item i is band i % n of item i / n, and
  * takes the rows band, band + n, ... */
-#ifndef TS_KERNELS_BAND_H
-#define TS_KERNELS_BAND_H
-#include "compat.h"
+#ifndef TS_KERNELS_BASE_BAND_H
+#define TS_KERNELS_BASE_BAND_H
+#include "kernels/base/compat.h"
 
 typedef struct {
 	u64 item;

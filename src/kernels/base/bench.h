@@ -1,9 +1,9 @@
 /* The limit of scattering: 64-bit minima at random texels. `touchstone bench backends` measures this kernel; no stage
  * runs it. */
-#ifndef TS_KERNELS_BENCH_H
-#define TS_KERNELS_BENCH_H
-#include "args.h"
-#include "num.h"
+#ifndef TS_KERNELS_BASE_BENCH_H
+#define TS_KERNELS_BASE_BENCH_H
+#include "kernels/base/args.h"
+#include "kernels/base/num.h"
 
 #define TS_ROWS_ts_bench_min_args(ARG) \
 	ARG(OUT, u64, texels, cube_face_depth_triangle) /* all empty before the first launch */ \

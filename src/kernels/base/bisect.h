@@ -1,7 +1,7 @@
 /* Bisection of triangles that are too large for one lattice of samples (METHODS 2). */
-#ifndef TS_KERNELS_BISECT_H
-#define TS_KERNELS_BISECT_H
-#include "area.h"
+#ifndef TS_KERNELS_BASE_BISECT_H
+#define TS_KERNELS_BASE_BISECT_H
+#include "kernels/base/area.h"
 
 /* Limits of a lattice: samples of a part; and samples along an edge, so that indices stay below 2^15. */
 #define TS_SPLIT_SAMPLES 65536.0f /* 2^16 */

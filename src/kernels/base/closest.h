@@ -1,8 +1,8 @@
 /* Closest points: on a triangle (by its Voronoi regions), on a segment, on a triangle's border; and the circumcentre of
  * a triangle. */
-#ifndef TS_KERNELS_CLOSEST_H
-#define TS_KERNELS_CLOSEST_H
-#include "vec.h"
+#ifndef TS_KERNELS_BASE_CLOSEST_H
+#define TS_KERNELS_BASE_CLOSEST_H
+#include "kernels/base/vec.h"
 
 TS_FN f32 ts_k_ratio(f32 a, f32 b)
 {

@@ -1,7 +1,7 @@
 /* The only file that asks which language is compiled. Everything else under kernels/ is the common subset of C11,
  * OpenCL C 1.2 and CUDA C: see CONTRIBUTING.md, "Kernels". */
-#ifndef TS_KERNELS_COMPAT_H
-#define TS_KERNELS_COMPAT_H
+#ifndef TS_KERNELS_BASE_COMPAT_H
+#define TS_KERNELS_BASE_COMPAT_H
 
 #if defined(__OPENCL_C_VERSION__)
 
@@ -87,6 +87,7 @@ typedef unsigned char u8;
 
 #else
 
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
@@ -96,7 +97,7 @@ typedef unsigned char u8;
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "the numeric contract needs strict IEEE arithmetic: remove -ffast-math, -Ofast and -ffinite-math-only"
 #endif
-_Static_assert(FLT_EVAL_METHOD == 0, "float expressions must be evaluated as float");
+static_assert(FLT_EVAL_METHOD == 0, "float expressions must be evaluated as float");
 
 typedef float f32;
 typedef int32_t i32;
@@ -153,7 +154,7 @@ static inline i64 ts_next_i64(i64 *p) { return __atomic_fetch_add(p, 1, __ATOMIC
 static inline u32 ts_next_u32(u32 *p) { return __atomic_fetch_add(p, 1u, __ATOMIC_RELAXED); }
 /* Stores 1; other items may store 1 at the same time. */
 static inline void ts_mark_u8(u8 *p) { __atomic_store_n(p, 1, __ATOMIC_RELAXED); }
-#define TS_ASSERT_SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), #type " has padding")
+#define TS_ASSERT_SIZE(type, bytes) static_assert(sizeof(type) == (bytes), #type " has padding")
 
 #endif
 

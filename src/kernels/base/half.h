@@ -1,8 +1,8 @@
 /* Rounding to IEEE binary16, as frame buffers of 16-bit floats do: to nearest, ties to even, by integers (CONTRACT rule
  * 13). No 16-bit type is needed, since every binary16 is a binary32. */
-#ifndef TS_KERNELS_HALF_H
-#define TS_KERNELS_HALF_H
-#include "compat.h"
+#ifndef TS_KERNELS_BASE_HALF_H
+#define TS_KERNELS_BASE_HALF_H
+#include "kernels/base/compat.h"
 
 #define TS_HALF_NORMAL 0x38800000u   /* 2^-14: below it steps are 2^-24, those of the binary32 from 0.5 on */
 #define TS_HALF_OVERFLOW 0x47800000u /* 65536 */

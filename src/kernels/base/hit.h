@@ -1,8 +1,8 @@
 /* The place where a ray meets the plane of a triangle, and the triangle's weights there (METHODS 17). Truths decide
  * elsewhere which triangle a ray meets; this file only measures, and gives finite numbers for every input. */
-#ifndef TS_KERNELS_HIT_H
-#define TS_KERNELS_HIT_H
-#include "scene.h"
+#ifndef TS_KERNELS_BASE_HIT_H
+#define TS_KERNELS_BASE_HIT_H
+#include "kernels/base/scene.h"
 
 typedef struct {
 	f32 t;         /* along the ray, in lengths of its direction */

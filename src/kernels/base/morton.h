@@ -1,7 +1,7 @@
 /* Morton codes of voxels: the bits of x, y and z in turn, x lowest, up to 11 bits each; and a count of set bits. */
-#ifndef TS_KERNELS_MORTON_H
-#define TS_KERNELS_MORTON_H
-#include "compat.h"
+#ifndef TS_KERNELS_BASE_MORTON_H
+#define TS_KERNELS_BASE_MORTON_H
+#include "kernels/base/compat.h"
 
 typedef struct {
 	i32 x, y, z;

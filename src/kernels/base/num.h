@@ -1,9 +1,9 @@
 /* The numeric contract: exact conversions, sanitizing, random numbers and elementary functions.
  * Built from + - * / sqrt on binary32 and integers only, so every conforming device gives the same bits.
  * Domains and errors were measured over every float of the domain; see each function. */
-#ifndef TS_KERNELS_NUM_H
-#define TS_KERNELS_NUM_H
-#include "compat.h"
+#ifndef TS_KERNELS_BASE_NUM_H
+#define TS_KERNELS_BASE_NUM_H
+#include "kernels/base/compat.h"
 
 #define TS_NONE 0xffffffffu
 #define TS_EMPTY 0xffffffffffffffffUL

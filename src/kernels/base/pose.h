@@ -1,9 +1,9 @@
 /* Poses: moving objects follow an ellipse, one turn in `period` frames, or the file's animation (METHODS 2). */
-#ifndef TS_KERNELS_POSE_H
-#define TS_KERNELS_POSE_H
-#include "args.h"
-#include "records.h"
-#include "vec.h"
+#ifndef TS_KERNELS_BASE_POSE_H
+#define TS_KERNELS_BASE_POSE_H
+#include "kernels/base/args.h"
+#include "kernels/base/records.h"
+#include "kernels/base/vec.h"
 
 /* world = centre + (cos * x + sin * z, y, cos * z - sin * x), or what `motion` says */
 typedef struct {

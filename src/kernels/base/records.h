@@ -1,8 +1,10 @@
 /* The records of records.def as structs. */
-#ifndef TS_KERNELS_RECORDS_H
-#define TS_KERNELS_RECORDS_H
-#include "compat.h"
+#ifndef TS_KERNELS_BASE_RECORDS_H
+#define TS_KERNELS_BASE_RECORDS_H
+#include "kernels/base/compat.h"
 
+#ifndef TS_HAS_RECORDS /* <touchstone/records.h> has them, too */
+#define TS_HAS_RECORDS
 #define RECORD(name, doc) typedef struct {
 #define FIELD(type, name, count, doc) TS_FIELD_##count(type, name)
 #define RECORD_END(name, bytes) \
@@ -15,9 +17,10 @@
 #define TS_FIELD_5(type, name) type name[5];
 #define TS_FIELD_6(type, name) type name[6];
 #define TS_FIELD_9(type, name) type name[9];
-#include "../../../include/touchstone/records.def"
+#include <touchstone/records.def>
+#endif
 
 #define RECORD_END(name, bytes) TS_ASSERT_SIZE(name, bytes);
-#include "../../../include/touchstone/records.def"
+#include <touchstone/records.def>
 
 #endif

@@ -1,9 +1,9 @@
 /* Exclusive prefix sums of 32-bit counts in three passes: the sum of every chunk, the sums before every chunk, and the
  * counts before every element. Sums are integers, so the size of chunks never changes a result. */
-#ifndef TS_KERNELS_SCAN_H
-#define TS_KERNELS_SCAN_H
-#include "args.h"
-#include "compat.h"
+#ifndef TS_KERNELS_BASE_SCAN_H
+#define TS_KERNELS_BASE_SCAN_H
+#include "kernels/base/args.h"
+#include "kernels/base/compat.h"
 
 #define TS_ROWS_ts_scan_args(ARG) \
 	ARG(OUT, u32, counts, none) /* n, and one more for the total */ \

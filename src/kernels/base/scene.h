@@ -1,9 +1,9 @@
 /* The arrays of the scene that shading kernels read. */
-#ifndef TS_KERNELS_SCENE_H
-#define TS_KERNELS_SCENE_H
-#include "args.h"
-#include "records.h"
-#include "vec.h"
+#ifndef TS_KERNELS_BASE_SCENE_H
+#define TS_KERNELS_BASE_SCENE_H
+#include "kernels/base/args.h"
+#include "kernels/base/records.h"
+#include "kernels/base/vec.h"
 
 #define TS_ROWS_ts_arrays(ARG) \
 	ARG(IN, ts_vertex, vertices, pose_vertex) /* world space, this frame */ \

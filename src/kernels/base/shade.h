@@ -1,8 +1,8 @@
 /* Lighting: emissive + ambient * base * (1 - metallic) + punctual lights through the BRDF of glTF 2.0 appendix B
  * (GGX, Smith, Schlick, Lambert) (METHODS 4). */
-#ifndef TS_KERNELS_SHADE_H
-#define TS_KERNELS_SHADE_H
-#include "surface.h"
+#ifndef TS_KERNELS_BASE_SHADE_H
+#define TS_KERNELS_BASE_SHADE_H
+#include "kernels/base/surface.h"
 
 #define TS_LIGHT_KIND_DIRECTIONAL 0u
 #define TS_LIGHT_KIND_POINT 1u

@@ -1,8 +1,8 @@
 /* Sorts each list in place by a heap: the triangles or views of the leaves of octrees, and the surfels of pixels, which
  * were appended in any order. */
-#ifndef TS_KERNELS_SORT_H
-#define TS_KERNELS_SORT_H
-#include "args.h"
+#ifndef TS_KERNELS_BASE_SORT_H
+#define TS_KERNELS_BASE_SORT_H
+#include "kernels/base/args.h"
 
 #define TS_ROWS_ts_sort_args(ARG) \
 	ARG(IN, u32, offset, none) /* of each list */ \

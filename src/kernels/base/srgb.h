@@ -1,9 +1,9 @@
 /* Display values (CONTRACT rule 38): the 8-bit sRGB value of a radiance is the number of thresholds that it reaches.
  * Threshold k, from 1, is the least binary32 not below decode((k - 1/2) / 255), decode of IEC 61966-2-1. */
-#ifndef TS_KERNELS_SRGB_H
-#define TS_KERNELS_SRGB_H
-#include "num.h"
-#include "vec.h"
+#ifndef TS_KERNELS_BASE_SRGB_H
+#define TS_KERNELS_BASE_SRGB_H
+#include "kernels/base/num.h"
+#include "kernels/base/vec.h"
 
 TS_CONSTANT f32 ts_srgb_threshold[255] = {
 	0.0001517634955234825611114501953125f,

@@ -1,8 +1,8 @@
 /* The surface: position, normal and material of a triangle at weights of its corners, for eye pixels, face texels,
  * points and ray hits alike (METHODS 4). A footprint is the width of the sample in world units. */
-#ifndef TS_KERNELS_SURFACE_H
-#define TS_KERNELS_SURFACE_H
-#include "texture.h"
+#ifndef TS_KERNELS_BASE_SURFACE_H
+#define TS_KERNELS_BASE_SURFACE_H
+#include "kernels/base/texture.h"
 
 typedef struct {
 	ts_v3 p;    /* position */

@@ -1,8 +1,8 @@
 /* Textures: bilinear filter with fixed-point weights, trilinear between two mip levels, an exact rule for the level
  * (CONTRACT rule 37). Texels are linear, 16 bits per channel, four channels in a u64, red lowest. */
-#ifndef TS_KERNELS_TEXTURE_H
-#define TS_KERNELS_TEXTURE_H
-#include "scene.h"
+#ifndef TS_KERNELS_BASE_TEXTURE_H
+#define TS_KERNELS_BASE_TEXTURE_H
+#include "kernels/base/scene.h"
 
 typedef struct {
 	f32 r, g, b, a;

@@ -1,7 +1,7 @@
 /* Vectors, with one float operation per statement and sums from left to right (rules 5 and 6). */
-#ifndef TS_KERNELS_VEC_H
-#define TS_KERNELS_VEC_H
-#include "num.h"
+#ifndef TS_KERNELS_BASE_VEC_H
+#define TS_KERNELS_BASE_VEC_H
+#include "kernels/base/num.h"
 
 typedef struct {
 	f32 x, y;

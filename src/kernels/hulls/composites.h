@@ -2,12 +2,12 @@
  * their irradiance (hull.h), lamps as triangles (polygon.h). */
 #ifndef TS_KERNELS_HULLS_COMPOSITES_H
 #define TS_KERNELS_HULLS_COMPOSITES_H
-#include "../vectors/composites_row.h"
-#include "corner.h"
-#include "corner_lobes.h"
-#include "hull.h"
-#include "polygon.h"
-#include "vectors.h"
+#include "kernels/hulls/corner.h"
+#include "kernels/hulls/corner_lobes.h"
+#include "kernels/hulls/hull.h"
+#include "kernels/hulls/polygon.h"
+#include "kernels/hulls/vectors.h"
+#include "kernels/vectors/composites_row.h"
 
 TS_ROW_AT(ts_patch)
 TS_ROW_AT(ts_lobes)

@@ -6,13 +6,13 @@
  * (corner.facing=ramp). Lamps hang in the air, so their triangles count in full wherever they face the corner, as all
  * triangles do by the paper. A light without extent is one direction: its weight is pi times the irradiance of a
  * surface that faces the light. Sums are in the order of the triangles, then of the lights. */
-#ifndef TS_KERNELS_CORNER_H
-#define TS_KERNELS_CORNER_H
-#include "../base/args.h"
-#include "form_factor.h"
-#include "depth_grid.h"
-#include "../raster/gpixel.h"
-#include "../base/shade.h"
+#ifndef TS_KERNELS_HULLS_CORNER_H
+#define TS_KERNELS_HULLS_CORNER_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/hulls/depth_grid.h"
+#include "kernels/hulls/form_factor.h"
+#include "kernels/raster/gpixel.h"
 
 #define TS_ROWS_ts_corner_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \

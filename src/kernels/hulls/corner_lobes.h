@@ -2,11 +2,11 @@
  * sum of the weights, phi' the sum of weights times directions divided by m, r the length of phi'. Then phi = phi' / r,
  * lambda follows from r, and mu = m / A(lambda). Without light mu is 0 and lambda 1. If r < 1e-6 there is nearly no
  * direction: the lobe is the same on all sides, and phi is 0. */
-#ifndef TS_KERNELS_CORNER_LOBES_H
-#define TS_KERNELS_CORNER_LOBES_H
-#include "../base/args.h"
-#include "gaussian.h"
-#include "../base/records.h"
+#ifndef TS_KERNELS_HULLS_CORNER_LOBES_H
+#define TS_KERNELS_HULLS_CORNER_LOBES_H
+#include "kernels/base/args.h"
+#include "kernels/base/records.h"
+#include "kernels/hulls/gaussian.h"
 
 TS_FN ts_sg ts_k_fit(f32 m, ts_v3 directions, u32 vmf)
 {

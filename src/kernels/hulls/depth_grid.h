@@ -1,11 +1,11 @@
 /* The depth grid: the screen's depth down-sampled to G x G, G a multiple of 32, in blocks of 32 x 32 (SSAGH section 3).
  * Columns and rows may be scaled differently. A texel shows the pixel at the texel's centre; a pixel lies in the texel
  * at the pixel's centre (METHODS 11). */
-#ifndef TS_KERNELS_DEPTH_GRID_H
-#define TS_KERNELS_DEPTH_GRID_H
-#include "../base/args.h"
-#include "../base/records.h"
-#include "../base/vec.h"
+#ifndef TS_KERNELS_HULLS_DEPTH_GRID_H
+#define TS_KERNELS_HULLS_DEPTH_GRID_H
+#include "kernels/base/args.h"
+#include "kernels/base/records.h"
+#include "kernels/base/vec.h"
 
 #define TS_BLOCK 32u
 #define TS_BLOCK_TEXELS 1024u

@@ -1,12 +1,12 @@
 /* The ground truth of SSAGH section 5: every pixel itself gathers from every triangle of light that faces the pixel. E
  * is the sum of M F, F the form factor of the triangle's part above the pixel's horizon (METHODS 11), plus the
  * irradiance of lights without extent. Sums are in the order of the triangles, then of the lights. */
-#ifndef TS_KERNELS_DIRECT_H
-#define TS_KERNELS_DIRECT_H
-#include "../base/args.h"
-#include "form_factor.h"
-#include "../base/shade.h"
-#include "../raster/gpixel.h"
+#ifndef TS_KERNELS_HULLS_DIRECT_H
+#define TS_KERNELS_HULLS_DIRECT_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/hulls/form_factor.h"
+#include "kernels/raster/gpixel.h"
 
 #define TS_ROWS_ts_direct_args(ARG) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \

@@ -6,9 +6,9 @@
  * small triangle is below 1e-6 over the cosine by which the triangle is turned away, the error of a form factor below
  * 2e-7, wherever the scene is. If p is at a corner, on an edge or in the plane, or the triangle has no area, both are
  * still numbers in their range: vectors without a direction count as 0. */
-#ifndef TS_KERNELS_FORM_FACTOR_H
-#define TS_KERNELS_FORM_FACTOR_H
-#include "../base/vec.h"
+#ifndef TS_KERNELS_HULLS_FORM_FACTOR_H
+#define TS_KERNELS_HULLS_FORM_FACTOR_H
+#include "kernels/base/vec.h"
 
 /* The solid angle Omega, from 0 to 2 pi: tan(Omega / 2) = |a.(b x c)| / (1 + a.b + b.c + c.a), with unit vectors from p
  * to the corners. */

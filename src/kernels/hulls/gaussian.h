@@ -2,9 +2,9 @@
  * direction w, phi a unit vector. The integrals are over the sphere, and with the cosine to a normal n over the
  * hemisphere about n, for the height mu = 1 and sharpness lambda from 0 to 1e5. Where the paper's forms cancel or
  * overflow in single precision, equal forms that do not replace them; errors are within 8e-7. */
-#ifndef TS_KERNELS_GAUSSIAN_H
-#define TS_KERNELS_GAUSSIAN_H
-#include "gaussian_quadrature.h"
+#ifndef TS_KERNELS_HULLS_GAUSSIAN_H
+#define TS_KERNELS_HULLS_GAUSSIAN_H
+#include "kernels/hulls/gaussian_quadrature.h"
 
 #define TS_COSINE_IS_OURS 0u       /* eqs 15 to 18 */
 #define TS_COSINE_IS_CONSTANT 1u   /* eq 7 */

@@ -5,9 +5,9 @@
  *   |x| <= s H = 2 (c x psi + root), root = sqrt(s^2 - x^2), psi the angle of (-c x, root): the ring meets the horizon
  *   else        H = 2 pi max(0, c x): it does not
  * so that there is at most a cap, before the band |x| <= s or behind it, and the band. */
-#ifndef TS_KERNELS_GAUSSIAN_QUADRATURE_H
-#define TS_KERNELS_GAUSSIAN_QUADRATURE_H
-#include "../base/vec.h"
+#ifndef TS_KERNELS_HULLS_GAUSSIAN_QUADRATURE_H
+#define TS_KERNELS_HULLS_GAUSSIAN_QUADRATURE_H
+#include "kernels/base/vec.h"
 
 #define TS_SG_NODES 64u
 #define TS_SG_PI 3.1415927410125732421875f

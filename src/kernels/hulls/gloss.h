@@ -3,15 +3,15 @@
  * Gong, Snyder and Guo 2009). Its product with a lobe of light, by eq. 3, is a Gaussian again, which is integrated with
  * the cosine like diffuse light. V and F change little within a lobe, so their values at the middle of the product are
  * taken. */
-#ifndef TS_KERNELS_GLOSS_H
-#define TS_KERNELS_GLOSS_H
-#include "../base/args.h"
-#include "../base/shade.h"
-#include "../raster/draw.h"
-#include "../raster/eye_sample.h"
-#include "../raster/gpixel.h"
-#include "direct.h"
-#include "hull.h"
+#ifndef TS_KERNELS_HULLS_GLOSS_H
+#define TS_KERNELS_HULLS_GLOSS_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/hulls/direct.h"
+#include "kernels/hulls/hull.h"
+#include "kernels/raster/draw.h"
+#include "kernels/raster/eye_sample.h"
+#include "kernels/raster/gpixel.h"
 
 #define TS_ROWS_ts_gloss_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

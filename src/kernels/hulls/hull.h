@@ -6,12 +6,12 @@
  * interpolated between these pixels and constant beyond. Interpolation is perspective-correct: corners are weighted by
  * 1 / z, which is proportional to 1 - zn. E = mu A_h(lambda, n.phi) / pi, since mu is exitance, and radiance is
  * exitance divided by pi. */
-#ifndef TS_KERNELS_HULL_H
-#define TS_KERNELS_HULL_H
-#include "../base/args.h"
-#include "corner_lobes.h"
-#include "../raster/gpixel.h"
-#include "hull_choice.h"
+#ifndef TS_KERNELS_HULLS_HULL_H
+#define TS_KERNELS_HULLS_HULL_H
+#include "kernels/base/args.h"
+#include "kernels/hulls/corner_lobes.h"
+#include "kernels/hulls/hull_choice.h"
+#include "kernels/raster/gpixel.h"
 
 #define TS_ROWS_ts_hull_args(ARG) \
 	ARG(INNER, ts_choice_args, choice, none) \

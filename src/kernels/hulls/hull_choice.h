@@ -3,10 +3,10 @@
  * none, hull.surface=robust takes a box that covers the pixel and, widened by t (1 - zn), contains its depth; otherwise
  * the box that covers the pixel and is nearest in depth; otherwise another box of the block, then of the blocks around
  * it, ring by ring. */
-#ifndef TS_KERNELS_HULL_CHOICE_H
-#define TS_KERNELS_HULL_CHOICE_H
-#include "../base/args.h"
-#include "depth_grid.h"
+#ifndef TS_KERNELS_HULLS_HULL_CHOICE_H
+#define TS_KERNELS_HULLS_HULL_CHOICE_H
+#include "kernels/base/args.h"
+#include "kernels/hulls/depth_grid.h"
 
 #define TS_ROWS_ts_choice_args(ARG) \
 	ARG(IN, u32, offset, segment_box_offset) \

@@ -2,12 +2,12 @@
  * another. This second pass takes boxes and depths as given and changes no decision. Whether a box contains a depth
  * involves no rounding, and of boxes of the same measure the first is taken; the slack and measures that differ are
  * rounded. */
-#ifndef TS_KERNELS_HULL_MARGIN_H
-#define TS_KERNELS_HULL_MARGIN_H
-#include "../base/args.h"
-#include "../raster/gpixel.h"
-#include "hull_choice.h"
-#include "segment_margin.h"
+#ifndef TS_KERNELS_HULLS_HULL_MARGIN_H
+#define TS_KERNELS_HULLS_HULL_MARGIN_H
+#include "kernels/base/args.h"
+#include "kernels/hulls/hull_choice.h"
+#include "kernels/hulls/segment_margin.h"
+#include "kernels/raster/gpixel.h"
 
 #define TS_ROWS_ts_hull_margin_args(ARG) \
 	ARG(INNER, ts_choice_args, choice, none) \

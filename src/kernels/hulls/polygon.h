@@ -5,10 +5,10 @@
  * disc stands `away` from the middle of the scene. Exitance is I / r^2, so that far off, on the axis, the polygon has
  * the light's intensity I. Lambert's law takes the place of a spot light's cone. A lamp without extent has no
  * triangles: all fields are 0. */
-#ifndef TS_KERNELS_POLYGON_H
-#define TS_KERNELS_POLYGON_H
-#include "../base/shade.h"
-#include "../raster/patch.h"
+#ifndef TS_KERNELS_HULLS_POLYGON_H
+#define TS_KERNELS_HULLS_POLYGON_H
+#include "kernels/base/shade.h"
+#include "kernels/raster/patch.h"
 
 #define TS_LAMP_TRIANGLES 8u
 

@@ -1,10 +1,10 @@
 /* Depth segments of each block of the grid (SSAGH section 3, algorithm 1; METHODS 11). Two neighbours are apart, going
  * from depth d_c to d_n, if |d_c - d_n| > t (1 - d_c): since 1 - zn is proportional to 1 / z, this is a relative step
  * of axial depth. The sky, 1, is apart from everything else. */
-#ifndef TS_KERNELS_SEGMENT_H
-#define TS_KERNELS_SEGMENT_H
-#include "../base/args.h"
-#include "depth_grid.h"
+#ifndef TS_KERNELS_HULLS_SEGMENT_H
+#define TS_KERNELS_HULLS_SEGMENT_H
+#include "kernels/base/args.h"
+#include "kernels/hulls/depth_grid.h"
 
 #define TS_ROWS_ts_segment_args(ARG) \
 	ARG(IN, f32, depths, depth_grid_depth) \

@@ -1,10 +1,10 @@
 /* The boxes of the segments in columns, rows and depth (SSAGH section 3; METHODS 11). Least and greatest values are
  * integer minima, since floats from +0 on sort like their bits. Then the boxes of the labels that texels have, except
  * the sky's, are listed. */
-#ifndef TS_KERNELS_SEGMENT_BOX_H
-#define TS_KERNELS_SEGMENT_BOX_H
-#include "../base/args.h"
-#include "segment.h"
+#ifndef TS_KERNELS_HULLS_SEGMENT_BOX_H
+#define TS_KERNELS_HULLS_SEGMENT_BOX_H
+#include "kernels/base/args.h"
+#include "kernels/hulls/segment.h"
 
 #define TS_RANGE 6u /* least column, row and their complements, bits of depth and their complement */
 #define TS_SKY_BITS 0x3f800000u

@@ -1,10 +1,10 @@
 /* Margins of segment.h, for ports that round otherwise (PORTING 7): how near the segments of a block were to others.
  * This second pass takes depths as given and changes no decision. If one test of two neighbours turns, the labels of
  * all texels connected with either may change, by sweeps as by components; the rest of the block stays. */
-#ifndef TS_KERNELS_SEGMENT_MARGIN_H
-#define TS_KERNELS_SEGMENT_MARGIN_H
-#include "../base/args.h"
-#include "segment.h"
+#ifndef TS_KERNELS_HULLS_SEGMENT_MARGIN_H
+#define TS_KERNELS_HULLS_SEGMENT_MARGIN_H
+#include "kernels/base/args.h"
+#include "kernels/hulls/segment.h"
 
 #define TS_MARGIN_FAR 1048576.0f /* in 8 ulps: the distance of a number from 0 */
 #define TS_BLOCK_PAIRS 2048u     /* pairs of neighbours, and of texels with places beyond the block */

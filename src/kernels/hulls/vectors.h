@@ -2,9 +2,9 @@
  * form_factor.h). */
 #ifndef TS_KERNELS_HULLS_VECTORS_H
 #define TS_KERNELS_HULLS_VECTORS_H
-#include "../vectors/vectors_args.h"
-#include "form_factor.h"
-#include "gaussian.h"
+#include "kernels/hulls/form_factor.h"
+#include "kernels/hulls/gaussian.h"
+#include "kernels/vectors/vectors_args.h"
 
 TS_VECTOR_FLOAT(sg_cosine, ts_k_sg_cosine(TS_A, TS_B, in[2], in[3]))
 TS_VECTOR_FLOAT(sg_sharpness, ts_k_sg_sharpness(TS_A, in[1]))

@@ -1,8 +1,8 @@
 /* Alignment: the lattice of each piece that culling keeps (EPR section 3.2; METHODS 2). */
-#ifndef TS_KERNELS_ALIGN_H
-#define TS_KERNELS_ALIGN_H
-#include "../base/args.h"
-#include "../raster/lattice.h"
+#ifndef TS_KERNELS_POINTS_ALIGN_H
+#define TS_KERNELS_POINTS_ALIGN_H
+#include "kernels/base/args.h"
+#include "kernels/raster/lattice.h"
 
 #define TS_ROWS_ts_align_args(ARG) \
 	ARG(IN, ts_piece, pieces, split_piece) \

@@ -1,8 +1,8 @@
 /* Colours in 32 bits, with the distance (iVIR section 4; METHODS 9) or without it (EPR section 3.5; METHODS 18). */
-#ifndef TS_KERNELS_COLOUR_CODE_H
-#define TS_KERNELS_COLOUR_CODE_H
-#include "../base/num.h"
-#include "../base/vec.h"
+#ifndef TS_KERNELS_POINTS_COLOUR_CODE_H
+#define TS_KERNELS_POINTS_COLOUR_CODE_H
+#include "kernels/base/num.h"
+#include "kernels/base/vec.h"
 
 /* ---- 13 bits of distance and 19 of colour: a 32-bit minimum keeps the nearest ---- */
 

@@ -2,13 +2,13 @@
  * (samples.h), the codes of depth and colour in texels (scatter.h, forward.h). */
 #ifndef TS_KERNELS_POINTS_COMPOSITES_H
 #define TS_KERNELS_POINTS_COMPOSITES_H
-#include "../vectors/composites_row.h"
-#include "cull.h"
-#include "forward.h"
-#include "samples.h"
-#include "scatter.h"
-#include "splat_box.h"
-#include "view_density.h"
+#include "kernels/points/cull.h"
+#include "kernels/points/forward.h"
+#include "kernels/points/samples.h"
+#include "kernels/points/scatter.h"
+#include "kernels/points/splat_box.h"
+#include "kernels/points/view_density.h"
+#include "kernels/vectors/composites_row.h"
 
 TS_ROW_AT(ts_face)
 TS_ROW_AT(ts_offscreen)

@@ -1,10 +1,10 @@
 /* Cube sizes from the eye's resolution (EPR section 3.5; METHODS 2): the larger side of the projected box of the
  * reflector, with hysteresis. */
-#ifndef TS_KERNELS_CUBE_SIZE_H
-#define TS_KERNELS_CUBE_SIZE_H
-#include "../base/args.h"
-#include "../base/pose.h"
-#include "../raster/clip.h"
+#ifndef TS_KERNELS_POINTS_CUBE_SIZE_H
+#define TS_KERNELS_POINTS_CUBE_SIZE_H
+#include "kernels/base/args.h"
+#include "kernels/base/pose.h"
+#include "kernels/raster/clip.h"
 
 #define TS_ROWS_ts_cube_size_args(ARG) \
 	ARG(IN, ts_vertex, vertices, scene_vertex) \

@@ -1,10 +1,10 @@
 /* Stochastic culling: a piece with an area A below a tenth of a pixel is dropped with probability 1 - 10 A (EPR section
  * 3.2; METHODS 2). The same triangles are dropped in every frame. */
-#ifndef TS_KERNELS_CULL_H
-#define TS_KERNELS_CULL_H
-#include "../base/args.h"
-#include "../base/area.h"
-#include "../base/records.h"
+#ifndef TS_KERNELS_POINTS_CULL_H
+#define TS_KERNELS_POINTS_CULL_H
+#include "kernels/base/area.h"
+#include "kernels/base/args.h"
+#include "kernels/base/records.h"
 
 #define TS_ROWS_ts_cull_args(ARG) \
 	ARG(IN, ts_piece, pieces, split_piece) \

@@ -1,9 +1,9 @@
 /* Margins of culling: the distance of each random number from its threshold (PORTING 7). This second pass changes no
  * decision of cull.h. */
-#ifndef TS_KERNELS_CULL_MARGIN_H
-#define TS_KERNELS_CULL_MARGIN_H
-#include "../base/args.h"
-#include "cull.h"
+#ifndef TS_KERNELS_POINTS_CULL_MARGIN_H
+#define TS_KERNELS_POINTS_CULL_MARGIN_H
+#include "kernels/base/args.h"
+#include "kernels/points/cull.h"
 
 #define TS_ROWS_ts_cull_margin_args(ARG) \
 	ARG(INNER, ts_cull_args, cull, none) \

@@ -1,11 +1,11 @@
 /* Density of the points from the eye's resolution (EPR section 4.1.1, eqs 2 and 3; METHODS 2): s = min(rho f_e / min_r
  * d_r, max_r f_r / d_rt) samples per world unit over the reflectors r that may see the triangle. */
-#ifndef TS_KERNELS_DENSITY_H
-#define TS_KERNELS_DENSITY_H
-#include "../base/args.h"
-#include "../base/area.h"
-#include "../base/closest.h"
-#include "../raster/visibility.h"
+#ifndef TS_KERNELS_POINTS_DENSITY_H
+#define TS_KERNELS_POINTS_DENSITY_H
+#include "kernels/base/area.h"
+#include "kernels/base/args.h"
+#include "kernels/base/closest.h"
+#include "kernels/raster/visibility.h"
 
 #define TS_ROWS_ts_density_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

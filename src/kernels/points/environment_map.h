@@ -1,11 +1,11 @@
 /* The copy pass of environment maps: writes the colours of the nearest points to level 0 of the mip chain (iVIR section
  * 5; METHODS 9). */
-#ifndef TS_KERNELS_ENVIRONMENT_MAP_H
-#define TS_KERNELS_ENVIRONMENT_MAP_H
-#include "../base/args.h"
-#include "../base/shade.h"
-#include "../raster/texel_place.h"
-#include "colour_code.h"
+#ifndef TS_KERNELS_POINTS_ENVIRONMENT_MAP_H
+#define TS_KERNELS_POINTS_ENVIRONMENT_MAP_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/points/colour_code.h"
+#include "kernels/raster/texel_place.h"
 
 #define TS_ROWS_ts_environment_map_args(ARG) \
 	ARG(INNER, ts_illuminate_args, to, none) /* without its depth_triangle */ \

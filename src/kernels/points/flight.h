@@ -1,8 +1,8 @@
 /* Points on their way to views: read from where they are stored; or, where none is stored, made again from their index
  * alone (EPR section 3.4; METHODS 18). */
-#ifndef TS_KERNELS_FLIGHT_H
-#define TS_KERNELS_FLIGHT_H
-#include "points.h"
+#ifndef TS_KERNELS_POINTS_FLIGHT_H
+#define TS_KERNELS_POINTS_FLIGHT_H
+#include "kernels/points/points.h"
 
 /* A stored point. Its sample is not stored: x and y are 0. */
 TS_FN ts_flight ts_k_flight_record(const ts_points_args *from, u64 i)

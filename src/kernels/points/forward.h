@@ -1,12 +1,12 @@
 /* Forward shading: every point is lit once, however many texels it fills; a texel holds its colour beside its distance
  * (EPR section 3.5; METHODS 18). A colour has 32 bits, like the index of a point (colour_code.h). */
-#ifndef TS_KERNELS_FORWARD_H
-#define TS_KERNELS_FORWARD_H
-#include "../base/args.h"
-#include "colour_code.h"
-#include "flight.h"
-#include "../raster/visibility.h"
-#include "../base/shade.h"
+#ifndef TS_KERNELS_POINTS_FORWARD_H
+#define TS_KERNELS_POINTS_FORWARD_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/points/colour_code.h"
+#include "kernels/points/flight.h"
+#include "kernels/raster/visibility.h"
 
 #define TS_ROWS_ts_forward_args(ARG) \
 	ARG(INNER, ts_points_args, from, none) \

@@ -1,14 +1,14 @@
 /* Eye-based deferred shading: the samples of reflective pixels look up points in cubes, samples that find a point on a
  * mirror are queued for the next bounce, and every sample takes the colour of its point (EPR sections 4.1.2 to 4.1.4;
  * METHODS 2). */
-#ifndef TS_KERNELS_LOOKUP_H
-#define TS_KERNELS_LOOKUP_H
-#include "../base/args.h"
-#include "flight.h"
-#include "../base/shade.h"
-#include "../raster/cube.h"
-#include "colour_code.h"
-#include "samples.h"
+#ifndef TS_KERNELS_POINTS_LOOKUP_H
+#define TS_KERNELS_POINTS_LOOKUP_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/points/colour_code.h"
+#include "kernels/points/flight.h"
+#include "kernels/points/samples.h"
+#include "kernels/raster/cube.h"
 
 #define TS_ROWS_ts_lookup_args(ARG) \
 	ARG(INNER, ts_points_args, from, none) \

@@ -1,11 +1,11 @@
 /* MVR: reflective pixels look up the mip-mapped cube faces (METHODS 3). */
-#ifndef TS_KERNELS_MIRROR_H
-#define TS_KERNELS_MIRROR_H
-#include "../base/args.h"
-#include "../raster/cube.h"
-#include "../raster/mip.h"
-#include "../base/shade.h"
-#include "samples.h"
+#ifndef TS_KERNELS_POINTS_MIRROR_H
+#define TS_KERNELS_POINTS_MIRROR_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/points/samples.h"
+#include "kernels/raster/cube.h"
+#include "kernels/raster/mip.h"
 
 #define TS_ROWS_ts_mirror_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \

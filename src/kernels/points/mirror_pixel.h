@@ -1,11 +1,11 @@
 /* Reflective pixels of the eye: the surface, and its change to the neighbouring pixels (EPR section 4.1.3; METHODS 2).
  * Gradients are central differences inside the same object, one-sided at its border, otherwise 0. Differences are taken
  * from pixel to pixel; for several samples per pixel, across the square that a sample stands for. */
-#ifndef TS_KERNELS_MIRROR_PIXEL_H
-#define TS_KERNELS_MIRROR_PIXEL_H
-#include "../base/args.h"
-#include "../raster/draw.h"
-#include "../raster/eye_sample.h"
+#ifndef TS_KERNELS_POINTS_MIRROR_PIXEL_H
+#define TS_KERNELS_POINTS_MIRROR_PIXEL_H
+#include "kernels/base/args.h"
+#include "kernels/raster/draw.h"
+#include "kernels/raster/eye_sample.h"
 
 #define TS_ROWS_ts_mirror_pixel_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

@@ -7,11 +7,11 @@
  * Taps may lie far from the receiver, so their depths are compared with the depth of the receiver's plane there, where
  * that is nearer than the receiver: a surface does not shade itself, however steep. The bias is that of all methods
  * (shadow_map.h). */
-#ifndef TS_KERNELS_PCSS_H
-#define TS_KERNELS_PCSS_H
-#include "../base/args.h"
-#include "plane.h"
-#include "../raster/shadow_test.h"
+#ifndef TS_KERNELS_POINTS_PCSS_H
+#define TS_KERNELS_POINTS_PCSS_H
+#include "kernels/base/args.h"
+#include "kernels/points/plane.h"
+#include "kernels/raster/shadow_test.h"
 
 #define TS_N_SEARCH 32u
 #define TS_N_FILTER 64u

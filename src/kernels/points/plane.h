@@ -1,9 +1,9 @@
 /* The plane n.p = d of a surface on the axes of a view, and its axial depth at a place of the image. The ray (x, y,
  * focal) meets the plane at z = d focal / (n.(x, y, focal)), x and y in pixels from the middle; an orthographic ray
  * begins at (x / focal, y / focal) and points straight ahead. */
-#ifndef TS_KERNELS_PLANE_H
-#define TS_KERNELS_PLANE_H
-#include "../raster/view.h"
+#ifndef TS_KERNELS_POINTS_PLANE_H
+#define TS_KERNELS_POINTS_PLANE_H
+#include "kernels/raster/view.h"
 
 typedef struct {
 	ts_v3 n;

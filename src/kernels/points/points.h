@@ -1,11 +1,11 @@
 /* Points: the samples that an aligned piece touches by the conservative test, row by row (EPR sections 3.3, 3.4;
  * METHODS 2). */
-#ifndef TS_KERNELS_POINTS_H
-#define TS_KERNELS_POINTS_H
-#include "../base/args.h"
-#include "../base/area.h"
-#include "../base/band.h"
-#include "../raster/lattice.h"
+#ifndef TS_KERNELS_POINTS_POINTS_H
+#define TS_KERNELS_POINTS_POINTS_H
+#include "kernels/base/area.h"
+#include "kernels/base/args.h"
+#include "kernels/base/band.h"
+#include "kernels/raster/lattice.h"
 
 #define TS_ROWS_ts_points_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

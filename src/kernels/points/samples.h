@@ -1,9 +1,9 @@
 /* The samples of a reflective pixel: 25 offsets of a toroidal Poisson-disc set, the same in every pixel; later bounces
  * use the first four (EPR section 4.1.3; METHODS 2). */
-#ifndef TS_KERNELS_SAMPLES_H
-#define TS_KERNELS_SAMPLES_H
-#include "../base/records.h"
-#include "../base/vec.h"
+#ifndef TS_KERNELS_POINTS_SAMPLES_H
+#define TS_KERNELS_POINTS_SAMPLES_H
+#include "kernels/base/records.h"
+#include "kernels/base/vec.h"
 
 #define TS_N_SAMPLES 25u
 #define TS_N_BOUNCE_SAMPLES 4u

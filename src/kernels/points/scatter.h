@@ -5,14 +5,14 @@
  * By the paper a texel takes the nearest of all points that fall anywhere into it, while MVR takes the triangle that
  * covers its centre. With `centre` a point stands for its triangle: it counts only if the triangle covers the texel's
  * centre, with the depth and colour of the triangle there. */
-#ifndef TS_KERNELS_SCATTER_H
-#define TS_KERNELS_SCATTER_H
-#include "../base/args.h"
-#include "../raster/draw.h"
-#include "colour_code.h"
-#include "cull.h"
-#include "flight.h"
-#include "../base/shade.h"
+#ifndef TS_KERNELS_POINTS_SCATTER_H
+#define TS_KERNELS_POINTS_SCATTER_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/points/colour_code.h"
+#include "kernels/points/cull.h"
+#include "kernels/points/flight.h"
+#include "kernels/raster/draw.h"
 
 #define TS_ROWS_ts_scatter_args(ARG) \
 	ARG(INNER, ts_points_args, from, none) \

@@ -1,11 +1,11 @@
 /* The resolution of shadow cubes from the eye's (EPR section 5.1, eq. 6; METHODS 10): Res_max times the largest d_lt /
  * d_er over the triangles in sight and the light samples; d_lt is the distance from the triangle to the light sample,
  * d_er that to the eye. */
-#ifndef TS_KERNELS_SHADOW_CUBE_SIZE_H
-#define TS_KERNELS_SHADOW_CUBE_SIZE_H
-#include "../base/args.h"
-#include "../base/closest.h"
-#include "../base/scene.h"
+#ifndef TS_KERNELS_POINTS_SHADOW_CUBE_SIZE_H
+#define TS_KERNELS_POINTS_SHADOW_CUBE_SIZE_H
+#include "kernels/base/args.h"
+#include "kernels/base/closest.h"
+#include "kernels/base/scene.h"
 
 #define TS_ROWS_ts_shadow_cube_size_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

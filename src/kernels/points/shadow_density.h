@@ -7,10 +7,10 @@
  * - safe: max_l min((f_e / d_lt) (1 + |l - e| / d_ev), s_l), since d_lx <= |l - e| + d_ex and d_ex >= d_ev;
  * - unit: max_l min(f_e / d_ev, f_l / d_lt), the paper's ratio with pixels per unit in place of distances;
  * - paper: s min(1, max_l d_lt / d_ev), s = max_l s_l, the printed ratio as a share of iVIR's scale. */
-#ifndef TS_KERNELS_SHADOW_DENSITY_H
-#define TS_KERNELS_SHADOW_DENSITY_H
-#include "../base/closest.h"
-#include "view_density.h"
+#ifndef TS_KERNELS_POINTS_SHADOW_DENSITY_H
+#define TS_KERNELS_POINTS_SHADOW_DENSITY_H
+#include "kernels/base/closest.h"
+#include "kernels/points/view_density.h"
 
 #define TS_SHADOW_IS_NONE 0u
 #define TS_SHADOW_IS_SAFE 1u

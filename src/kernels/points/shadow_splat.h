@@ -5,12 +5,12 @@
  * The shadow test compares the depth of a receiver with that of each texel, so one depth for a splat of many texels
  * would throw shadows on the surface itself. Each texel therefore gets the depth of the piece's plane, clamped to the
  * depths of the piece's corners. */
-#ifndef TS_KERNELS_SHADOW_SPLAT_H
-#define TS_KERNELS_SHADOW_SPLAT_H
-#include "../base/args.h"
-#include "plane.h"
-#include "scatter.h"
-#include "splat_box.h"
+#ifndef TS_KERNELS_POINTS_SHADOW_SPLAT_H
+#define TS_KERNELS_POINTS_SHADOW_SPLAT_H
+#include "kernels/base/args.h"
+#include "kernels/points/plane.h"
+#include "kernels/points/scatter.h"
+#include "kernels/points/splat_box.h"
 
 #define TS_ROWS_ts_shadow_splat_args(ARG) \
 	ARG(INNER, ts_scatter_args, of, none) /* of depths; its n_writes are those of points smaller than a texel */ \

@@ -1,11 +1,11 @@
 /* Splatting: draws every point as a square into every face that may see it, by the 64-bit minimum of distance << 32 |
  * point (EPR section 3.5; METHODS 2). A splat has one distance, unless plane_depth asks for that of its plane. */
-#ifndef TS_KERNELS_SPLAT_H
-#define TS_KERNELS_SPLAT_H
-#include "../base/args.h"
-#include "flight.h"
-#include "splat_box.h"
-#include "../raster/visibility.h"
+#ifndef TS_KERNELS_POINTS_SPLAT_H
+#define TS_KERNELS_POINTS_SPLAT_H
+#include "kernels/base/args.h"
+#include "kernels/points/flight.h"
+#include "kernels/points/splat_box.h"
+#include "kernels/raster/visibility.h"
 
 #define TS_ROWS_ts_splat_args(ARG) \
 	ARG(INNER, ts_points_args, from, none) /* points; offset NULL: they are in no order */ \

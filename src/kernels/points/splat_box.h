@@ -1,9 +1,9 @@
 /* A splat in a view: the square as a box of texels, its piece as a cover, and the distance of its plane (EPR section
  * 3.5; METHODS 2). */
-#ifndef TS_KERNELS_SPLAT_BOX_H
-#define TS_KERNELS_SPLAT_BOX_H
-#include "../raster/clip.h"
-#include "../raster/cover.h"
+#ifndef TS_KERNELS_POINTS_SPLAT_BOX_H
+#define TS_KERNELS_POINTS_SPLAT_BOX_H
+#include "kernels/raster/clip.h"
+#include "kernels/raster/cover.h"
 
 TS_FN ts_cover ts_k_cover_of(const ts_camera_k *view, const ts_polygon *polygon, i32 half_size)
 {

@@ -1,9 +1,9 @@
 /* Splats the points of a piece together, with the bits of splat.h: what depends only on the piece and the face is
  * computed once. Edges become lines in (i, j). Since the axes of a cube's face are those of the world except for sign
  * and order, the corners of a square need no products. */
-#ifndef TS_KERNELS_SPLAT_PIECES_H
-#define TS_KERNELS_SPLAT_PIECES_H
-#include "splat.h"
+#ifndef TS_KERNELS_POINTS_SPLAT_PIECES_H
+#define TS_KERNELS_POINTS_SPLAT_PIECES_H
+#include "kernels/points/splat.h"
 
 /* A piece in the view of one face. */
 typedef struct {

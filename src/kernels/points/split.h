@@ -1,10 +1,10 @@
 /* Splitting of triangles that are too large for one density (METHODS 2): a part is bisected while it has more than 2^16
  * samples, or more than 2^14 along an edge; for the watertight rate of iVIR also while some view needs 1.5 times as
  * many samples at one end as at the other (METHODS 9). */
-#ifndef TS_KERNELS_SPLIT_H
-#define TS_KERNELS_SPLIT_H
-#include "../base/bisect.h"
-#include "shadow_density.h"
+#ifndef TS_KERNELS_POINTS_SPLIT_H
+#define TS_KERNELS_POINTS_SPLIT_H
+#include "kernels/base/bisect.h"
+#include "kernels/points/shadow_density.h"
 
 #define TS_MAX_SPLITS 12u
 #define TS_UNEVEN 1.5f

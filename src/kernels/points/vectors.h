@@ -1,8 +1,8 @@
 /* Primitives of points: stochastic culling (cull.h). */
 #ifndef TS_KERNELS_POINTS_VECTORS_H
 #define TS_KERNELS_POINTS_VECTORS_H
-#include "../vectors/vectors_args.h"
-#include "cull.h"
+#include "kernels/points/cull.h"
+#include "kernels/vectors/vectors_args.h"
 
 TS_VECTOR_WORD(cull_threshold, ts_k_cull_threshold(TS_A))
 

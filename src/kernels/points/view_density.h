@@ -2,11 +2,11 @@
  * that of VIR: s = max_v sqrt(1 / A_P(v)) samples per world unit over the views v that may see the triangle, A_P the
  * area on the triangle that one pixel of v covers: z^3 / (f^2 h) at axial depth z, h the distance of v from the
  * plane. */
-#ifndef TS_KERNELS_VIEW_DENSITY_H
-#define TS_KERNELS_VIEW_DENSITY_H
-#include "density.h"
-#include "../raster/offscreen.h"
-#include "../raster/clip.h"
+#ifndef TS_KERNELS_POINTS_VIEW_DENSITY_H
+#define TS_KERNELS_POINTS_VIEW_DENSITY_H
+#include "kernels/points/density.h"
+#include "kernels/raster/clip.h"
+#include "kernels/raster/offscreen.h"
 
 /* Rates: by which each texel whose centre sees the triangle gets a sample (watertight); at the least depth of the part
  * in the frustum (exact, which is 2); at the point closest to the view (the paper); VIR's worst case. */

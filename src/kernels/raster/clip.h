@@ -1,7 +1,7 @@
 /* Triangles as polygons in view space, clipped against planes (CONTRACT rule 16). */
-#ifndef TS_KERNELS_CLIP_H
-#define TS_KERNELS_CLIP_H
-#include "view.h"
+#ifndef TS_KERNELS_RASTER_CLIP_H
+#define TS_KERNELS_RASTER_CLIP_H
+#include "kernels/raster/view.h"
 
 typedef struct {
 	ts_corner corner[TS_MAX_CORNERS];

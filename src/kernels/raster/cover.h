@@ -1,7 +1,7 @@
 /* Conservative rasterization: the pixels that a convex polygon touches, by integer edge functions (rule 19). */
-#ifndef TS_KERNELS_COVER_H
-#define TS_KERNELS_COVER_H
-#include "snap.h"
+#ifndef TS_KERNELS_RASTER_COVER_H
+#define TS_KERNELS_RASTER_COVER_H
+#include "kernels/raster/snap.h"
 
 /* The square of half size h around (x, y) meets the half plane of edge a, b; turned: the polygon's area is negative. */
 TS_FN bool ts_k_square_meets(ts_snapped a, ts_snapped b, bool turned, i32 x, i32 y, i64 half_size)

@@ -1,8 +1,8 @@
 /* Cube maps: the six faces of OpenGL's table as views from the inside, and the texel of a direction (CONTRACT
  * rule 36). */
-#ifndef TS_KERNELS_CUBE_H
-#define TS_KERNELS_CUBE_H
-#include "view.h"
+#ifndef TS_KERNELS_RASTER_CUBE_H
+#define TS_KERNELS_RASTER_CUBE_H
+#include "kernels/raster/view.h"
 
 /* Rows (sc, -tc, -ma) of faces +X -X +Y -Y +Z -Z. */
 TS_CONSTANT f32 ts_cube_row[6][9] = {

@@ -1,8 +1,8 @@
 /* MVR's cube faces: draws every triangle into the keys depth << 32 | triangle of each face (EPR section 4.2). */
-#ifndef TS_KERNELS_CUBE_FACE_H
-#define TS_KERNELS_CUBE_FACE_H
-#include "../base/args.h"
-#include "draw.h"
+#ifndef TS_KERNELS_RASTER_CUBE_FACE_H
+#define TS_KERNELS_RASTER_CUBE_FACE_H
+#include "kernels/base/args.h"
+#include "kernels/raster/draw.h"
 
 #define TS_ROWS_ts_cube_face_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

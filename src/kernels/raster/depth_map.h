@@ -1,8 +1,8 @@
 /* MVR's depth maps: draws every triangle into the depths of each off-screen view (iVIR section 4). */
-#ifndef TS_KERNELS_DEPTH_MAP_H
-#define TS_KERNELS_DEPTH_MAP_H
-#include "../base/args.h"
-#include "draw.h"
+#ifndef TS_KERNELS_RASTER_DEPTH_MAP_H
+#define TS_KERNELS_RASTER_DEPTH_MAP_H
+#include "kernels/base/args.h"
+#include "kernels/raster/draw.h"
 
 #define TS_ROWS_ts_depth_map_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

@@ -1,14 +1,14 @@
 /* Draws triangles into a buffer of keys depth << 32 | triangle (the eye and MVR's cube faces), or of depths alone
  * (MVR's shadow maps). Standard rasterization, axial depth; of equal depths the lowest triangle wins (CONTRACT rules
  * 18, 22, 24). */
-#ifndef TS_KERNELS_DRAW_H
-#define TS_KERNELS_DRAW_H
-#include "clip.h"
-#include "offscreen.h"
-#include "raster.h"
-#include "target.h"
-#include "../base/band.h"
-#include "../base/surface.h"
+#ifndef TS_KERNELS_RASTER_DRAW_H
+#define TS_KERNELS_RASTER_DRAW_H
+#include "kernels/base/band.h"
+#include "kernels/base/surface.h"
+#include "kernels/raster/clip.h"
+#include "kernels/raster/offscreen.h"
+#include "kernels/raster/raster.h"
+#include "kernels/raster/target.h"
 
 /* Width, in world units, of the part of the triangle that the fragment's colour stands for. */
 TS_FN f32 ts_k_fragment_footprint(const ts_camera_k *view, const ts_corners *t, const ts_fragment *fragment)

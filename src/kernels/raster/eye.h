@@ -1,9 +1,9 @@
 /* The eye's view: draws every triangle that faces the eye into the keys depth << 32 | triangle (EPR section 4.1.3). */
-#ifndef TS_KERNELS_EYE_H
-#define TS_KERNELS_EYE_H
-#include "../base/args.h"
-#include "draw.h"
-#include "eye_sample.h"
+#ifndef TS_KERNELS_RASTER_EYE_H
+#define TS_KERNELS_RASTER_EYE_H
+#include "kernels/base/args.h"
+#include "kernels/raster/draw.h"
+#include "kernels/raster/eye_sample.h"
 
 #define TS_ROWS_ts_eye_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

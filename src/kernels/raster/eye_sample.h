@@ -5,9 +5,9 @@
  * Buffers of the eye have eye_rows rows: one picture per sample, one below the other. A sample's view is the eye's view
  * with the image shifted, so that the sample lies where the middle of the pixel was. Snapped corners move by whole
  * 1/256 pixels, so all samples see the same edges. */
-#ifndef TS_KERNELS_EYE_SAMPLE_H
-#define TS_KERNELS_EYE_SAMPLE_H
-#include "view.h"
+#ifndef TS_KERNELS_RASTER_EYE_SAMPLE_H
+#define TS_KERNELS_RASTER_EYE_SAMPLE_H
+#include "kernels/raster/view.h"
 
 #define TS_N_EYE_SAMPLES 4u
 

@@ -1,11 +1,11 @@
 /* The G-buffer of screen-space methods (SSAGH section 3; METHODS 11): what the eye sees in each pixel. */
-#ifndef TS_KERNELS_GBUFFER_H
-#define TS_KERNELS_GBUFFER_H
-#include "../base/args.h"
-#include "draw.h"
-#include "eye_sample.h"
-#include "gpixel.h"
-#include "patch.h"
+#ifndef TS_KERNELS_RASTER_GBUFFER_H
+#define TS_KERNELS_RASTER_GBUFFER_H
+#include "kernels/base/args.h"
+#include "kernels/raster/draw.h"
+#include "kernels/raster/eye_sample.h"
+#include "kernels/raster/gpixel.h"
+#include "kernels/raster/patch.h"
 
 #define TS_ROWS_ts_gbuffer_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

@@ -1,9 +1,9 @@
 /* A pixel of the G-buffer of screen-space methods (SSAGH section 3; METHODS 11). Its depth is zn = 1 - near / z, with
  * the far plane at infinity, so that 1 - zn is proportional to 1 / z; thresholds and interpolation of hulls rely on
  * that. zn is 1 for the sky, and for nothing else. */
-#ifndef TS_KERNELS_GPIXEL_H
-#define TS_KERNELS_GPIXEL_H
-#include "view.h"
+#ifndef TS_KERNELS_RASTER_GPIXEL_H
+#define TS_KERNELS_RASTER_GPIXEL_H
+#include "kernels/raster/view.h"
 
 #define TS_SKY 1.0f
 #define TS_DEEPEST 0.999999940395355224609375f /* 1 - 2^-24: the last number before the sky */

@@ -1,9 +1,9 @@
 /* MVR: deferred shading of every texel of the cube faces, and their mip chain (METHODS 3). */
-#ifndef TS_KERNELS_ILLUMINATE_H
-#define TS_KERNELS_ILLUMINATE_H
-#include "draw.h"
-#include "texel_place.h"
-#include "../base/shade.h"
+#ifndef TS_KERNELS_RASTER_ILLUMINATE_H
+#define TS_KERNELS_RASTER_ILLUMINATE_H
+#include "kernels/base/shade.h"
+#include "kernels/raster/draw.h"
+#include "kernels/raster/texel_place.h"
 
 /* Radiance of a triangle that the centre of a cube sees through a texel. */
 TS_FN ts_v3 ts_k_texel_radiance(const ts_illuminate_args *args, const ts_texel_place *place, u32 triangle)

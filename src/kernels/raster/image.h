@@ -1,12 +1,12 @@
 /* The picture: mirrors show their reflection; every other surface is shaded where the eye sees it, by the light that
  * reaches it. */
-#ifndef TS_KERNELS_IMAGE_H
-#define TS_KERNELS_IMAGE_H
-#include "../base/args.h"
-#include "draw.h"
-#include "eye_sample.h"
-#include "../base/shade.h"
-#include "../base/srgb.h"
+#ifndef TS_KERNELS_RASTER_IMAGE_H
+#define TS_KERNELS_RASTER_IMAGE_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/base/srgb.h"
+#include "kernels/raster/draw.h"
+#include "kernels/raster/eye_sample.h"
 
 #define TS_ROWS_ts_image_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

@@ -1,11 +1,11 @@
 /* The picture of indirect light alone, or of the light of lamps: Lo = albedo / pi E (METHODS 11), plus specular
  * reflection if there is any; the sky has the background. */
-#ifndef TS_KERNELS_INDIRECT_H
-#define TS_KERNELS_INDIRECT_H
-#include "../base/args.h"
-#include "gpixel.h"
-#include "../base/shade.h"
-#include "../base/srgb.h"
+#ifndef TS_KERNELS_RASTER_INDIRECT_H
+#define TS_KERNELS_RASTER_INDIRECT_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/base/srgb.h"
+#include "kernels/raster/gpixel.h"
 
 #define TS_BOUNCE_GAIN 8.0f /* light of one bounce is dim beside direct light */
 

@@ -1,11 +1,11 @@
 /* The lattice of samples in the plane of a piece: its frame, the samples that the piece touches by the conservative
  * test, and the surface that a sample shows (EPR sections 3.2, 3.3; METHODS 2). */
-#ifndef TS_KERNELS_LATTICE_H
-#define TS_KERNELS_LATTICE_H
-#include "../base/area.h"
-#include "../base/closest.h"
-#include "../base/surface.h"
-#include "cover.h"
+#ifndef TS_KERNELS_RASTER_LATTICE_H
+#define TS_KERNELS_RASTER_LATTICE_H
+#include "kernels/base/area.h"
+#include "kernels/base/closest.h"
+#include "kernels/base/surface.h"
+#include "kernels/raster/cover.h"
 
 /* The lattice coordinates of a point p of the plane. */
 TS_FN ts_v2 ts_k_lattice(ts_v3 c, ts_v3 u, ts_v3 v, f32 s, ts_v3 p)

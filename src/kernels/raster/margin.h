@@ -1,12 +1,12 @@
 /* Margins: how near each decision was to another answer, for ports that may decide otherwise (PORTING 7). Margin stages
  * are a second pass and change no decision. Standard rasterization has two: the distance of a pixel's centre from the
  * edges that matter there, and the distance of the winning depth from the depth that nearly won. */
-#ifndef TS_KERNELS_MARGIN_H
-#define TS_KERNELS_MARGIN_H
-#include "../base/args.h"
-#include "draw.h"
-#include "eye_sample.h"
-#include "margin_bounds.h"
+#ifndef TS_KERNELS_RASTER_MARGIN_H
+#define TS_KERNELS_RASTER_MARGIN_H
+#include "kernels/base/args.h"
+#include "kernels/raster/draw.h"
+#include "kernels/raster/eye_sample.h"
+#include "kernels/raster/margin_bounds.h"
 
 /* Two minima per pixel, as f32 bits: the distance to an edge, in 1/256 pixel along the axes; and how far another depth
  * lies behind, in units of the change of both depths per such step in the image. In maps of depths alone the triangle

@@ -1,7 +1,7 @@
 /* How near another answer counts, and where the least margin is kept (margin.h). */
-#ifndef TS_KERNELS_MARGIN_BOUNDS_H
-#define TS_KERNELS_MARGIN_BOUNDS_H
-#include "../base/num.h"
+#ifndef TS_KERNELS_RASTER_MARGIN_BOUNDS_H
+#define TS_KERNELS_RASTER_MARGIN_BOUNDS_H
+#include "kernels/base/num.h"
 
 #define TS_MARGIN_REACH 4.0f                       /* edges farther outside do not matter, in 1/256 pixel */
 #define TS_MARGIN_NEAR 0.015625f                   /* nor do depths farther behind than 4 steps + this share of depth */

@@ -1,8 +1,8 @@
 /* Mip chains of cubes: places of the levels, from six faces of n x n texels down to six texels (METHODS 3). */
-#ifndef TS_KERNELS_MIP_H
-#define TS_KERNELS_MIP_H
-#include "../base/num.h"
-#include "../base/records.h"
+#ifndef TS_KERNELS_RASTER_MIP_H
+#define TS_KERNELS_RASTER_MIP_H
+#include "kernels/base/num.h"
+#include "kernels/base/records.h"
 
 /* Texels of the levels of one cube before `level`; level TS_NONE: of all of them. */
 TS_FN u64 ts_k_mip_texels(u32 n, u32 level)

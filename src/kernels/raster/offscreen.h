@@ -1,10 +1,10 @@
 /* Off-screen views: cube faces and the depth maps of lights, and which of them may see a triangle (iVIR section 3.1;
  * METHODS 9). */
-#ifndef TS_KERNELS_OFFSCREEN_H
-#define TS_KERNELS_OFFSCREEN_H
-#include "../base/args.h"
-#include "cube.h"
-#include "visibility.h"
+#ifndef TS_KERNELS_RASTER_OFFSCREEN_H
+#define TS_KERNELS_RASTER_OFFSCREEN_H
+#include "kernels/base/args.h"
+#include "kernels/raster/cube.h"
+#include "kernels/raster/visibility.h"
 
 TS_FN ts_camera_k ts_k_offscreen(TS_GLOBAL const ts_offscreen *view)
 {

@@ -1,9 +1,9 @@
 /* A texel of a reflective shadow map as a triangle of light (SSAGH section 5; METHODS 11): its area, its corners, and
  * what it reflects. rsm.h has the formulas. */
-#ifndef TS_KERNELS_PATCH_H
-#define TS_KERNELS_PATCH_H
-#include "../base/surface.h"
-#include "view.h"
+#ifndef TS_KERNELS_RASTER_PATCH_H
+#define TS_KERNELS_RASTER_PATCH_H
+#include "kernels/base/surface.h"
+#include "kernels/raster/view.h"
 
 #define TS_LEAST_LIT 0.015625f
 

@@ -1,8 +1,8 @@
 /* Standard rasterization: covered pixels by integer edge functions and the top-left rule, and what a triangle shows
  * there (CONTRACT rules 17 to 23). */
-#ifndef TS_KERNELS_RASTER_H
-#define TS_KERNELS_RASTER_H
-#include "snap.h"
+#ifndef TS_KERNELS_RASTER_RASTER_H
+#define TS_KERNELS_RASTER_RASTER_H
+#include "kernels/raster/snap.h"
 
 TS_FN bool ts_k_is_top_left(ts_snapped a, ts_snapped b) { return b.y < a.y || (b.y == a.y && b.x > a.x); }
 

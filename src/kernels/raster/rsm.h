@@ -5,12 +5,12 @@
  * the way to the light, sees of the surface A = (z / f)^2 (z / d) / cos theta; orthographic (1 / f)^2 / cos theta. It
  * becomes an equilateral triangle of this area about x_p, in the plane of the face: a flat wall does not light itself.
  * Its exitance is M = rho E, E the irradiance at x_p, rho base colour times 1 - metallic. cos theta >= 2^-6 in A. */
-#ifndef TS_KERNELS_RSM_H
-#define TS_KERNELS_RSM_H
-#include "../base/args.h"
-#include "draw.h"
-#include "patch.h"
-#include "../base/shade.h"
+#ifndef TS_KERNELS_RASTER_RSM_H
+#define TS_KERNELS_RASTER_RSM_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/raster/draw.h"
+#include "kernels/raster/patch.h"
 
 #define TS_ROWS_ts_rsm_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

@@ -3,10 +3,10 @@
  * or p is outside the map. bias = b w + b_s slope: w is the width of a texel at p; slope is the change of the surface's
  * depth from texel to texel, z^2 |n_xy| / (f |n.(eye - p)|), since 1/z is linear in the image. In orthographic views w
  * is 1/f and slope |n_xy| / (f |n_z|). */
-#ifndef TS_KERNELS_SHADOW_MAP_H
-#define TS_KERNELS_SHADOW_MAP_H
-#include "../base/args.h"
-#include "offscreen.h"
+#ifndef TS_KERNELS_RASTER_SHADOW_MAP_H
+#define TS_KERNELS_RASTER_SHADOW_MAP_H
+#include "kernels/base/args.h"
+#include "kernels/raster/offscreen.h"
 
 #define TS_ROWS_ts_shadow_test_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

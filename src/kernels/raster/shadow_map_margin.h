@@ -2,10 +2,10 @@
  * decision. One step is 1/256 texel of the map, plus the distance that the receiver moves in the map if the
  * eye's pixel moves by 1/256. The margins assume that depths of the map change as the receiver's surface does. margin.h
  * judges the maps themselves and the eye's triangle. */
-#ifndef TS_KERNELS_SHADOW_MAP_MARGIN_H
-#define TS_KERNELS_SHADOW_MAP_MARGIN_H
-#include "margin_bounds.h"
-#include "shadow_map.h"
+#ifndef TS_KERNELS_RASTER_SHADOW_MAP_MARGIN_H
+#define TS_KERNELS_RASTER_SHADOW_MAP_MARGIN_H
+#include "kernels/raster/margin_bounds.h"
+#include "kernels/raster/shadow_map.h"
 
 /* The greatest distance, in world units, of the receivers of two neighbouring pixels of the eye. */
 TS_FN f32 ts_k_receiver_step(const ts_camera_k *eye, const ts_receiver *at)

@@ -1,9 +1,9 @@
 /* The light samples that reach the pixels of the eye, by the rule of shadow_map.h. */
-#ifndef TS_KERNELS_SHADOW_TEST_H
-#define TS_KERNELS_SHADOW_TEST_H
-#include "draw.h"
-#include "eye_sample.h"
-#include "shadow_map.h"
+#ifndef TS_KERNELS_RASTER_SHADOW_TEST_H
+#define TS_KERNELS_RASTER_SHADOW_TEST_H
+#include "kernels/raster/draw.h"
+#include "kernels/raster/eye_sample.h"
+#include "kernels/raster/shadow_map.h"
 
 TS_FN ts_receiver ts_k_receiver(const ts_arrays *scene, const ts_camera_k *eye, u64 key, i32 x, i32 y)
 {

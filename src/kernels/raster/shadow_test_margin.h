@@ -1,9 +1,9 @@
 /* Margins of the shadows of the eye's pixels, by shadow_map_margin.h: a second pass, which changes no decision. */
-#ifndef TS_KERNELS_SHADOW_TEST_MARGIN_H
-#define TS_KERNELS_SHADOW_TEST_MARGIN_H
-#include "../base/args.h"
-#include "shadow_map_margin.h"
-#include "shadow_test.h"
+#ifndef TS_KERNELS_RASTER_SHADOW_TEST_MARGIN_H
+#define TS_KERNELS_RASTER_SHADOW_TEST_MARGIN_H
+#include "kernels/base/args.h"
+#include "kernels/raster/shadow_map_margin.h"
+#include "kernels/raster/shadow_test.h"
 
 /* Two minima per pixel and light, over the light's views, as f32 bits: the distance to a texel with another answer, in
  * steps along the axes; and the distance of z from map + bias, in units of the change of both depths per step. */

@@ -1,9 +1,9 @@
 /* Corners snapped to 24.8 fixed point, their edge function, and boxes of pixels (CONTRACT rules 15, 17, 19). y grows
  * downward.
  * Numeric format: snapped coordinates are i32 with 8 fraction bits and |x| < 2^23; edges are i64 with |E| <= 2^49. */
-#ifndef TS_KERNELS_SNAP_H
-#define TS_KERNELS_SNAP_H
-#include "view.h"
+#ifndef TS_KERNELS_RASTER_SNAP_H
+#define TS_KERNELS_RASTER_SNAP_H
+#include "kernels/raster/view.h"
 
 typedef struct {
 	i32 x, y;

@@ -1,7 +1,7 @@
 /* Buffers that are drawn into: keys depth << 32 | triangle, or depths alone (CONTRACT rule 24). */
-#ifndef TS_KERNELS_TARGET_H
-#define TS_KERNELS_TARGET_H
-#include "../base/num.h"
+#ifndef TS_KERNELS_RASTER_TARGET_H
+#define TS_KERNELS_RASTER_TARGET_H
+#include "kernels/base/num.h"
 
 /* Texels of one view: keys, or depths alone; the other pointer is NULL. */
 typedef struct {

@@ -1,9 +1,9 @@
 /* Texels of a batch of cubes, and what shades them. */
-#ifndef TS_KERNELS_TEXEL_PLACE_H
-#define TS_KERNELS_TEXEL_PLACE_H
-#include "../base/args.h"
-#include "../base/scene.h"
-#include "mip.h"
+#ifndef TS_KERNELS_RASTER_TEXEL_PLACE_H
+#define TS_KERNELS_RASTER_TEXEL_PLACE_H
+#include "kernels/base/args.h"
+#include "kernels/base/scene.h"
+#include "kernels/raster/mip.h"
 
 #define TS_ROWS_ts_illuminate_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

@@ -1,8 +1,8 @@
 /* Views: a camera in registers, and points in view space. */
-#ifndef TS_KERNELS_VIEW_H
-#define TS_KERNELS_VIEW_H
-#include "../base/records.h"
-#include "../base/vec.h"
+#ifndef TS_KERNELS_RASTER_VIEW_H
+#define TS_KERNELS_RASTER_VIEW_H
+#include "kernels/base/records.h"
+#include "kernels/base/vec.h"
 
 #define TS_MAX_CORNERS 8 /* of a triangle that five planes cut */
 

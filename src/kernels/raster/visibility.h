@@ -1,10 +1,10 @@
 /* Visibility bits: the faces of cubes that may see a triangle (EPR section 3.1; METHODS 2). Face f of cube r has bit 6
  * r + f. The tangent of half a face's field of view is 1. */
-#ifndef TS_KERNELS_VISIBILITY_H
-#define TS_KERNELS_VISIBILITY_H
-#include "../base/args.h"
-#include "cube.h"
-#include "../base/scene.h"
+#ifndef TS_KERNELS_RASTER_VISIBILITY_H
+#define TS_KERNELS_RASTER_VISIBILITY_H
+#include "kernels/base/args.h"
+#include "kernels/base/scene.h"
+#include "kernels/raster/cube.h"
 
 #define TS_ROWS_ts_visibility_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

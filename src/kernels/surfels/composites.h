@@ -1,9 +1,9 @@
 /* Composites of surfels: a surfel in a view (surfel_setup.h), its fragments (fragment.h), their light (deferred.h). */
 #ifndef TS_KERNELS_SURFELS_COMPOSITES_H
 #define TS_KERNELS_SURFELS_COMPOSITES_H
-#include "../vectors/composites_row.h"
-#include "deferred.h"
-#include "fragment.h"
+#include "kernels/surfels/deferred.h"
+#include "kernels/surfels/fragment.h"
+#include "kernels/vectors/composites_row.h"
 
 TS_ROW_AT(ts_surfel)
 TS_ROW_AT(ts_disc)

@@ -2,13 +2,13 @@
  * however many surfels overlap there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32. NPR paints in
  * three tones without a highlight, and draws a black outline where the surface ends in front of a farther surface or
  * the sky. */
-#ifndef TS_KERNELS_DEFERRED_H
-#define TS_KERNELS_DEFERRED_H
-#include "../base/args.h"
-#include "../raster/gpixel.h"
-#include "../raster/shadow_map.h"
-#include "../base/shade.h"
-#include "../base/srgb.h"
+#ifndef TS_KERNELS_SURFELS_DEFERRED_H
+#define TS_KERNELS_SURFELS_DEFERRED_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/base/srgb.h"
+#include "kernels/raster/gpixel.h"
+#include "kernels/raster/shadow_map.h"
 
 #define TS_SHADER_IS_PHONG 0u
 #define TS_SHADER_IS_NPR 1u

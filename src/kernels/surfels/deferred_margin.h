@@ -1,10 +1,10 @@
 /* Margins of deferred.h, for ports that round otherwise (PORTING 7): how near deferred shading was to another answer.
  * This second pass takes the G-buffer as given and changes no decision. A step is 8 ulps of the compared numbers. */
-#ifndef TS_KERNELS_DEFERRED_MARGIN_H
-#define TS_KERNELS_DEFERRED_MARGIN_H
-#include "../base/args.h"
-#include "deferred.h"
-#include "../raster/shadow_map_margin.h"
+#ifndef TS_KERNELS_SURFELS_DEFERRED_MARGIN_H
+#define TS_KERNELS_SURFELS_DEFERRED_MARGIN_H
+#include "kernels/base/args.h"
+#include "kernels/raster/shadow_map_margin.h"
+#include "kernels/surfels/deferred.h"
 
 #define TS_ROWS_ts_deferred_margin_args(ARG) \
 	ARG(INNER, ts_deferred_args, of, none) \

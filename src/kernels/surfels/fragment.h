@@ -2,9 +2,9 @@
  *     r3D = sqrt(a a + b b),  r2D = |d| / sigma,  r = min(r3D, r2D),  w = exp(-1/2 (r / ewa.sigma_k)^2) where r <= 1,
  * d the offset of the pixel's middle from the projected centre. Exact EWA weighs by the peak times exp(-1/2 d V^-1 d),
  * where d V^-1 d <= 4. Where r3D > 1 a fragment has the depth of the centre. */
-#ifndef TS_KERNELS_FRAGMENT_H
-#define TS_KERNELS_FRAGMENT_H
-#include "surfel_setup.h"
+#ifndef TS_KERNELS_SURFELS_FRAGMENT_H
+#define TS_KERNELS_SURFELS_FRAGMENT_H
+#include "kernels/surfels/surfel_setup.h"
 
 typedef struct {
 	f32 z;        /* axial depth */

@@ -1,8 +1,8 @@
 /* Lists of the surfels of every pixel's fragments (METHODS 16), for sums that depend on an order. */
-#ifndef TS_KERNELS_FRAGMENT_LIST_H
-#define TS_KERNELS_FRAGMENT_LIST_H
-#include "../base/args.h"
-#include "surfel_blend.h"
+#ifndef TS_KERNELS_SURFELS_FRAGMENT_LIST_H
+#define TS_KERNELS_SURFELS_FRAGMENT_LIST_H
+#include "kernels/base/args.h"
+#include "kernels/surfels/surfel_blend.h"
 
 #define TS_ROWS_ts_fragment_list_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \

@@ -6,10 +6,10 @@
  * (a_j, b_j) is the place of neighbour j in the surfel's plane. w = max(n . n_j, 0), since the back of a thin sheet
  * does not affect its front. r is small, so that neighbours along a line give the shortest slopes. Nothing is
  * decided. */
-#ifndef TS_KERNELS_NORMAL_FIELD_H
-#define TS_KERNELS_NORMAL_FIELD_H
-#include "../base/args.h"
-#include "surfel_setup.h"
+#ifndef TS_KERNELS_SURFELS_NORMAL_FIELD_H
+#define TS_KERNELS_SURFELS_NORMAL_FIELD_H
+#include "kernels/base/args.h"
+#include "kernels/surfels/surfel_setup.h"
 
 #define TS_FIELD_NEIGHBOURS 8u
 #define TS_FIELD_SLOPES 6u /* n_a, n_b */

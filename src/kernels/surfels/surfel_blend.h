@@ -6,10 +6,10 @@
  * clamped to [0,1], a component of a normal is at most 1 + 2^-22; so no term passes 2^31 - 1 and no sum 2^63. A term
  * has an error of at most 2^-31, the mean of n fragments one of at most n 2^-30 over the sum of weights, which at a
  * covered pixel is at least e^(-1/2 ewa.sigma_k^-2). */
-#ifndef TS_KERNELS_SURFEL_BLEND_H
-#define TS_KERNELS_SURFEL_BLEND_H
-#include "../base/args.h"
-#include "fragment.h"
+#ifndef TS_KERNELS_SURFELS_SURFEL_BLEND_H
+#define TS_KERNELS_SURFELS_SURFEL_BLEND_H
+#include "kernels/base/args.h"
+#include "kernels/surfels/fragment.h"
 
 #define TS_BLEND_BITS 30
 #define TS_BLEND_WEIGHT 6u /* places in a pixel's sums */

@@ -2,11 +2,11 @@
  * G-buffer that meshes have too, so that any deferred shader can shade it, once per pixel. Where normals cancel, the
  * normal is that of the heaviest fragment; where no surfel's ellipse is met, the depth is that of the heaviest
  * fragment. */
-#ifndef TS_KERNELS_SURFEL_BLEND_MEAN_H
-#define TS_KERNELS_SURFEL_BLEND_MEAN_H
-#include "../base/args.h"
-#include "surfel_blend.h"
-#include "../raster/gpixel.h"
+#ifndef TS_KERNELS_SURFELS_SURFEL_BLEND_MEAN_H
+#define TS_KERNELS_SURFELS_SURFEL_BLEND_MEAN_H
+#include "kernels/base/args.h"
+#include "kernels/raster/gpixel.h"
+#include "kernels/surfels/surfel_blend.h"
 
 #define TS_LEAST_NORMAL TS_LEAST_SLANT /* length of the mean of unit normals */
 

@@ -7,11 +7,11 @@
  *
  * Results are written in units of 2^-30, like integer sums: sums of at least 2^-6 exactly, smaller sums rounded to the
  * nearest. */
-#ifndef TS_KERNELS_SURFEL_BLEND_ORDER_H
-#define TS_KERNELS_SURFEL_BLEND_ORDER_H
-#include "../base/args.h"
-#include "surfel_blend.h"
-#include "../base/half.h"
+#ifndef TS_KERNELS_SURFELS_SURFEL_BLEND_ORDER_H
+#define TS_KERNELS_SURFELS_SURFEL_BLEND_ORDER_H
+#include "kernels/base/args.h"
+#include "kernels/base/half.h"
+#include "kernels/surfels/surfel_blend.h"
 
 #define TS_ACCUMULATION_IS_HALF 2u
 #define TS_ACCUMULATION_IS_8BIT 3u

@@ -2,12 +2,12 @@
  * ellipse, at the depth at which the ray meets its plane plus epsilon along the ray, by integer minimum. So the least
  * depth belongs to the nearest surfel, and the surfels that blend with it lie before this depth. Depth maps of lights
  * are made the same way. */
-#ifndef TS_KERNELS_SURFEL_DEPTH_H
-#define TS_KERNELS_SURFEL_DEPTH_H
-#include "../base/args.h"
-#include "../raster/offscreen.h"
-#include "../raster/target.h"
-#include "fragment.h"
+#ifndef TS_KERNELS_SURFELS_SURFEL_DEPTH_H
+#define TS_KERNELS_SURFELS_SURFEL_DEPTH_H
+#include "kernels/base/args.h"
+#include "kernels/raster/offscreen.h"
+#include "kernels/raster/target.h"
+#include "kernels/surfels/fragment.h"
 
 TS_FN void ts_k_disc_draw(const ts_disc *disc, const ts_camera_k *view, f32 epsilon, u32 surfel,
                           const ts_target *target)

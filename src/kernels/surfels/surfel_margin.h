@@ -3,11 +3,11 @@
  * surfel's distance from the eye and from the origin, which move its image and its depth; of its radius, which changes
  * its shape; and of each result. Boxes are taken as given: outside a box nothing is covered, except where boxes cut off
  * exact EWA, or those of surfel_setup.bounds=botsch cut off ellipses. */
-#ifndef TS_KERNELS_SURFEL_MARGIN_H
-#define TS_KERNELS_SURFEL_MARGIN_H
-#include "../base/args.h"
-#include "surfel_blend.h"
-#include "../raster/margin_bounds.h"
+#ifndef TS_KERNELS_SURFELS_SURFEL_MARGIN_H
+#define TS_KERNELS_SURFELS_SURFEL_MARGIN_H
+#include "kernels/base/args.h"
+#include "kernels/raster/margin_bounds.h"
+#include "kernels/surfels/surfel_blend.h"
 
 #define TS_ROWS_ts_surfel_margin_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \

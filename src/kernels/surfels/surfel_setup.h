@@ -15,10 +15,10 @@
  *
  * For a surfel that crosses the near plane with its centre before the plane, the farthest point takes the place of the
  * centre, and the (a, b) of that point are added. The centre then has no image, so the screen filter does not apply. */
-#ifndef TS_KERNELS_SURFEL_SETUP_H
-#define TS_KERNELS_SURFEL_SETUP_H
-#include "../base/args.h"
-#include "../raster/view.h"
+#ifndef TS_KERNELS_SURFELS_SURFEL_SETUP_H
+#define TS_KERNELS_SURFELS_SURFEL_SETUP_H
+#include "kernels/base/args.h"
+#include "kernels/raster/view.h"
 
 #define TS_FILTER_IS_MIN 0u    /* r = min(r3D, r2D) */
 #define TS_FILTER_IS_OBJECT 1u /* r3D */

@@ -7,12 +7,12 @@
  *
  * Colours are those of a frame buffer: exposed, and clamped to [0,1]. There are no shadows and no outlines; deferred.h
  * finds these in the blended G-buffer. */
-#ifndef TS_KERNELS_SURFEL_SHADE_H
-#define TS_KERNELS_SURFEL_SHADE_H
-#include "../base/args.h"
-#include "deferred.h"
-#include "normal_field.h"
-#include "surfel_blend.h"
+#ifndef TS_KERNELS_SURFELS_SURFEL_SHADE_H
+#define TS_KERNELS_SURFELS_SURFEL_SHADE_H
+#include "kernels/base/args.h"
+#include "kernels/surfels/deferred.h"
+#include "kernels/surfels/normal_field.h"
+#include "kernels/surfels/surfel_blend.h"
 
 #define TS_SHADING_IS_FLAT 1u
 #define TS_SHADING_IS_GOURAUD 2u

@@ -1,12 +1,12 @@
 /* Margins of surfel_shade.h, for ports that round otherwise (PORTING 7): how near the shading of surfels was to another
  * answer. This second pass changes no colour. A step is 8 ulps of the cosine; for phong plus the change of the normal
  * per step of the ray cast. */
-#ifndef TS_KERNELS_SURFEL_SHADE_MARGIN_H
-#define TS_KERNELS_SURFEL_SHADE_MARGIN_H
-#include "../base/args.h"
-#include "deferred_margin.h"
-#include "surfel_margin.h"
-#include "surfel_shade.h"
+#ifndef TS_KERNELS_SURFELS_SURFEL_SHADE_MARGIN_H
+#define TS_KERNELS_SURFELS_SURFEL_SHADE_MARGIN_H
+#include "kernels/base/args.h"
+#include "kernels/surfels/deferred_margin.h"
+#include "kernels/surfels/surfel_margin.h"
+#include "kernels/surfels/surfel_shade.h"
 
 #define TS_ROWS_ts_surfel_shade_margin_args(ARG) \
 	ARG(INNER, ts_surfel_shade_args, of, none) \

@@ -1,9 +1,9 @@
 /* The composites that all methods share: functions made of primitives. */
-#ifndef TS_KERNELS_COMPOSITES_H
-#define TS_KERNELS_COMPOSITES_H
-#include "composites_geometry.h"
-#include "composites_lattice.h"
-#include "composites_shade.h"
+#ifndef TS_KERNELS_VECTORS_COMPOSITES_H
+#define TS_KERNELS_VECTORS_COMPOSITES_H
+#include "kernels/vectors/composites_geometry.h"
+#include "kernels/vectors/composites_lattice.h"
+#include "kernels/vectors/composites_shade.h"
 
 /* A composite stands after those that it calls. The composites of families follow: kernels/<family>/composites.h. */
 #define TS_LIST_composites(VECTOR) \

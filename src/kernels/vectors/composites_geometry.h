@@ -1,14 +1,14 @@
 /* Composites of triangles: edges, closest points (closest.h), rays (hit.h), footprints (surface.h), poses (pose.h),
  * clipping (clip.h). */
-#ifndef TS_KERNELS_COMPOSITES_GEOMETRY_H
-#define TS_KERNELS_COMPOSITES_GEOMETRY_H
-#include "../base/area.h"
-#include "../base/closest.h"
-#include "../base/hit.h"
-#include "../base/pose.h"
-#include "../base/surface.h"
-#include "composites_row.h"
-#include "vectors_raster.h"
+#ifndef TS_KERNELS_VECTORS_COMPOSITES_GEOMETRY_H
+#define TS_KERNELS_VECTORS_COMPOSITES_GEOMETRY_H
+#include "kernels/base/area.h"
+#include "kernels/base/closest.h"
+#include "kernels/base/hit.h"
+#include "kernels/base/pose.h"
+#include "kernels/base/surface.h"
+#include "kernels/vectors/composites_row.h"
+#include "kernels/vectors/vectors_raster.h"
 
 TS_VECTOR(longest_edge)
 {

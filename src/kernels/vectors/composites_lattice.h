@@ -1,8 +1,8 @@
 /* Composites of the lattice of samples (lattice.h). */
-#ifndef TS_KERNELS_COMPOSITES_LATTICE_H
-#define TS_KERNELS_COMPOSITES_LATTICE_H
-#include "../raster/lattice.h"
-#include "composites_row.h"
+#ifndef TS_KERNELS_VECTORS_COMPOSITES_LATTICE_H
+#define TS_KERNELS_VECTORS_COMPOSITES_LATTICE_H
+#include "kernels/raster/lattice.h"
+#include "kernels/vectors/composites_row.h"
 
 TS_VECTOR(align) { ts_k_lattice_align(ts_row_at_ts_piece(in, 0u), ts_row_f32(in, 12u), ts_row_at_result(out)); }
 

@@ -1,8 +1,8 @@
 /* Reads records and parts of records from a row, for the functions that take them. */
-#ifndef TS_KERNELS_COMPOSITES_ROW_H
-#define TS_KERNELS_COMPOSITES_ROW_H
-#include "../base/records.h"
-#include "vectors_args.h"
+#ifndef TS_KERNELS_VECTORS_COMPOSITES_ROW_H
+#define TS_KERNELS_VECTORS_COMPOSITES_ROW_H
+#include "kernels/base/records.h"
+#include "kernels/vectors/vectors_args.h"
 
 /* ts_row_at_TYPE(row, k): the words from k on as a record of that type; if it has 64-bit fields, k and the row's first
  * word are even. */

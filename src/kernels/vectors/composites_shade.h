@@ -1,10 +1,10 @@
 /* Composites of shading: lights and the BRDF (shade.h), surfaces with their textures (surface.h, texture.h), the bias
  * of depth maps (shadow_map.h). */
-#ifndef TS_KERNELS_COMPOSITES_SHADE_H
-#define TS_KERNELS_COMPOSITES_SHADE_H
-#include "../base/shade.h"
-#include "../raster/shadow_map.h"
-#include "composites_row.h"
+#ifndef TS_KERNELS_VECTORS_COMPOSITES_SHADE_H
+#define TS_KERNELS_VECTORS_COMPOSITES_SHADE_H
+#include "kernels/base/shade.h"
+#include "kernels/raster/shadow_map.h"
+#include "kernels/vectors/composites_row.h"
 
 TS_VECTOR(light)
 {

@@ -1,11 +1,11 @@
 /* The primitives that all methods share. */
-#ifndef TS_KERNELS_VECTORS_H
-#define TS_KERNELS_VECTORS_H
-#include "vectors_args.h"
-#include "vectors_memory.h"
-#include "vectors_number.h"
-#include "vectors_raster.h"
-#include "vectors_texture.h"
+#ifndef TS_KERNELS_VECTORS_VECTORS_H
+#define TS_KERNELS_VECTORS_VECTORS_H
+#include "kernels/vectors/vectors_args.h"
+#include "kernels/vectors/vectors_memory.h"
+#include "kernels/vectors/vectors_number.h"
+#include "kernels/vectors/vectors_raster.h"
+#include "kernels/vectors/vectors_texture.h"
 
 /* In the order in which a porter needs them. The primitives of families follow: kernels/<family>/vectors.h. */
 #define TS_LIST_vectors(VECTOR) \

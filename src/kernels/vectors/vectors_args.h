@@ -1,10 +1,10 @@
 /* Arithmetic vectors: every primitive that a device must compute with the same bits (CONTRACT rule 32), over the rows
  * that ts_vector_make fills. One kernel for the primitives of all methods, and one for those of each family that has
  * some. */
-#ifndef TS_KERNELS_VECTORS_ARGS_H
-#define TS_KERNELS_VECTORS_ARGS_H
-#include "../base/args.h"
-#include "vectors_row.h"
+#ifndef TS_KERNELS_VECTORS_VECTORS_ARGS_H
+#define TS_KERNELS_VECTORS_VECTORS_ARGS_H
+#include "kernels/base/args.h"
+#include "kernels/vectors/vectors_row.h"
 
 #define TS_ROWS_ts_vectors_args(ARG) \
 	ARG(WORK_IN, u32, in, tallies)   /* rows of in_words */ \

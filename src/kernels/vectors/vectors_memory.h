@@ -1,9 +1,9 @@
 /* Primitives of what items share: keys and their minima, sums in fixed point, prefix sums, Morton codes (CONTRACT rules
  * 24 to 30). Minima and sums are taken in the result's memory, since devices have these operations only in memory. */
-#ifndef TS_KERNELS_VECTORS_MEMORY_H
-#define TS_KERNELS_VECTORS_MEMORY_H
-#include "../base/morton.h"
-#include "vectors_row.h"
+#ifndef TS_KERNELS_VECTORS_VECTORS_MEMORY_H
+#define TS_KERNELS_VECTORS_VECTORS_MEMORY_H
+#include "kernels/base/morton.h"
+#include "kernels/vectors/vectors_row.h"
 
 TS_FN u64 ts_k_vector_packed(f32 depth, u32 payload) { return (u64)ts_f2u(depth) << 32 | payload; }
 TS_VECTOR_WIDE(key, ts_k_vector_packed(ts_put(TS_A), in[1]))

@@ -1,9 +1,9 @@
 /* Primitives of numbers: the operations of IEEE 754, one each, the two pairs that compilers like to fuse (CONTRACT
  * rules 4 to 6), and the functions of num.h, half.h and vec.h. */
-#ifndef TS_KERNELS_VECTORS_NUMBER_H
-#define TS_KERNELS_VECTORS_NUMBER_H
-#include "../base/half.h"
-#include "vectors_row.h"
+#ifndef TS_KERNELS_VECTORS_VECTORS_NUMBER_H
+#define TS_KERNELS_VECTORS_VECTORS_NUMBER_H
+#include "kernels/base/half.h"
+#include "kernels/vectors/vectors_row.h"
 
 /* The binary32 next to 1.1 and 1.7. */
 #define TS_VECTOR_FACTOR 1.10000002384185791015625f

@@ -1,10 +1,10 @@
 /* Primitives of rasterization: projection, snapping, edges, coverage, interpolation (CONTRACT rules 15 to 22). */
-#ifndef TS_KERNELS_VECTORS_RASTER_H
-#define TS_KERNELS_VECTORS_RASTER_H
-#include "../raster/clip.h"
-#include "../raster/cover.h"
-#include "../raster/raster.h"
-#include "vectors_row.h"
+#ifndef TS_KERNELS_VECTORS_VECTORS_RASTER_H
+#define TS_KERNELS_VECTORS_VECTORS_RASTER_H
+#include "kernels/raster/clip.h"
+#include "kernels/raster/cover.h"
+#include "kernels/raster/raster.h"
+#include "kernels/vectors/vectors_row.h"
 
 TS_FN ts_snapped ts_row_snapped(TS_GLOBAL const u32 *in, u32 k)
 {

@@ -1,8 +1,8 @@
 /* Rows of arithmetic vectors: the arguments or the results of one item as words of 32 bits without padding, 64-bit
  * values low word first. Floats are stored as they are, without ts_put. */
-#ifndef TS_KERNELS_VECTORS_ROW_H
-#define TS_KERNELS_VECTORS_ROW_H
-#include "../base/vec.h"
+#ifndef TS_KERNELS_VECTORS_VECTORS_ROW_H
+#define TS_KERNELS_VECTORS_VECTORS_ROW_H
+#include "kernels/base/vec.h"
 
 TS_FN f32 ts_row_f32(TS_GLOBAL const u32 *row, u32 k) { return ts_u2f(row[k]); }
 TS_FN i32 ts_row_i32(TS_GLOBAL const u32 *row, u32 k) { return (i32)row[k]; }

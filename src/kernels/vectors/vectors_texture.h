@@ -1,10 +1,10 @@
 /* Primitives of cube maps (cube.h), and of textures and display values (texture.h, srgb.h). */
-#ifndef TS_KERNELS_VECTORS_TEXTURE_H
-#define TS_KERNELS_VECTORS_TEXTURE_H
-#include "../raster/cube.h"
-#include "../base/srgb.h"
-#include "../base/texture.h"
-#include "vectors_row.h"
+#ifndef TS_KERNELS_VECTORS_VECTORS_TEXTURE_H
+#define TS_KERNELS_VECTORS_VECTORS_TEXTURE_H
+#include "kernels/base/srgb.h"
+#include "kernels/base/texture.h"
+#include "kernels/raster/cube.h"
+#include "kernels/vectors/vectors_row.h"
 
 TS_VECTOR_WORD(cube_face, ts_k_cube_place(ts_row_v3(in, 0u)).face)
 

@@ -1,10 +1,10 @@
 /* The cross-bilateral filter of gathered light (MegaViews section 5.1), along rows, then along columns. A neighbour's
  * weight falls with its distance in pixels, with its angle off the pixel's tangent plane, and with the angle between
  * their normals. The sky takes no part. */
-#ifndef TS_KERNELS_BILATERAL_H
-#define TS_KERNELS_BILATERAL_H
-#include "../base/args.h"
-#include "../raster/gpixel.h"
+#ifndef TS_KERNELS_VIEWS_BILATERAL_H
+#define TS_KERNELS_VIEWS_BILATERAL_H
+#include "kernels/base/args.h"
+#include "kernels/raster/gpixel.h"
 
 /* Factors of the squared sine of the angle off the plane (a deviation of 1/16), and of 1 - the cosine between
  * normals. */

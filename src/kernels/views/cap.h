@@ -2,9 +2,9 @@
  * (MegaViews section 3.2, "Multi-Pixel Filling"; METHODS 13). The mapping is stereographic, so the cap of these
  * directions is the inside of a circle on the map's disc, c + 2 (y u + z v) - b (u^2 + v^2) >= 0, or a half plane, or
  * the outside of a circle. */
-#ifndef TS_KERNELS_CAP_H
-#define TS_KERNELS_CAP_H
-#include "paraboloid.h"
+#ifndef TS_KERNELS_VIEWS_CAP_H
+#define TS_KERNELS_VIEWS_CAP_H
+#include "kernels/views/paraboloid.h"
 
 #define TS_CAP_ROUNDING 0.00000095367431640625f /* times the ball's distance: the error of `inside` */
 #define TS_CAP_LEAST 512.0f                     /* times that error: the least b of a circle */

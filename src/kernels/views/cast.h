@@ -4,13 +4,13 @@
  *
  * Two triangles with a common edge test it with the same numbers of opposite signs, so no ray slips between them. Boxes
  * are enlarged by a 128th of their half side, which is more than snapping and rounding move a triangle. */
-#ifndef TS_KERNELS_CAST_H
-#define TS_KERNELS_CAST_H
-#include "../base/args.h"
-#include "../base/hit.h"
-#include "../base/morton.h"
-#include "../base/records.h"
-#include "../base/surface.h"
+#ifndef TS_KERNELS_VIEWS_CAST_H
+#define TS_KERNELS_VIEWS_CAST_H
+#include "kernels/base/args.h"
+#include "kernels/base/hit.h"
+#include "kernels/base/morton.h"
+#include "kernels/base/records.h"
+#include "kernels/base/surface.h"
 
 #define TS_CAST_STACK 96 /* 7 siblings per level, and a node */
 

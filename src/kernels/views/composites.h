@@ -2,12 +2,12 @@
  * traverse.h), voxels of triangles (voxel.h), rays (cast.h), virtual point lights (vpl_gather.h). */
 #ifndef TS_KERNELS_VIEWS_COMPOSITES_H
 #define TS_KERNELS_VIEWS_COMPOSITES_H
-#include "../vectors/composites_row.h"
-#include "cap.h"
-#include "cast.h"
-#include "traverse.h"
-#include "voxel.h"
-#include "vpl_gather.h"
+#include "kernels/vectors/composites_row.h"
+#include "kernels/views/cap.h"
+#include "kernels/views/cast.h"
+#include "kernels/views/traverse.h"
+#include "kernels/views/voxel.h"
+#include "kernels/views/vpl_gather.h"
 
 TS_ROW_AT(ts_node)
 TS_ROW_AT(ts_cone)

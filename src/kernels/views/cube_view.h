@@ -1,11 +1,11 @@
 /* Views to all sides from the middles of the reflectors' cubes (MegaViews section 6, "reflections via cube maps";
  * METHODS 14), and their maps as mip chains, which MVR looks up. */
-#ifndef TS_KERNELS_CUBE_VIEW_H
-#define TS_KERNELS_CUBE_VIEW_H
-#include "../base/args.h"
-#include "../raster/cube.h"
-#include "../raster/texel_place.h"
-#include "paraboloid.h"
+#ifndef TS_KERNELS_VIEWS_CUBE_VIEW_H
+#define TS_KERNELS_VIEWS_CUBE_VIEW_H
+#include "kernels/base/args.h"
+#include "kernels/raster/cube.h"
+#include "kernels/raster/texel_place.h"
+#include "kernels/views/paraboloid.h"
 
 #define TS_ROWS_ts_cube_view_args(ARG) \
 	ARG(IN, ts_face, cubes, cube_size_face) \

@@ -1,10 +1,10 @@
 /* The masks of an octree's levels: one bit per voxel in Morton order, 1 where the voxel is not empty, all levels in one
  * array from the root on. Level l has 8^l bits; levels 0 and 1 take one word each. The number of set bits before a bit
  * is the id of its node. */
-#ifndef TS_KERNELS_MASK_H
-#define TS_KERNELS_MASK_H
-#include "../base/args.h"
-#include "../base/morton.h"
+#ifndef TS_KERNELS_VIEWS_MASK_H
+#define TS_KERNELS_VIEWS_MASK_H
+#include "kernels/base/args.h"
+#include "kernels/base/morton.h"
 
 /* The first word of level l: l for l < 2, otherwise 2 + the sum of 8^(k - 2) over the levels k from 2 to l - 1. */
 TS_FN u64 ts_k_mask_first(u32 level)

@@ -1,10 +1,10 @@
 /* The nodes of an octree from the masks of its levels. Ids number the set bits, so nodes are sorted by level and Morton
  * code (METHODS 12). */
-#ifndef TS_KERNELS_OCTREE_H
-#define TS_KERNELS_OCTREE_H
-#include "../base/args.h"
-#include "mask.h"
-#include "octree_root.h"
+#ifndef TS_KERNELS_VIEWS_OCTREE_H
+#define TS_KERNELS_VIEWS_OCTREE_H
+#include "kernels/base/args.h"
+#include "kernels/views/mask.h"
+#include "kernels/views/octree_root.h"
 
 #define TS_ROWS_ts_octree_args(ARG) \
 	ARG(IN, ts_root, root, octree_root) \

@@ -1,11 +1,11 @@
 /* The reflector to which each node of the scene's octree belongs, so that the view from the reflector's middle leaves
  * the node out, as EPR's cubes do (METHODS 14): for a leaf that of all its triangles, for an inner node that of all its
  * children. */
-#ifndef TS_KERNELS_OCTREE_REFLECTOR_H
-#define TS_KERNELS_OCTREE_REFLECTOR_H
-#include "../base/args.h"
-#include "../base/morton.h"
-#include "../base/scene.h"
+#ifndef TS_KERNELS_VIEWS_OCTREE_REFLECTOR_H
+#define TS_KERNELS_VIEWS_OCTREE_REFLECTOR_H
+#include "kernels/base/args.h"
+#include "kernels/base/morton.h"
+#include "kernels/base/scene.h"
 
 #define TS_ROWS_ts_octree_reflector_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

@@ -1,12 +1,12 @@
 /* The root cube of both octrees, around all vertices of the frame, and its lattice with 256 steps per leaf voxel
  * (METHODS 12). Least and greatest coordinates are integer minima of ordered bits, so that the order of the vertices
  * changes nothing. */
-#ifndef TS_KERNELS_OCTREE_ROOT_H
-#define TS_KERNELS_OCTREE_ROOT_H
-#include "../base/args.h"
-#include "../base/morton.h"
-#include "../base/records.h"
-#include "../base/vec.h"
+#ifndef TS_KERNELS_VIEWS_OCTREE_ROOT_H
+#define TS_KERNELS_VIEWS_OCTREE_ROOT_H
+#include "kernels/base/args.h"
+#include "kernels/base/morton.h"
+#include "kernels/base/records.h"
+#include "kernels/base/vec.h"
 
 /* Bits that sort like the numbers: the sign bit is flipped, or all bits if the number is negative. */
 TS_FN u32 ts_k_ordered(f32 x)

@@ -1,10 +1,10 @@
 /* The surface in each node of the scene's octree: in a leaf the mean of its triangles, each at its point nearest to the
  * leaf's middle, with a footprint of the leaf's side; in an inner node the mean of its children (MegaViews section
  * 3.1). Sums are in the order of triangles and of octants. */
-#ifndef TS_KERNELS_OCTREE_SURFACE_H
-#define TS_KERNELS_OCTREE_SURFACE_H
-#include "../base/args.h"
-#include "voxel.h"
+#ifndef TS_KERNELS_VIEWS_OCTREE_SURFACE_H
+#define TS_KERNELS_VIEWS_OCTREE_SURFACE_H
+#include "kernels/base/args.h"
+#include "kernels/views/voxel.h"
 
 #define TS_ROWS_ts_octree_surface_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

@@ -1,10 +1,10 @@
 /* The fate of a pair of a node of the scene and a node of views (MegaViews section 3.2, figures 4, 6 and 8, whose text
  * is lost; METHODS 13). Figure 4 is evaluated without angles: with c = vs . n and s = |vs x n|, s cos psi - c sin psi
  * is |vs| sin(alpha - psi), and c cos psi + s sin psi is |vs| cos(alpha - psi). */
-#ifndef TS_KERNELS_PAIR_H
-#define TS_KERNELS_PAIR_H
-#include "paraboloid.h"
-#include "../base/records.h"
+#ifndef TS_KERNELS_VIEWS_PAIR_H
+#define TS_KERNELS_VIEWS_PAIR_H
+#include "kernels/base/records.h"
+#include "kernels/views/paraboloid.h"
 
 typedef struct {
 	ts_v3 p;

@@ -2,9 +2,9 @@
  * looks along +x, the back map along -x. A direction d is at (d.y, d.z) / (|d| + |d.x|) of the unit disc, which fills N
  * x N texels, columns along y and rows along z. Texels are stored front map first, then back map, each row by row. The
  * mapping is stereographic: circles stay circles. */
-#ifndef TS_KERNELS_PARABOLOID_H
-#define TS_KERNELS_PARABOLOID_H
-#include "../base/vec.h"
+#ifndef TS_KERNELS_VIEWS_PARABOLOID_H
+#define TS_KERNELS_VIEWS_PARABOLOID_H
+#include "kernels/base/vec.h"
 
 /* (u + 1) / 2 * n */
 TS_FN f32 ts_k_paraboloid_place(f32 u, u32 n)

@@ -2,11 +2,11 @@
  * hall. Each moves on its own ellipse about the hall's middle, one turn in the frames of a turn of the eye; every
  * second particle moves the other way. Together they send the flux of an irradiance of `particle.glow` on the hall's
  * walls, floor and ceiling. */
-#ifndef TS_KERNELS_PARTICLE_H
-#define TS_KERNELS_PARTICLE_H
-#include "../base/args.h"
-#include "../base/records.h"
-#include "../base/vec.h"
+#ifndef TS_KERNELS_VIEWS_PARTICLE_H
+#define TS_KERNELS_VIEWS_PARTICLE_H
+#include "kernels/base/args.h"
+#include "kernels/base/records.h"
+#include "kernels/base/vec.h"
 
 #define TS_STREAM_PARTICLE 8u
 #define TS_PARTICLE_REACH 0.75f /* of half the hall */

@@ -3,11 +3,11 @@
  * is decided, and a pair that is split when its children are in the next queue; the pairs that are left are rendered. A
  * decision depends only on its pair, so no pair is reached twice, and any piece of a queue may be processed to its end
  * before the rest. */
-#ifndef TS_KERNELS_TRAVERSE_H
-#define TS_KERNELS_TRAVERSE_H
-#include "../base/args.h"
-#include "../base/morton.h"
-#include "pair.h"
+#ifndef TS_KERNELS_VIEWS_TRAVERSE_H
+#define TS_KERNELS_VIEWS_TRAVERSE_H
+#include "kernels/base/args.h"
+#include "kernels/base/morton.h"
+#include "kernels/views/pair.h"
 
 /* Values in place of a pair. */
 #define TS_STRUCK 0xfffffffffffffffdUL /* the least of these values */

@@ -2,11 +2,11 @@
  * between the middles of the two nodes, by 64-bit minimum, in the texels whose middle meets the scene node's ball. By
  * the paper (view_map.texel=point) it is in the texel of the node's middle; a leaf wider than a texel is rendered into
  * all texels that it covers. */
-#ifndef TS_KERNELS_VIEW_MAP_H
-#define TS_KERNELS_VIEW_MAP_H
-#include "../base/args.h"
-#include "cap.h"
-#include "traverse.h"
+#ifndef TS_KERNELS_VIEWS_VIEW_MAP_H
+#define TS_KERNELS_VIEWS_VIEW_MAP_H
+#include "kernels/base/args.h"
+#include "kernels/views/cap.h"
+#include "kernels/views/traverse.h"
 
 /* A pyramid: level l is two maps of n >> l texels per side. */
 typedef struct ts_pyramid {

@@ -1,11 +1,11 @@
 /* Colour in the maps of views (MegaViews section 3.1, "each node stores scene attributes: color (or material),
  * position, and a surface normal"; METHODS 14): deferred shading of the node that each texel of a fused map shows, in
  * full light, seen from the middle of the view's leaf. */
-#ifndef TS_KERNELS_VIEW_MAP_COLOUR_H
-#define TS_KERNELS_VIEW_MAP_COLOUR_H
-#include "../base/args.h"
-#include "../base/shade.h"
-#include "octree_surface.h"
+#ifndef TS_KERNELS_VIEWS_VIEW_MAP_COLOUR_H
+#define TS_KERNELS_VIEWS_VIEW_MAP_COLOUR_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/views/octree_surface.h"
 
 #define TS_ROWS_ts_view_map_colour_args(ARG) \
 	ARG(INNER, ts_octree_surface_args, of, none) /* whose surfaces are read */ \

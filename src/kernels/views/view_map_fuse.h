@@ -2,10 +2,10 @@
  * root, the node that a texel of the parent's map shows is moved to the child's middle, within its texel.
  * view_map.fusion=min keeps the nearer of the moved node and the child's own, view_map.fusion=paper the child's own
  * wherever there is one. A query computes one texel of a fused map without making the maps. */
-#ifndef TS_KERNELS_VIEW_MAP_FUSE_H
-#define TS_KERNELS_VIEW_MAP_FUSE_H
-#include "../base/args.h"
-#include "view_map.h"
+#ifndef TS_KERNELS_VIEWS_VIEW_MAP_FUSE_H
+#define TS_KERNELS_VIEWS_VIEW_MAP_FUSE_H
+#include "kernels/base/args.h"
+#include "kernels/views/view_map.h"
 
 #define TS_ROWS_ts_view_map_fuse_args(ARG) \
 	ARG(IN, ts_node, views, view_octree_node) \

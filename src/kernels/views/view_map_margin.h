@@ -3,11 +3,11 @@
  * turns, it and all pairs below it may appear or disappear, in texels that its ball may cover in the maps of its views.
  * If a texel of a rendered pair turns, the pair may leave the texel, or come to it. A pair behind the shown one changes
  * nothing. */
-#ifndef TS_KERNELS_VIEW_MAP_MARGIN_H
-#define TS_KERNELS_VIEW_MAP_MARGIN_H
-#include "../base/args.h"
-#include "view_map.h"
-#include "../raster/shadow_map_margin.h"
+#ifndef TS_KERNELS_VIEWS_VIEW_MAP_MARGIN_H
+#define TS_KERNELS_VIEWS_VIEW_MAP_MARGIN_H
+#include "kernels/base/args.h"
+#include "kernels/raster/shadow_map_margin.h"
+#include "kernels/views/view_map.h"
 
 #define TS_MARGIN_SINE 0.0000002384185791015625f /* divided by its sine: the rounding error of the sine of a cone */
 #define TS_MARGIN_LEAST_SINE 0.00048828125f

@@ -1,10 +1,10 @@
 /* The octree of the views, which are virtual point lights: every view is in the leaf voxel that contains it (METHODS
  * 12). */
-#ifndef TS_KERNELS_VIEW_OCTREE_H
-#define TS_KERNELS_VIEW_OCTREE_H
-#include "../base/args.h"
-#include "mask.h"
-#include "octree_root.h"
+#ifndef TS_KERNELS_VIEWS_VIEW_OCTREE_H
+#define TS_KERNELS_VIEWS_VIEW_OCTREE_H
+#include "kernels/base/args.h"
+#include "kernels/views/mask.h"
+#include "kernels/views/octree_root.h"
 
 #define TS_ROWS_ts_view_octree_args(ARG) \
 	ARG(IN, ts_root, root, octree_root) \

@@ -1,10 +1,10 @@
 /* Views without a hierarchy, as ManyLoDs renders them (MegaViews section 4.1; METHODS 13): every virtual point light is
  * a root and a leaf by itself, of radius 0. For maps by brute force, every pair of a leaf of the scene and such a
  * view. */
-#ifndef TS_KERNELS_VIEW_OCTREE_ALONE_H
-#define TS_KERNELS_VIEW_OCTREE_ALONE_H
-#include "../base/args.h"
-#include "view_map.h"
+#ifndef TS_KERNELS_VIEWS_VIEW_OCTREE_ALONE_H
+#define TS_KERNELS_VIEWS_VIEW_OCTREE_ALONE_H
+#include "kernels/base/args.h"
+#include "kernels/views/view_map.h"
 
 #define TS_ROWS_ts_view_octree_alone_args(ARG) \
 	ARG(IN, ts_vpl, lights, vpl_light) \

@@ -2,11 +2,11 @@
  * the directions of the views below it, the angle is the greatest between the axis and one of the directions. Sums are
  * integers in units of 2^-30, of fewer than 2^32 views, so below 2^62. The least cosine is a minimum of ordered bits
  * (octree_root.h). */
-#ifndef TS_KERNELS_VIEW_OCTREE_CONE_H
-#define TS_KERNELS_VIEW_OCTREE_CONE_H
-#include "../base/args.h"
-#include "mask.h"
-#include "octree_root.h"
+#ifndef TS_KERNELS_VIEWS_VIEW_OCTREE_CONE_H
+#define TS_KERNELS_VIEWS_VIEW_OCTREE_CONE_H
+#include "kernels/base/args.h"
+#include "kernels/views/mask.h"
+#include "kernels/views/octree_root.h"
 
 #define TS_ROWS_ts_cone_args(ARG) \
 	ARG(IN, ts_vpl, views, vpl_light) \

@@ -10,14 +10,14 @@
  *
  * Coordinates are at most 2^19 in the lattice. The factors of an edge's form are at most 2^27, its values 2^40; those
  * of the normal's form 2^47 and 3 2^58, so that differences of two values stay below 2^62. */
-#ifndef TS_KERNELS_VOXEL_H
-#define TS_KERNELS_VOXEL_H
-#include "../base/args.h"
-#include "mask.h"
-#include "octree_root.h"
-#include "../base/closest.h"
-#include "../base/hit.h"
-#include "../base/surface.h"
+#ifndef TS_KERNELS_VIEWS_VOXEL_H
+#define TS_KERNELS_VIEWS_VOXEL_H
+#include "kernels/base/args.h"
+#include "kernels/base/closest.h"
+#include "kernels/base/hit.h"
+#include "kernels/base/surface.h"
+#include "kernels/views/mask.h"
+#include "kernels/views/octree_root.h"
 
 /* low <= a i + b j + c k <= high */
 typedef struct {

@@ -3,13 +3,13 @@
  * on all surfaces, by area. A path leaves a light at its beginning and at each later reflection. Directions are
  * cosine-distributed, so that a reflection multiplies the flux by the albedo alone. Lights stand half a leaf's side
  * above the surface, since in the voxel of its own surface a light would be in its shadow (METHODS 13). */
-#ifndef TS_KERNELS_VPL_H
-#define TS_KERNELS_VPL_H
-#include "../base/args.h"
-#include "cast.h"
-#include "../base/shade.h"
-#include "../raster/patch.h"
-#include "vpl_area.h"
+#ifndef TS_KERNELS_VIEWS_VPL_H
+#define TS_KERNELS_VIEWS_VPL_H
+#include "kernels/base/args.h"
+#include "kernels/base/shade.h"
+#include "kernels/raster/patch.h"
+#include "kernels/views/cast.h"
+#include "kernels/views/vpl_area.h"
 
 #define TS_ROWS_ts_vpl_args(ARG) \
 	ARG(INNER, ts_cast_args, cast, none) \

@@ -1,11 +1,11 @@
 /* Areas of the scene's triangles, by which paths begin at random on its surfaces (MegaViews section 4.1, figure 11;
  * METHODS 12), in units of 2^-24 of a face of the root cube, plus one unit if the triangle has area. Of two-sided
  * triangles both sides count. */
-#ifndef TS_KERNELS_VPL_AREA_H
-#define TS_KERNELS_VPL_AREA_H
-#include "../base/args.h"
-#include "../base/scene.h"
-#include "octree_root.h"
+#ifndef TS_KERNELS_VIEWS_VPL_AREA_H
+#define TS_KERNELS_VIEWS_VPL_AREA_H
+#include "kernels/base/args.h"
+#include "kernels/base/scene.h"
+#include "kernels/views/octree_root.h"
 
 #define TS_ROWS_ts_vpl_area_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \

@@ -3,14 +3,14 @@
  * E = flux / pi cos cos / d^2; a light without a direction sends the same to all sides, E = flux / (4 pi) cos / d^2. d
  * is bounded from below, so that a near light is no bright spot. Shadows are those of the fused map of the light's
  * leaf, moved to the light; where maps are not fused, the maps from the root down are looked up. */
-#ifndef TS_KERNELS_VPL_GATHER_H
-#define TS_KERNELS_VPL_GATHER_H
-#include "../base/args.h"
-#include "view_map_fuse.h"
-#include "../raster/gpixel.h"
-#include "mask.h"
-#include "octree_root.h"
-#include "vpl.h"
+#ifndef TS_KERNELS_VIEWS_VPL_GATHER_H
+#define TS_KERNELS_VIEWS_VPL_GATHER_H
+#include "kernels/base/args.h"
+#include "kernels/raster/gpixel.h"
+#include "kernels/views/mask.h"
+#include "kernels/views/octree_root.h"
+#include "kernels/views/view_map_fuse.h"
+#include "kernels/views/vpl.h"
 
 #define TS_ROWS_ts_vpl_gather_args(ARG) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \

@@ -2,11 +2,11 @@
  * This second pass takes lists and maps as given and changes no decision. A pixel may fall into another node, and so
  * take another list; each of its lights may fall into another texel, or be seen or not. Light that appears or
  * disappears at cosine 0 is none. */
-#ifndef TS_KERNELS_VPL_GATHER_MARGIN_H
-#define TS_KERNELS_VPL_GATHER_MARGIN_H
-#include "../base/args.h"
-#include "view_map_margin.h"
-#include "vpl_gather.h"
+#ifndef TS_KERNELS_VIEWS_VPL_GATHER_MARGIN_H
+#define TS_KERNELS_VIEWS_VPL_GATHER_MARGIN_H
+#include "kernels/base/args.h"
+#include "kernels/views/view_map_margin.h"
+#include "kernels/views/vpl_gather.h"
 
 #define TS_MARGIN_SLOPE \
 	0.00000762939453125f /* share of the bias that rounding may change: up to 16 steps of a cosine */

@@ -1,10 +1,10 @@
 /* The views that may light each part of the scene: for every node of the scene at one level a list of the nodes of
  * views at that level that are not culled, by the traversal of traverse.h (MegaViews section 5.1; METHODS 14). By the
  * prefix sums of their views one random number picks a view. */
-#ifndef TS_KERNELS_VPL_GATHER_PAIRS_H
-#define TS_KERNELS_VPL_GATHER_PAIRS_H
-#include "../base/args.h"
-#include "traverse.h"
+#ifndef TS_KERNELS_VIEWS_VPL_GATHER_PAIRS_H
+#define TS_KERNELS_VIEWS_VPL_GATHER_PAIRS_H
+#include "kernels/base/args.h"
+#include "kernels/views/traverse.h"
 
 #define TS_ROWS_ts_vpl_gather_pairs_args(ARG) \
 	ARG(WORK_IN, u64, pairs, queue) /* the pairs that are left of a queue */ \

@@ -1,6 +1,6 @@
 /* Composites of hulls (kernels/hulls/composites.h). */
-#include "../../kernels/hulls/composites.h"
-#include "../../vectors/relate.h"
+#include "kernels/hulls/composites.h"
+#include "vectors/relate.h"
 
 enum { PATCH_NORMAL = 9, GATHER_P = 16 };
 

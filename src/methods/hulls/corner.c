@@ -1,7 +1,7 @@
 /* Light at the corners of the segments' boxes, gathered and as lobes. */
-#include "../../kernels/hulls/corner.h"
-#include "../../kernels/hulls/corner_lobes.h"
-#include "../stages.h"
+#include "kernels/hulls/corner.h"
+#include "kernels/hulls/corner_lobes.h"
+#include "methods/stages.h"
 
 static const ts_launch gathered = TS_LAUNCH(corner, TS_ALL);
 static const ts_launch of_lamps = TS_LAUNCH(corner, TS_IN(patches, polygon_patch), TS_WITH(lamps), TS_WITH(shapes));

@@ -1,7 +1,7 @@
 /* The screen's depth down-sampled to the grid. */
 #include <inttypes.h>
-#include "../../kernels/hulls/depth_grid.h"
-#include "../stages.h"
+#include "kernels/hulls/depth_grid.h"
+#include "methods/stages.h"
 
 static const ts_launch sampled = TS_LAUNCH(depth_grid, TS_ALL);
 

@@ -1,9 +1,9 @@
 /* The switch of specular reflection, and values that its stages share with those of diffuse light. */
 #ifndef TS_METHODS_HULLS_GLOSS_H
 #define TS_METHODS_HULLS_GLOSS_H
-#include "../../kernels/hulls/direct.h"
-#include "../../kernels/hulls/hull.h"
-#include "../stages.h"
+#include "kernels/hulls/direct.h"
+#include "kernels/hulls/hull.h"
+#include "methods/stages.h"
 
 bool ts_gloss_is_asked(const ts_params *params);
 

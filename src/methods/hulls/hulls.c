@@ -19,8 +19,8 @@
  * - a corner without light, or with equal light from all sides, has no direction, and does not affect the blended one;
  * - the picture shows only indirect light, or only that of the lamps; gloss.lobe adds their specular reflection, for
  *   which the paper names lobes and no formula (gloss.h). */
-#include "gloss.h"
-#include "../raster/pipelines.h"
+#include "methods/hulls/gloss.h"
+#include "methods/raster/pipelines.h"
 
 static const ts_step hull_run[] = {
 	{.run = ts_gbuffer_run},

@@ -1,7 +1,7 @@
 /* Lamps as triangles of light. */
-#include "../../kernels/hulls/polygon.h"
-#include "../../scene/view.h"
-#include "../stages.h"
+#include "kernels/hulls/polygon.h"
+#include "methods/stages.h"
+#include "scene/view.h"
 
 static const ts_launch launch = TS_LAUNCH(polygon, TS_ALL);
 

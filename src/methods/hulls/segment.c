@@ -1,8 +1,8 @@
 /* Depth segments of the blocks of the grid, how near they were to other segments, and their boxes. */
-#include "../../kernels/hulls/segment.h"
-#include "../../kernels/hulls/segment_box.h"
-#include "../../kernels/hulls/segment_margin.h"
-#include "../stages.h"
+#include "kernels/hulls/segment.h"
+#include "kernels/hulls/segment_box.h"
+#include "kernels/hulls/segment_margin.h"
+#include "methods/stages.h"
 
 static const ts_launch sweep = TS_LAUNCH(segment, TS_ALL);
 static const ts_launch components = TS_LAUNCH(segment_components, TS_ALL);

@@ -1,6 +1,6 @@
 /* Primitives of gathered light (kernels/hulls/gaussian.h, form_factor.h). */
-#include "../../kernels/hulls/vectors.h"
-#include "../../vectors/row.h"
+#include "kernels/hulls/vectors.h"
+#include "vectors/row.h"
 
 enum { P = 0, NORMAL = 3 };
 

@@ -1,6 +1,6 @@
 /* T_epr of every piece. */
-#include "../../kernels/points/align.h"
-#include "../stages.h"
+#include "kernels/points/align.h"
+#include "methods/stages.h"
 
 static const ts_launch launch = TS_LAUNCH(align, TS_ALL);
 

@@ -1,6 +1,6 @@
 /* Composites of points (kernels/points/composites.h). */
-#include "../../kernels/points/composites.h"
-#include "../../vectors/relate.h"
+#include "kernels/points/composites.h"
+#include "vectors/relate.h"
 
 enum { EYE = 0, CENTRE = 3, RADIUS = 6, CORNER = 7 };
 

@@ -1,6 +1,6 @@
 /* MVR: draws every triangle into the faces of the batch's cubes. */
-#include "../../kernels/raster/cube_face.h"
-#include "../stages.h"
+#include "kernels/raster/cube_face.h"
+#include "methods/stages.h"
 
 static const ts_launch launch = TS_LAUNCH(cube_face, TS_ALL);
 

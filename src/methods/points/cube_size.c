@@ -2,9 +2,9 @@
  * depend on those of the frame before. The frames before are replayed, except those that a sequence has just run and
  * turns that change nothing. There are few items per frame, so the C backend always runs them. */
 #include <stdlib.h>
-#include "../../scene/view.h"
-#include "../../kernels/points/cube_size.h"
-#include "../stages.h"
+#include "kernels/points/cube_size.h"
+#include "methods/stages.h"
+#include "scene/view.h"
 
 typedef struct {
 	ts_run *run;

@@ -1,7 +1,7 @@
 /* Which pieces stay. */
-#include "../../kernels/points/cull_margin.h"
-#include "../../kernels/points/view_density.h"
-#include "points.h"
+#include "kernels/points/cull_margin.h"
+#include "kernels/points/view_density.h"
+#include "methods/points/points.h"
 
 static const ts_launch launch = TS_LAUNCH(cull, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(cull_margin, TS_BUT(cull.keep));

@@ -1,6 +1,6 @@
 /* MVR: draws every triangle into every view of the batch. */
-#include "../../kernels/raster/depth_map.h"
-#include "../stages.h"
+#include "kernels/raster/depth_map.h"
+#include "methods/stages.h"
 
 static const ts_launch launch = TS_LAUNCH(depth_map, TS_ALL);
 

@@ -39,10 +39,10 @@
  *   multiple of 32 (cube.hysteresis), as hysteresis would need the G-buffers of all frames before;
  * - points are made for every eight views, not kept (points.buffered=on); what is counted is one pass over the geometry
  *   per batch. */
-#include "../../kernels/points/samples.h"
-#include "../stages.h"
-#include "pipelines.h"
-#include "points.h"
+#include "kernels/points/samples.h"
+#include "methods/points/pipelines.h"
+#include "methods/points/points.h"
+#include "methods/stages.h"
 
 static const ts_step piece_run[] = {
 	{.stage = "cube_size"},    /* 3.5: cubes as large as their reflectors in the eye */

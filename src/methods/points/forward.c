@@ -1,7 +1,7 @@
 /* Light of every point. */
-#include "../../kernels/points/forward.h"
-#include "../stages.h"
-#include "points.h"
+#include "kernels/points/forward.h"
+#include "methods/points/points.h"
+#include "methods/stages.h"
 
 static const ts_launch launch = TS_LAUNCH(forward, TS_STORED_POINTS(from));
 

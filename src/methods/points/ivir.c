@@ -18,9 +18,9 @@
  *   stored as square roots: the paper names the bits only;
  * - the greatest code of a colour stands for twice display white, because the mirror's tint still multiplies the stored
  *   colour; the paper does not define it (scatter.headroom=1: display white). */
-#include "../../kernels/raster/mip.h"
-#include "../../kernels/points/view_density.h"
-#include "pipelines.h"
+#include "kernels/points/view_density.h"
+#include "kernels/raster/mip.h"
+#include "methods/points/pipelines.h"
 
 static const ts_step point_run[] = {
 	{.stage = "offscreen.visibility"}, /* 3.1: which views may see a triangle */

@@ -1,6 +1,6 @@
 /* Look-ups of the first bounce, and queue and look-ups of each later one. */
+#include "methods/points/lookup.h"
 #include <inttypes.h>
-#include "lookup.h"
 
 /* The first look-up finds a point or a colour per sample, and reads no points. */
 static const ts_launch first =

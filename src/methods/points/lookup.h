@@ -1,9 +1,9 @@
 /* The buffers of each bounce, which the look-up and shade stages share. */
-#ifndef TS_STAGES_LOOKUP_H
-#define TS_STAGES_LOOKUP_H
-#include "../../kernels/points/lookup.h"
-#include "../stages.h"
-#include "points.h"
+#ifndef TS_METHODS_POINTS_LOOKUP_H
+#define TS_METHODS_POINTS_LOOKUP_H
+#include "kernels/points/lookup.h"
+#include "methods/points/points.h"
+#include "methods/stages.h"
 
 enum { TS_MAX_BOUNCES = 3 };
 

@@ -1,6 +1,6 @@
 /* MVR: reflective pixels of the batch's reflectors look up their cubes; pixels of other batches stay as they are. */
-#include "../../kernels/points/mirror.h"
-#include "../stages.h"
+#include "kernels/points/mirror.h"
+#include "methods/stages.h"
 
 static const ts_launch launch = TS_LAUNCH(mirror, TS_ALL);
 

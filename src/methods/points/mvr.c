@@ -5,8 +5,8 @@
  *
  * Deviations: deferred shading by the same kernels as EPR's, so that only the method differs; one reflector at a time,
  * so that memory does not grow with their number; always one bounce. */
-#include "../../kernels/raster/mip.h"
-#include "pipelines.h"
+#include "kernels/raster/mip.h"
+#include "methods/points/pipelines.h"
 
 static const ts_step mvr_steps[] = {
 	{.run = ts_frame_run},

@@ -12,8 +12,8 @@
  *   does not block itself; the bias beyond that is the one of all methods;
  * - lights are discs, not squares, and the taps a sunflower's seeds;
  * - parallel light needs no projection: its widths grow with the distance from the receiver. */
-#include "../../kernels/points/pcss.h"
-#include "pipelines.h"
+#include "kernels/points/pcss.h"
+#include "methods/points/pipelines.h"
 
 static const ts_step pcss_steps[] = {
 	{.run = ts_soft_run},                       /* a view from the middle of each light */

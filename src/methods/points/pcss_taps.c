@@ -1,7 +1,7 @@
 /* Taps about a pixel, in the one depth map of each light, that let light through. */
-#include "../../kernels/points/pcss.h"
-#include "../raster/eye.h"
-#include "../raster/shadow_test.h"
+#include "kernels/points/pcss.h"
+#include "methods/raster/eye.h"
+#include "methods/raster/shadow_test.h"
 
 static const ts_launch filtered = TS_LAUNCH(pcss, TS_ALL);
 

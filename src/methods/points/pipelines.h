@@ -1,7 +1,7 @@
 /* Declarations that pipelines of the methods by points share. */
 #ifndef TS_METHODS_POINTS_PIPELINES_H
 #define TS_METHODS_POINTS_PIPELINES_H
-#include "../raster/pipelines.h"
+#include "methods/raster/pipelines.h"
 
 /* Soft and omnidirectional shadows, by any method (shadows.c). */
 extern const ts_effect ts_effect_soft_shadows, ts_effect_omni_shadows;

@@ -1,7 +1,7 @@
 /* Points: counted, then written at their prefix sums. */
-#include "../../kernels/points/points.h"
-#include "../../kernels/points/view_density.h"
-#include "points.h"
+#include "methods/points/points.h"
+#include "kernels/points/points.h"
+#include "kernels/points/view_density.h"
 
 static const ts_launch counted = TS_LAUNCH(points_count, TS_WITH(offset));
 static const ts_launch written = TS_LAUNCH(points, TS_IN(offset, points_offset), TS_WITH(keys), TS_WITH(points));

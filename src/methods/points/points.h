@@ -1,7 +1,7 @@
 /* Functions that the stages of points share. */
-#ifndef TS_STAGES_POINTS_H
-#define TS_STAGES_POINTS_H
-#include "../stages.h"
+#ifndef TS_METHODS_POINTS_POINTS_H
+#define TS_METHODS_POINTS_POINTS_H
+#include "methods/stages.h"
 
 typedef struct ts_points_args ts_points_args;
 

@@ -1,8 +1,8 @@
 /* Code of the stages that put points, stored or made from pieces, into the off-screen views of the batch. */
-#ifndef TS_METHODS_SCATTER_H
-#define TS_METHODS_SCATTER_H
-#include "../../kernels/points/scatter.h"
-#include "points.h"
+#ifndef TS_METHODS_POINTS_SCATTER_H
+#define TS_METHODS_POINTS_SCATTER_H
+#include "kernels/points/scatter.h"
+#include "methods/points/points.h"
 
 /* Launches over points that are stored, and over pieces. */
 typedef struct {

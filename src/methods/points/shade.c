@@ -1,6 +1,6 @@
 /* Shading, from the last bounce back to the eye. */
 #include <stdlib.h>
-#include "lookup.h"
+#include "methods/points/lookup.h"
 
 /* With and without the next bounce's radiance. */
 typedef struct {

@@ -1,8 +1,8 @@
 /* Cubes of the light samples at the resolution that the eye needs. */
 #include <stdlib.h>
-#include "../../scene/lamp.h"
-#include "../../kernels/points/shadow_cube_size.h"
-#include "../raster/eye.h"
+#include "kernels/points/shadow_cube_size.h"
+#include "methods/raster/eye.h"
+#include "scene/lamp.h"
 
 static const ts_launch launch = TS_LAUNCH(shadow_cube_size, TS_BUT_SURFACES, TS_WORK(cubes, other));
 

@@ -1,6 +1,6 @@
 /* Points of EPR's shadows into the depth maps of the batch. */
-#include "../../kernels/points/shadow_splat.h"
-#include "scatter.h"
+#include "kernels/points/shadow_splat.h"
+#include "methods/points/scatter.h"
 
 static const ts_scatters splats = {
 	TS_LAUNCH(shadow_splat, TS_STORED_POINTS(of.from), TS_WITH(of.depths)),

@@ -1,5 +1,5 @@
 /* Shared by all methods of soft and omnidirectional shadows: batches of depth maps, and their expected sizes. */
-#include "pipelines.h"
+#include "methods/points/pipelines.h"
 
 /* One view per sample, for all lights together. */
 void ts_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)

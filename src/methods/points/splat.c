@@ -1,7 +1,7 @@
 /* Points into the cubes. */
-#include "../../kernels/points/splat.h"
-#include "../stages.h"
-#include "points.h"
+#include "kernels/points/splat.h"
+#include "methods/points/points.h"
+#include "methods/stages.h"
 
 /* Points in order of pieces, or of arrival; and again into finished texels, to find ties. */
 #define STORED TS_BUT(from.scene), TS_IN(from.points, points_record)

@@ -1,6 +1,6 @@
 /* Pieces of triangles, each with its density. */
-#include "../../kernels/points/split.h"
-#include "points.h"
+#include "kernels/points/split.h"
+#include "methods/points/points.h"
 
 /* Counts, then writes: for the eye through cubes; for off-screen views; for the eye through shadows. */
 typedef struct {

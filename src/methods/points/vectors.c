@@ -1,6 +1,6 @@
 /* The primitive of culling (kernels/points/cull.h). */
-#include "../../kernels/points/vectors.h"
-#include "../../vectors/row.h"
+#include "kernels/points/vectors.h"
+#include "vectors/row.h"
 
 WORD_ITEM(cull_fused, ts_max_i32(ts_fix(fmaf(-10.0f, A, 1.0f), 24, 25), 0))
 

@@ -6,8 +6,8 @@
  *
  * Deviations: the rate is a reconstruction, the reading of iVIR 3.1 that iVIR's own table 3 allows (METHODS 9): the
  * paper of VIR was not at hand. */
-#include "../../kernels/points/view_density.h"
-#include "pipelines.h"
+#include "kernels/points/view_density.h"
+#include "methods/points/pipelines.h"
 
 static void vir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {

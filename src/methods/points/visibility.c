@@ -1,6 +1,6 @@
 /* Visibility bits of every triangle. */
-#include "../../kernels/raster/visibility.h"
-#include "../stages.h"
+#include "kernels/raster/visibility.h"
+#include "methods/stages.h"
 
 static const ts_launch launch = TS_LAUNCH(visibility, TS_BUT_SURFACES);
 

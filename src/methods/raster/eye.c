@@ -1,6 +1,6 @@
 /* The eye's depth and triangle. */
-#include "../../kernels/raster/eye.h"
-#include "eye.h"
+#include "methods/raster/eye.h"
+#include "kernels/raster/eye.h"
 
 u32 ts_eye_samples(const ts_params *params)
 {

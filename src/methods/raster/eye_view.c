@@ -1,6 +1,6 @@
 /* The eye of this frame. */
-#include "../../scene/view.h"
-#include "../stages.h"
+#include "methods/stages.h"
+#include "scene/view.h"
 
 static ts_status eye_view(ts_run *run)
 {

@@ -1,5 +1,5 @@
 /* MVR: level 0 of the batch's cubes by shading every texel; mip chains. */
-#include "illuminate.h"
+#include "methods/raster/illuminate.h"
 
 static const ts_launch shaded = TS_LAUNCH(illuminate, TS_ALL);
 const ts_launch ts_mip_averaged = TS_LAUNCH(mip, TS_BUT(scene), TS_BUT(depth_triangle));

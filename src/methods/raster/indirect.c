@@ -1,6 +1,6 @@
 /* Shared by methods of indirect light: a reflective shadow map per light, or for the lamp. */
-#include "../stages.h"
-#include "pipelines.h"
+#include "methods/raster/pipelines.h"
+#include "methods/stages.h"
 
 void ts_indirect_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {

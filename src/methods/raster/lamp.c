@@ -1,8 +1,8 @@
 /* The lights with soft shadows, and the views from their samples. There are few per frame, so the host makes them. */
-#include "../../kernels/base/shade.h"
-#include "../../scene/lamp.h"
 #include <inttypes.h>
-#include "../stages.h"
+#include "kernels/base/shade.h"
+#include "methods/stages.h"
+#include "scene/lamp.h"
 
 static ts_status make_lamps(ts_run *run, u32 n, ts_light **lights, ts_lamp **lamps)
 {

@@ -1,6 +1,6 @@
 /* Cubes as off-screen views, and which off-screen views may see a triangle. */
-#include "../../kernels/raster/offscreen.h"
-#include "../stages.h"
+#include "kernels/raster/offscreen.h"
+#include "methods/stages.h"
 
 static const ts_launch launch = TS_LAUNCH(offscreen_visibility, TS_BUT_SURFACES);
 

@@ -1,7 +1,7 @@
 /* Declarations that pipelines of several families share. */
 #ifndef TS_METHODS_RASTER_PIPELINES_H
 #define TS_METHODS_RASTER_PIPELINES_H
-#include "../pipeline.h"
+#include "methods/pipeline.h"
 
 /* Runs of steps (shared.c): eye and scene of the frame; the lights of shadows, their views, and the eye's picture;
  * pictures from depth maps; reflective shadow maps; the eye's picture with its G-buffer. */

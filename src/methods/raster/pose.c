@@ -1,6 +1,6 @@
 /* Vertices of this frame in world space. */
-#include "../../kernels/base/pose.h"
-#include "../stages.h"
+#include "kernels/base/pose.h"
+#include "methods/stages.h"
 
 static const ts_launch posed = TS_LAUNCH(pose, TS_ALL);
 static const ts_launch posed_by_file = TS_LAUNCH(pose, TS_WITH(motions));

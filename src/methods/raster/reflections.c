@@ -1,7 +1,7 @@
 /* Shared by all methods of reflections: how much of the eye's image and of the cubes mirrors are likely to fill. */
-#include "../stages.h"
-#include "eye.h"
-#include "pipelines.h"
+#include "methods/raster/eye.h"
+#include "methods/raster/pipelines.h"
+#include "methods/stages.h"
 
 /* A square about every added reflector, or a quarter of the image. */
 static u64 reflective_pixels(const ts_scene *scene, const ts_params *params)

@@ -1,6 +1,6 @@
 /* Reflective shadow maps, and their texels as lights. */
-#include "../../kernels/raster/rsm.h"
-#include "../stages.h"
+#include "kernels/raster/rsm.h"
+#include "methods/stages.h"
 
 static const ts_launch rasterized = TS_LAUNCH(rsm, TS_ALL);
 static const ts_launch lit =

@@ -1,5 +1,5 @@
 /* Runs of steps that several methods share. */
-#include "pipelines.h"
+#include "methods/raster/pipelines.h"
 
 const ts_step ts_frame_run[] = {
 	{.stage = "eye.view"}, /* where the eye is */

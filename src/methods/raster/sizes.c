@@ -1,8 +1,8 @@
 /* Computed sizes of rasterization. */
-#include "../../kernels/raster/mip.h"
-#include "eye.h"
-#include "../registry.h"
-#include "../stages.h"
+#include "kernels/raster/mip.h"
+#include "methods/raster/eye.h"
+#include "methods/registry.h"
+#include "methods/stages.h"
 
 u64 ts_size_eye_rows(const ts_size_question *q)
 {

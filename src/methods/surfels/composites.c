@@ -1,6 +1,6 @@
 /* Composites of surfels (kernels/surfels/composites.h). */
-#include "../../kernels/surfels/composites.h"
-#include "../../vectors/relate.h"
+#include "kernels/surfels/composites.h"
+#include "vectors/relate.h"
 
 enum { SURFEL = 24, SURFEL_U = 27, SURFEL_V = 30, SURFEL_COLOUR = 33 };
 

@@ -1,6 +1,6 @@
 /* Deferred shading of a G-buffer, with the shadows of its lights, and the margins of its decisions. */
-#include "../../kernels/surfels/deferred_margin.h"
-#include "surfel.h"
+#include "kernels/surfels/deferred_margin.h"
+#include "methods/surfels/surfel.h"
 
 #define BUT_TRIANGLES(path) TS_BUT(path.scene), TS_BUT(path.view), TS_BUT(path.depth_triangle)
 static const ts_launch lit = TS_LAUNCH(deferred_lit, BUT_TRIANGLES(of));

@@ -1,7 +1,7 @@
 /* Lists of fragments, for sums in their order. */
-#include "../../kernels/surfels/fragment_list.h"
-#include "../../kernels/base/sort.h"
-#include "surfel.h"
+#include "kernels/base/sort.h"
+#include "kernels/surfels/fragment_list.h"
+#include "methods/surfels/surfel.h"
 
 /* Until it is written, the start of a pixel's list stands in the entry after its own. */
 static const ts_launch counted = TS_LAUNCH(fragment_list, TS_ALL);

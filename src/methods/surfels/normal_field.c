@@ -1,6 +1,6 @@
 /* Linear fields of normals, optional for static surfels. */
-#include "../../kernels/surfels/normal_field.h"
-#include "surfel.h"
+#include "kernels/surfels/normal_field.h"
+#include "methods/surfels/surfel.h"
 
 static const ts_launch launch = TS_LAUNCH(normal_field, TS_ALL);
 

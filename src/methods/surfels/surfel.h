@@ -1,9 +1,9 @@
 /* Functions that the stages of surfels share, or that others call. */
-#ifndef TS_STAGES_SURFELS_H
-#define TS_STAGES_SURFELS_H
-#include "../../kernels/surfels/deferred.h"
-#include "../../kernels/surfels/surfel_shade.h"
-#include "../stages.h"
+#ifndef TS_METHODS_SURFELS_SURFEL_H
+#define TS_METHODS_SURFELS_SURFEL_H
+#include "kernels/surfels/deferred.h"
+#include "kernels/surfels/surfel_shade.h"
+#include "methods/stages.h"
 
 /* The filter of surfels, for arguments of kernels (surfel_setup.c). */
 ts_filter ts_surfel_filter(const ts_run *run);

@@ -1,6 +1,6 @@
 /* Sums of the attributes of surfels, or of their shaded colours. */
-#include "../../kernels/surfels/surfel_blend_order.h"
-#include "surfel.h"
+#include "kernels/surfels/surfel_blend_order.h"
+#include "methods/surfels/surfel.h"
 
 static const ts_launch in_any_order = TS_LAUNCH(surfel_blend, TS_ALL);
 static const ts_launch in_order = TS_LAUNCH(surfel_blend_order, TS_ALL);

@@ -1,6 +1,6 @@
 /* The G-buffer of surfels: sums divided by their weights. */
-#include "../../kernels/surfels/surfel_blend_mean.h"
-#include "../stages.h"
+#include "kernels/surfels/surfel_blend_mean.h"
+#include "methods/stages.h"
 
 static const ts_launch launch = TS_LAUNCH(surfel_blend_mean, TS_ALL);
 

@@ -1,6 +1,6 @@
 /* Visibility of surfels, from the eye and from lights. */
-#include "../../kernels/surfels/surfel_depth.h"
-#include "surfel.h"
+#include "kernels/surfels/surfel_depth.h"
+#include "methods/surfels/surfel.h"
 
 static const ts_launch from_eye = TS_LAUNCH(surfel_depth, TS_ALL);
 static const ts_launch from_lights = TS_LAUNCH(surfel_depth_shadow, TS_ALL);

@@ -1,6 +1,6 @@
 /* Margins of the decisions about surfels. */
-#include "../../kernels/surfels/surfel_shade_margin.h"
-#include "surfel.h"
+#include "kernels/surfels/surfel_shade_margin.h"
+#include "methods/surfels/surfel.h"
 
 static const ts_launch of_depths = TS_LAUNCH(surfel_depth_margin, TS_MIN(margin, surfel_depth_margin));
 static const ts_launch of_fragments =

@@ -1,8 +1,8 @@
 /* The nearest surfels of each, by their centres. */
-#include "../../kernels/surfels/normal_field.h"
-#include "../../scene/neighbours.h"
-#include "surfel.h"
 #include <stdlib.h>
+#include "kernels/surfels/normal_field.h"
+#include "methods/surfels/surfel.h"
+#include "scene/neighbours.h"
 
 /* Equal distances go by index. */
 static void list_near(u32 *near, const ts_neighbours *tree, u32 i)

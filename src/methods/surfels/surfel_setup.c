@@ -1,7 +1,7 @@
 /* Surfels in the eye's view, and the depth range behind the nearest within which others are blended. */
-#include "../../kernels/surfels/surfel_setup.h"
-#include "../../scene/surfel.h"
-#include "surfel.h"
+#include "kernels/surfels/surfel_setup.h"
+#include "methods/surfels/surfel.h"
+#include "scene/surfel.h"
 
 static const ts_launch launch = TS_LAUNCH(surfel_setup, TS_ALL);
 

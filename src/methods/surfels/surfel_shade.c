@@ -1,5 +1,5 @@
 /* Shading of surfels before they are blended, and its picture. */
-#include "surfel.h"
+#include "methods/surfels/surfel.h"
 
 static const ts_launch launch = TS_LAUNCH(surfel_shade_image, TS_ALL);
 

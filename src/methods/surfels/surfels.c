@@ -23,9 +23,9 @@
  * - the slides do not define how normal fields are made: ours fit the 8 nearest surfels (normal_field.h);
  * - lights are the scene's, each of them a point or a sun with one depth map, or, for points without a direction, with
  *   a cube of six. */
-#include "surfel.h"
-#include "../stages.h"
-#include "../pipeline.h"
+#include "methods/pipeline.h"
+#include "methods/stages.h"
+#include "methods/surfels/surfel.h"
 
 #define FRAGMENTS 30u      /* per pixel, on the slides */
 #define SPLAT 4u           /* fragments of a surfel smaller than a pixel */

@@ -2,19 +2,19 @@
  * its tools/tools.c; an empty list is NULL. */
 #ifndef TS_METHODS_TOOLS_FAMILY_H
 #define TS_METHODS_TOOLS_FAMILY_H
-#include "../../compare/decided.h"
-#include "../../compare/tie.h"
-#include "../../probe/probe.h"
-#include "../../replay/check.h"
-#include "../../study/bench.h"
-#include "../../study/claims.h"
-#include "../../study/notes.h"
-#include "../../study/speed.h"
-#include "../../study/stage_pictures.h"
-#include "../../study/viewer.h"
-#include "../../trace/where.h"
-#include "../../truth/table.h"
-#include "../../truth/texels.h"
+#include "compare/decided.h"
+#include "compare/tie.h"
+#include "probe/probe.h"
+#include "replay/check.h"
+#include "study/bench.h"
+#include "study/claims.h"
+#include "study/notes.h"
+#include "study/speed.h"
+#include "study/stage_pictures.h"
+#include "study/viewer.h"
+#include "trace/where.h"
+#include "truth/table.h"
+#include "truth/texels.h"
 
 typedef struct {
 	const ts_where_rule *places;           /* ended by a row without `where` */

@@ -1,6 +1,6 @@
 /* Filters the gathered light. */
-#include "../../kernels/views/bilateral.h"
-#include "../raster/eye.h"
+#include "kernels/views/bilateral.h"
+#include "methods/raster/eye.h"
 
 static const ts_launch along_rows =
 	TS_LAUNCH(bilateral, TS_IN(from, vpl_gather_irradiance), TS_OUT(to, bilateral_filtered_rows));

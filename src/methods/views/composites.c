@@ -1,6 +1,6 @@
 /* Composites of MegaViews and ManyLoDs (kernels/views/composites.h). */
-#include "../../kernels/views/composites.h"
-#include "../../vectors/relate.h"
+#include "kernels/views/composites.h"
+#include "vectors/relate.h"
 
 /* Along an axis, across the border between the two maps, no direction. */
 static void relate_direction(u32 *in, u32 random)

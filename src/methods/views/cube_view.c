@@ -1,7 +1,7 @@
 /* Views from the middles of the reflectors' cubes, and their maps as mip chains. */
-#include "../../kernels/views/cube_view.h"
-#include "../raster/illuminate.h"
-#include "views.h"
+#include "kernels/views/cube_view.h"
+#include "methods/raster/illuminate.h"
+#include "methods/views/views.h"
 
 static const ts_launch placed = TS_LAUNCH(cube_view, TS_ALL);
 static const ts_launch copied = TS_LAUNCH(cube_view_mip, TS_BUT(to.scene), TS_BUT(to.depth_triangle));

@@ -12,9 +12,9 @@
  * - a node has no back: a mean normal turns to the viewer, and surfaces seen from behind, which MVR drops, are shown;
  * - views of a leaf share its map, and so mirrors whose middles are in one leaf show the same. */
 #include <math.h>
-#include "../../kernels/raster/mip.h"
-#include "../stages.h"
-#include "pipelines.h"
+#include "kernels/raster/mip.h"
+#include "methods/stages.h"
+#include "methods/views/pipelines.h"
 
 static const ts_step steps[] = {
 	{.run = ts_frame_run},

@@ -27,10 +27,10 @@
  *   hierarchy;
  * - the picture shows only indirect light. */
 #include <math.h>
-#include "../../scene/lamp.h"
-#include "../stages.h"
-#include "pipelines.h"
-#include "views.h"
+#include "methods/stages.h"
+#include "methods/views/pipelines.h"
+#include "methods/views/views.h"
+#include "scene/lamp.h"
 
 /* The octree of the scene, and light from the maps' texels. */
 static const ts_step vpl_run[] = {

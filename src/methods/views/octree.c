@@ -1,6 +1,6 @@
 /* Octrees: masks, nodes and the lists of the leaves; also the scene's octree. */
-#include "octree.h"
-#include "../../kernels/views/octree_surface.h"
+#include "methods/views/octree.h"
+#include "kernels/views/octree_surface.h"
 
 const ts_octree ts_scene_octree =
 	TS_OCTREE(voxel_mask, voxel_before, octree_level, octree_node, octree_offset, octree_triangle, nodes, "scene");

@@ -1,10 +1,10 @@
 /* Code that the octrees of the scene and of the views share: masks, nodes and the lists of the leaves. */
-#ifndef TS_STAGES_OCTREE_H
-#define TS_STAGES_OCTREE_H
-#include "../../kernels/base/sort.h"
-#include "../../kernels/views/octree.h"
-#include "../../kernels/views/voxel.h"
-#include "views.h"
+#ifndef TS_METHODS_VIEWS_OCTREE_H
+#define TS_METHODS_VIEWS_OCTREE_H
+#include "kernels/base/sort.h"
+#include "kernels/views/octree.h"
+#include "kernels/views/voxel.h"
+#include "methods/views/views.h"
 
 /* The buffers of an octree, the launches that make them, and its counters. */
 typedef struct {

@@ -1,6 +1,6 @@
 /* The reflectors that nodes of the scene's octree belong to. */
-#include "../../kernels/views/octree_reflector.h"
-#include "octree.h"
+#include "kernels/views/octree_reflector.h"
+#include "methods/views/octree.h"
 
 static const ts_launch of_leaves = TS_LAUNCH(leaf_reflector, TS_BUT_SURFACES, TS_BUT(scene.materials));
 static const ts_launch of_nodes = TS_LAUNCH(inner_reflector, TS_BUT(scene), TS_BUT(offset), TS_BUT(triangles));

@@ -1,6 +1,6 @@
 /* The cube that both octrees divide. */
-#include "../../kernels/views/octree_root.h"
-#include "../stages.h"
+#include "kernels/views/octree_root.h"
+#include "methods/stages.h"
 
 static const ts_launch extent = TS_LAUNCH(octree_root_least, TS_BUT(root));
 static const ts_launch cube = TS_LAUNCH(octree_root, TS_IN(least, octree_root_least), TS_BUT(vertices));

@@ -1,7 +1,7 @@
 /* Glowing particles as virtual point lights. */
-#include "../../kernels/views/particle.h"
-#include "../../scene/view.h"
-#include "views.h"
+#include "kernels/views/particle.h"
+#include "methods/views/views.h"
+#include "scene/view.h"
 
 static const ts_launch launch = TS_LAUNCH(particle, TS_ALL);
 

@@ -10,8 +10,8 @@
  * - as nothing is culled, pixels draw from all particles, unless cutoff excludes those that are far away;
  * - the picture shows only the light of particles, not the particles. */
 #include <math.h>
-#include "../stages.h"
-#include "pipelines.h"
+#include "methods/stages.h"
+#include "methods/views/pipelines.h"
 
 /* The eye's view, particles, and the octree of the scene. */
 static const ts_step particle_run[] = {

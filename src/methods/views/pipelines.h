@@ -1,7 +1,7 @@
 /* Declarations that pipelines of many views share. */
 #ifndef TS_METHODS_VIEWS_PIPELINES_H
 #define TS_METHODS_VIEWS_PIPELINES_H
-#include "../raster/pipelines.h"
+#include "methods/raster/pipelines.h"
 
 /* Runs of steps (shared.c): maps of many views by an octree of views, not yet fused; maps that are fused or looked up
  * as they are, by an octree, of each view by itself, or of every leaf; and the light gathered through the maps. */

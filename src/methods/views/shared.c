@@ -1,6 +1,6 @@
 /* Runs of steps that several methods of many views share. */
-#include "pipelines.h"
-#include "views.h"
+#include "methods/views/pipelines.h"
+#include "methods/views/views.h"
 
 #define FUSED \
 	{ \

@@ -1,7 +1,7 @@
 /* Computed sizes of many views. */
-#include "../../kernels/views/view_map.h"
-#include "../registry.h"
-#include "octree.h"
+#include "kernels/views/view_map.h"
+#include "methods/registry.h"
+#include "methods/views/octree.h"
 
 u64 ts_size_levels(const ts_size_question *q) { return TS_PARAM(&q->run->params, octree_levels) + 1; }
 

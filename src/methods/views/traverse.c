@@ -1,10 +1,9 @@
 /* The traversal of two octrees at once: one queue of pairs per step, processed in pieces where it is longer than its
  * memory. */
-#include "../../kernels/base/scan.h"
-#include "octree.h"
-#include "traverse.h"
-
+#include "methods/views/traverse.h"
 #include <stdlib.h>
+#include "kernels/base/scan.h"
+#include "methods/views/octree.h"
 
 enum { SCAN_CHUNK = 2048, BYTES_A_PAIR = 8 * TS_STEPS + 4 + 1 };
 

@@ -1,9 +1,9 @@
 /* The traversal, for stages that keep the rendered pairs, draw them into maps at once, list them, or judge all
  * pairs. */
-#ifndef TS_STAGES_TRAVERSE_H
-#define TS_STAGES_TRAVERSE_H
-#include "../../kernels/views/traverse.h"
-#include "views.h"
+#ifndef TS_METHODS_VIEWS_TRAVERSE_H
+#define TS_METHODS_VIEWS_TRAVERSE_H
+#include "kernels/views/traverse.h"
+#include "methods/views/views.h"
 
 /* Decided pairs of a step's queue: of the n pairs from args.queue on those that are left are rendered. */
 typedef struct {

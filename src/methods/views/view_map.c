@@ -1,9 +1,9 @@
 /* Rendered pairs in maps, and whole maps for every node of views. */
-#include "../../kernels/views/view_map_fuse.h"
-#include "../../kernels/views/view_octree_alone.h"
-#include "octree.h"
-#include "traverse.h"
 #include <inttypes.h>
+#include "kernels/views/view_map_fuse.h"
+#include "kernels/views/view_octree_alone.h"
+#include "methods/views/octree.h"
+#include "methods/views/traverse.h"
 
 ts_status ts_view_map_check(const ts_run *run)
 {

@@ -1,6 +1,6 @@
 /* Whole maps of views in colour. */
-#include "../../kernels/views/view_map_colour.h"
-#include "octree.h"
+#include "kernels/views/view_map_colour.h"
+#include "methods/views/octree.h"
 
 static const ts_launch shaded = TS_LAUNCH(view_map_colour, TS_IN(of.surfaces, octree_surface));
 

@@ -1,7 +1,7 @@
 /* Margins of the maps of views. */
-#include "../../kernels/views/view_map_margin.h"
-#include "octree.h"
-#include "traverse.h"
+#include "kernels/views/view_map_margin.h"
+#include "methods/views/octree.h"
+#include "methods/views/traverse.h"
 
 static const ts_launch measured = TS_LAUNCH(view_map_margin, TS_ALL);
 static const ts_launch measured_but_own = TS_LAUNCH(view_map_margin, TS_WITH(own));

@@ -1,7 +1,7 @@
 /* The octree of the views, and the cones of their directions. */
-#include "octree.h"
-#include "../../kernels/views/view_octree_cone.h"
-#include "../../kernels/views/view_octree.h"
+#include "kernels/views/view_octree.h"
+#include "kernels/views/view_octree_cone.h"
+#include "methods/views/octree.h"
 
 const ts_octree ts_view_octree = TS_OCTREE(view_octree_voxel_mask, view_octree_voxel_before, view_octree_level,
                                            view_octree_node, view_octree_offset, view_octree_view, view_nodes, "view");

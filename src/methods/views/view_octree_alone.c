@@ -1,6 +1,6 @@
 /* Views without a hierarchy. */
-#include "../../kernels/views/view_octree_alone.h"
-#include "../stages.h"
+#include "kernels/views/view_octree_alone.h"
+#include "methods/stages.h"
 
 static const ts_launch launch = TS_LAUNCH(view_octree_alone, TS_ALL);
 

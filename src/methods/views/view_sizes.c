@@ -1,10 +1,10 @@
 /* Expected sizes of octrees, maps and lists of many views, from the area of the scene's surfaces. The shares were
  * measured on the built-in scenes and two models at all levels; scripts/memory compares estimates with actual runs. */
 #include <math.h>
-#include "../../kernels/base/vec.h"
-#include "traverse.h"
-#include "views.h"
-#include "pipelines.h"
+#include "kernels/base/vec.h"
+#include "methods/views/pipelines.h"
+#include "methods/views/traverse.h"
+#include "methods/views/views.h"
 
 #define FILLED 0.25    /* of all voxels at most, as surfaces stand close to each other */
 #define TRIANGLES 2    /* per leaf, besides one leaf per triangle */

@@ -1,7 +1,7 @@
 /* Functions that the stages of many views share, or that others call. */
-#ifndef TS_STAGES_VIEWS_H
-#define TS_STAGES_VIEWS_H
-#include "../stages.h"
+#ifndef TS_METHODS_VIEWS_VIEWS_H
+#define TS_METHODS_VIEWS_VIEWS_H
+#include "methods/stages.h"
 
 typedef struct ts_particle_args ts_particle_args;
 typedef struct ts_pyramid ts_pyramid;

@@ -1,5 +1,5 @@
 /* Voxels that triangles touch: future leaves of the scene's octree. */
-#include "octree.h"
+#include "methods/views/octree.h"
 
 static const ts_launch marked =
 	TS_LAUNCH(voxel, TS_WITH(mask), TS_BUT(bits), TS_BUT(before), TS_BUT(offset), TS_BUT_LIT);

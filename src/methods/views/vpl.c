@@ -1,6 +1,6 @@
 /* Virtual point lights from the reflective shadow maps. */
-#include "../../kernels/views/vpl.h"
-#include "octree.h"
+#include "kernels/views/vpl.h"
+#include "methods/views/octree.h"
 
 /* Texels that reflect light; lights of each path; the lights; and those for paths with random beginnings. */
 static const ts_launch lit = TS_LAUNCH(vpl_count, TS_BUT(paths), TS_BUT(lights));

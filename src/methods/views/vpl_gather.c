@@ -1,9 +1,9 @@
 /* Light from virtual point lights: which nodes of views may light which nodes of the scene, and gathering by pixels. */
-#include "../../kernels/views/vpl_gather_margin.h"
-#include "../../kernels/views/vpl_gather_pairs.h"
-#include "../raster/eye.h"
-#include "octree.h"
-#include "traverse.h"
+#include "kernels/views/vpl_gather_margin.h"
+#include "kernels/views/vpl_gather_pairs.h"
+#include "methods/raster/eye.h"
+#include "methods/views/octree.h"
+#include "methods/views/traverse.h"
 
 #define TEXEL_DIAGONAL 1.41421354f /* of its width: places in one texel are no farther apart */
 

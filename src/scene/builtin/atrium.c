@@ -1,7 +1,7 @@
 /* "atrium": a court of two storeys, arcades along its sides and blind arcades at its ends, hung with cloth.
  * 30 by 18 by 11 m, the court's floor at y = 0, open to the sky between the upper cornices. */
-#include "builtin.h"
-#include "parts.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/parts.h"
 
 enum {
 	ASHLAR,

@@ -1,5 +1,5 @@
 /* A bicycle: rims, spokes, tubes and chain, the thin things that point rendering finds hard. */
-#include "parts.h"
+#include "scene/builtin/parts.h"
 
 #define REAR_X (-0.515625f)
 #define FRONT_X 0.515625f

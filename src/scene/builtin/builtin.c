@@ -1,10 +1,10 @@
 /* The built-in scenes by name: reading "atrium:triangles=1.05M:texels=64", choosing the detail that gives the count,
  * building. The detail is found by bisection over the same code that builds, in counting mode; one part fills the
  * remainder. A scene of surfels is a grid, which counts itself. */
+#include "scene/builtin/builtin.h"
 #include <stdio.h>
-#include "../../model/core.h"
-#include "builtin.h"
-#include "../sources.h"
+#include "model/core.h"
+#include "scene/sources.h"
 
 enum { TRIANGLES, TEXELS, SURFELS, N_OPTIONS };
 
@@ -20,7 +20,7 @@ static const struct {
 
 static const ts_builtin *const scenes[] = {
 #define SCENE(name) &ts_builtin_##name,
-#include "scenes.def"
+#include "scene/builtin/scenes.def"
 #undef SCENE
 };
 enum { N_SCENES = sizeof scenes / sizeof *scenes };

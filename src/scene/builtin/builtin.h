@@ -1,10 +1,10 @@
 /* A built-in scene: its materials, its shapes, and a rug that makes up the exact number of triangles. scenes.def has
  * the list. */
-#ifndef TS_SCENE_BUILTIN_H
-#define TS_SCENE_BUILTIN_H
-#include "mesh.h"
-#include "paint.h"
-#include "parts.h"
+#ifndef TS_SCENE_BUILTIN_BUILTIN_H
+#define TS_SCENE_BUILTIN_BUILTIN_H
+#include "scene/builtin/mesh.h"
+#include "scene/builtin/paint.h"
+#include "scene/builtin/parts.h"
 
 enum { TS_MAX_PAINTS = 40 };
 
@@ -27,7 +27,7 @@ typedef struct {
 void ts_builtin_camera(ts_build *build, const char *name, ts_v3 eye, f32 down);
 
 #define SCENE(name) extern const ts_builtin ts_builtin_##name;
-#include "scenes.def"
+#include "scene/builtin/scenes.def"
 #undef SCENE
 
 #endif

@@ -1,9 +1,9 @@
 /* "checkerboard": surfels in a regular grid on a plane that recedes to where its squares are far smaller than a pixel;
  * FIGURES 12 measures filters on it. 64 by 256 m of squares of 1 m; the camera "receding" looks along it. */
-#include "../build_parts.h"
-#include "builtin.h"
-#include "../checkerboard.h"
-#include "../surfel.h"
+#include "scene/build_parts.h"
+#include "scene/builtin/builtin.h"
+#include "scene/checkerboard.h"
+#include "scene/surfel.h"
 
 enum { WIDTH = 64, TIMES = 4 }; /* the ratio of length to width */
 #define LIGHT 0.75f

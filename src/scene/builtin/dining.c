@@ -1,8 +1,8 @@
 /* "dining": a dining room, 14 by 11 by 4.25 m, with a laid table, blinds in its windows, a fireplace between shelves of
  * books, a sideboard, a chandelier. The table stands to one side, so the middle is free. */
-#include "builtin.h"
-#include "dining.h"
-#include "parts.h"
+#include "scene/builtin/dining.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/parts.h"
 
 /* clang-format off */
 #define PLAIN(r, g, b, rough, metal) {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {r, g, b}, rough, metal}

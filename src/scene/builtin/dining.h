@@ -1,7 +1,7 @@
 /* Shared by the files of the built-in scene "dining". */
 #ifndef TS_SCENE_BUILTIN_DINING_H
 #define TS_SCENE_BUILTIN_DINING_H
-#include "mesh.h"
+#include "scene/builtin/mesh.h"
 
 enum {
 	D_PARQUET,

@@ -1,5 +1,5 @@
 /* Painters of cloth, leather, paper and leaves. */
-#include "paint.h"
+#include "scene/builtin/paint.h"
 
 /* Over-and-under threads, n per image: height in [0,1]; *warp: whether the warp is on top. */
 static f32 threads(bool *warp, f32 u, f32 v, f32 n)

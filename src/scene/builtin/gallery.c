@@ -1,7 +1,7 @@
 /* "gallery": a hall under a skylight with a cabinet behind a doorway in each corner, hung with pictures.
  * 24 by 18 by 5.25 m; a bicycle, a knot of bronze, vases and benches stand in it. */
-#include "builtin.h"
-#include "parts.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/parts.h"
 
 enum {
 	PARQUET,

@@ -1,7 +1,7 @@
 /* The grid that all shapes of the built-in scenes are made of: see mesh.h. */
+#include "scene/builtin/mesh.h"
 #include <stdlib.h>
-#include "../../model/core.h"
-#include "mesh.h"
+#include "model/core.h"
 
 u32 ts_mesh_segments(const ts_mesh *mesh, f32 base, u32 least)
 {

@@ -3,8 +3,8 @@
  * Numbers of segments are proportional to `detail`, so numbers of triangles are proportional to its square. */
 #ifndef TS_SCENE_BUILTIN_MESH_H
 #define TS_SCENE_BUILTIN_MESH_H
-#include "../../kernels/base/vec.h"
-#include "../build.h"
+#include "kernels/base/vec.h"
+#include "scene/build.h"
 
 /* Part to world: o + p.x x + p.y y + p.z z. The axes are orthogonal, right-handed and equally long. */
 typedef struct {

@@ -1,7 +1,7 @@
 /* From painters to images and materials: see paint.h. */
+#include "scene/builtin/paint.h"
 #include <stdlib.h>
-#include "../../model/core.h"
-#include "paint.h"
+#include "model/core.h"
 
 f32 ts_paint_hash(i32 x, i32 y, u32 seed) { return ts_uniform(ts_random((u32)x + 65537u * (u32)y, 5u, seed)); }
 

@@ -2,8 +2,8 @@
  * points. All arithmetic is of integers and ts_ functions, so the texels are the same everywhere. */
 #ifndef TS_SCENE_BUILTIN_PAINT_H
 #define TS_SCENE_BUILTIN_PAINT_H
-#include "../../kernels/base/scene.h"
-#include "../build.h"
+#include "kernels/base/scene.h"
+#include "scene/build.h"
 
 /* One point of a material. Colour: sRGB-coded, 0 to 1. Height: metres over the surface. */
 typedef struct {

@@ -1,5 +1,5 @@
 /* Plants, cloth, ropes, chains, pictures, rugs: see parts.h. */
-#include "parts.h"
+#include "scene/builtin/parts.h"
 
 typedef struct {
 	ts_v3 up, out, side;

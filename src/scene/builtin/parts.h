@@ -2,7 +2,7 @@
  * mesh->material is changed and not restored. */
 #ifndef TS_SCENE_BUILTIN_PARTS_H
 #define TS_SCENE_BUILTIN_PARTS_H
-#include "mesh.h"
+#include "scene/builtin/mesh.h"
 
 /* A pot of this radius with a plant in it. kind 0: a bush of broad leaves; 1: long arching blades. */
 typedef struct {

@@ -1,5 +1,5 @@
 /* Painted pictures for the walls: land and sea, still life, a portrait, squares, waves, a town, dots. */
-#include "paint.h"
+#include "scene/builtin/paint.h"
 
 static ts_v3 rgb(f32 r, f32 g, f32 b) { return ts_v3_make(r, g, b); }
 

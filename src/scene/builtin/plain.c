@@ -1,7 +1,7 @@
 /* "plain": two mirrors and two stones on a rug, and a ground of 40 km: its numbers span a range like no room's. Near
  * planes cut edges of the ground whose ends are 2^25 times as far away. */
-#include "../sources.h"
-#include "builtin.h"
+#include "scene/builtin/builtin.h"
+#include "scene/sources.h"
 
 enum { STONE, RUG, N_PAINTS };
 #define HALF 20000.0f

@@ -1,5 +1,5 @@
 /* Walls, blocks, turned, bent and framed shapes over the grid of mesh.c. */
-#include "mesh.h"
+#include "scene/builtin/mesh.h"
 
 typedef struct {
 	ts_v3 o, s, t;

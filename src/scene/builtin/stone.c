@@ -1,5 +1,5 @@
 /* Painters of stone, wood, earth and metal. */
-#include "paint.h"
+#include "scene/builtin/paint.h"
 
 /* Grain in all sizes; the contrast that keeps a plain surface from looking like plastic. */
 static f32 grain(f32 u, f32 v, u32 seed) { return ts_paint_fbm(u, v, 8, 5, seed) - 0.5f; }

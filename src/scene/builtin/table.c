@@ -1,6 +1,6 @@
 /* The laid table of the built-in scene "dining": cloth, plates, cutlery, glasses, bottles, candles, chairs. */
-#include "dining.h"
-#include "parts.h"
+#include "scene/builtin/dining.h"
+#include "scene/builtin/parts.h"
 
 static const f32 HALF_X = 1.875f, HALF_Z = 0.5625f, TABLE = 0.75f;
 

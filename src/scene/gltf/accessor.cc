@@ -1,8 +1,8 @@
 /* Accessors, glTF 2.0 section 3.6.2: bounds, alignment and forms are checked when a view is opened, so that reading an
  * item below `count` needs no check. tinygltf checks none of this. */
-#include "gltf.h"
 #include <algorithm>
 #include <cstring>
+#include "scene/gltf/gltf.h"
 
 namespace gltf {
 

@@ -1,9 +1,9 @@
 /* Animations, glTF 2.0 section 3.11: one of the file moves nodes by keyframes of their translation, rotation and scale.
  * METHODS 2 says at which times, and what follows its end. */
-#include "gltf.h"
-#include "../keyframe.h"
 #include <algorithm>
 #include <cstring>
+#include "scene/gltf/gltf.h"
+#include "scene/keyframe.h"
 
 namespace gltf {
 

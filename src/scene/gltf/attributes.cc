@@ -1,5 +1,5 @@
 /* The attributes of a primitive, glTF 2.0 section 3.7.2.1, as floats of a record. */
-#include "gltf.h"
+#include "scene/gltf/gltf.h"
 
 namespace gltf {
 

@@ -1,7 +1,7 @@
 /* The GLB container, glTF 2.0 section 4.4: a 12-byte header, then a JSON chunk, an optional BIN chunk and chunks of
  * other kinds, which are skipped. */
-#include "gltf.h"
 #include <cstring>
+#include "scene/gltf/gltf.h"
 
 namespace gltf {
 

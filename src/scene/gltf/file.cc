@@ -1,7 +1,5 @@
 /* Files and URIs of a glTF asset. Files are untrusted: nothing outside the asset's own folder is opened, and neither
  * devices nor pipes are read. */
-#include "gltf.h"
-#include "../../model/core.h"
 #include <algorithm>
 #include <cerrno>
 #include <climits>
@@ -11,6 +9,8 @@
 #include <memory>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "model/core.h"
+#include "scene/gltf/gltf.h"
 
 namespace gltf {
 

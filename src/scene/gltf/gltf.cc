@@ -1,11 +1,11 @@
 /* Loading a glTF 2.0 file into a build: container, guard, tinygltf, then materials, meshes and nodes. The one entry
  * from C: no exception passes it. */
-#include "gltf.h"
-#include "../../model/core.h"
+#include "scene/gltf/gltf.h"
 #include <algorithm>
 #include <cstdarg>
 #include <cstring>
 #include <new>
+#include "model/core.h"
 
 namespace gltf {
 

@@ -1,15 +1,7 @@
 /* Shared by the .cc files of this folder. Internal C++17: every function may throw gltf::error (or std::exception), and
  * only ts_gltf_load in gltf.cc, the one entry from C, catches. */
-#ifndef TS_SCENE_GLTF_H
-#define TS_SCENE_GLTF_H
-#ifndef __clang__
-#define _Static_assert static_assert /* the kernels' headers are C11 */
-#endif
-#include "../../kernels/base/num.h"
-#include "../numbers.h"
-#include "../place.h"
-#include "../sources.h"
-#include "../surfel.h"
+#ifndef TS_SCENE_GLTF_GLTF_H
+#define TS_SCENE_GLTF_GLTF_H
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +12,11 @@
 #include <tiny_gltf.h>
 #include <utility>
 #include <vector>
+#include "kernels/base/num.h"
+#include "scene/numbers.h"
+#include "scene/place.h"
+#include "scene/sources.h"
+#include "scene/surfel.h"
 
 namespace gltf {
 

@@ -1,12 +1,12 @@
 /* The guard before tinygltf, which checks neither types nor references: the JSON is parsed strictly, held against the
  * table of rules.h, and written anew, so that tinygltf reads only what was checked. */
-#include "../../model/core.h"
-#include "../../model/json.h"
-#include "gltf.h"
-#include "rules.h"
 #include <cstring>
 #include <memory>
 #include <new>
+#include "model/core.h"
+#include "model/json.h"
+#include "scene/gltf/gltf.h"
+#include "scene/gltf/rules.h"
 
 namespace gltf {
 

@@ -1,6 +1,6 @@
 /* Lights (KHR_lights_punctual) and cameras (glTF 2.0 section 3.10) where nodes put them. */
-#include "gltf.h"
-#include "../../kernels/base/shade.h"
+#include "kernels/base/shade.h"
+#include "scene/gltf/gltf.h"
 
 namespace gltf {
 

@@ -1,13 +1,13 @@
 /* Materials, textures, samplers and images, glTF 2.0 sections 3.8 and 3.9, KHR_texture_transform, KHR_materials_unlit,
  * KHR_materials_emissive_strength. Base colour and emissive images are sRGB, the others linear. */
-#include "gltf.h"
-#include "../../image/format.h"
-#include "../../kernels/base/texture.h"
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <memory>
 #include <touchstone/image.h>
+#include "image/format.h"
+#include "kernels/base/texture.h"
+#include "scene/gltf/gltf.h"
 
 namespace gltf {
 

@@ -1,6 +1,6 @@
 /* Primitives, glTF 2.0 section 3.7.2: lists, strips and fans become triangles; only vertices that a triangle uses are
  * kept, in the order of their first use. */
-#include "gltf.h"
+#include "scene/gltf/gltf.h"
 
 namespace gltf {
 

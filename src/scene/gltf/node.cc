@@ -1,8 +1,8 @@
 /* The scene graph, glTF 2.0 section 3.5: walked from its roots without recursion, parents before children, children in
  * order. Every instance of a mesh becomes triangles of its own in world space. */
-#include "gltf.h"
-#include "../../model/core.h"
 #include <algorithm>
+#include "model/core.h"
+#include "scene/gltf/gltf.h"
 
 namespace gltf {
 

@@ -1,9 +1,9 @@
 /* Points, glTF 2.0 section 3.7.2.1, as surfels. Beside the usual attributes they may have _SPLAT_U and _SPLAT_V, the
  * half-axes of an ellipse; without those they are circles in the plane of NORMAL, as wide as their neighbours are
  * far. */
-#include "gltf.h"
-#include "../../model/core.h"
-#include "../neighbours.h"
+#include "model/core.h"
+#include "scene/gltf/gltf.h"
+#include "scene/neighbours.h"
 
 namespace gltf {
 

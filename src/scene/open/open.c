@@ -1,8 +1,8 @@
 /* Opening a scene: the source that makes it, added reflectors, the checks. */
-#include "../../model/core.h"
-#include "../sources.h"
 #include <errno.h>
 #include <sys/stat.h>
+#include "model/core.h"
+#include "scene/sources.h"
 
 static bool has_suffix(const char *text, const char *suffix)
 {

@@ -1,6 +1,6 @@
 /* Numbers of PLY files: text, and words in either order. */
-#include "body.h"
-#include "../../model/decimal.h"
+#include "scene/ply/body.h"
+#include "model/decimal.h"
 
 static const char at_end[] = "is missing: the file ends before it";
 

@@ -1,7 +1,7 @@
 /* The numbers behind the header of a PLY file, one after the other, in all three formats. */
 #ifndef TS_SCENE_PLY_BODY_H
 #define TS_SCENE_PLY_BODY_H
-#include "header.h"
+#include "scene/ply/header.h"
 
 typedef struct {
 	ts_ply_format format;

@@ -1,9 +1,9 @@
 /* The lines of a PLY header, from "ply" to "end_header". */
-#include "header.h"
+#include "scene/ply/header.h"
 #include <float.h>
 #include <stdio.h>
 #include <string.h>
-#include "../../kernels/base/num.h"
+#include "kernels/base/num.h"
 
 const ts_ply_kind ts_ply_kinds[TS_PLY_TYPES] = {
 	[TS_PLY_I8] = {{"char", "int8"}, 1, INT8_MIN, INT8_MAX},

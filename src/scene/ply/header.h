@@ -2,7 +2,7 @@
  * begin. */
 #ifndef TS_SCENE_PLY_HEADER_H
 #define TS_SCENE_PLY_HEADER_H
-#include "../build.h"
+#include "scene/build.h"
 
 /* Bounds of a header: elements up to the points, properties of all of these, lines, and bytes of a name. */
 enum { TS_PLY_ELEMENTS = 64, TS_PLY_PROPERTIES = 1024, TS_PLY_LINES = 100000, TS_PLY_NAME = 64 };

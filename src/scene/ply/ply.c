@@ -4,14 +4,14 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../model/core.h"
-#include "../numbers.h"
-#include "../neighbours.h"
-#include "../normals.h"
-#include "body.h"
-#include "../sources.h"
-#include "../srgb_table.h"
-#include "../surfel.h"
+#include "model/core.h"
+#include "scene/neighbours.h"
+#include "scene/normals.h"
+#include "scene/numbers.h"
+#include "scene/ply/body.h"
+#include "scene/sources.h"
+#include "scene/srgb_table.h"
+#include "scene/surfel.h"
 
 typedef struct {
 	f32 centre[3], normal[3], colour[3], u[3], v[3], radius;

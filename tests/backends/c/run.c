@@ -1,7 +1,7 @@
 /* The C backend: every item once whatever the threads, prefix sums, filled buffers. */
-#include "../../kernels/points/mesh.h"
-#include "../../../src/backends/fast.h"
-#include "../../../src/backends/kernels.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/points/mesh.h"
 
 /* Prefix sums against their definition; the total may need more than 32 bits. */
 static void prefix_sums_follow_their_definition(void **state)

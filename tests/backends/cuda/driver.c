@@ -14,7 +14,7 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "../../../src/backends/cuda/cu.h"
+#include "backends/cuda/cu.h"
 
 enum { INVALID_VALUE = 1, OUT_OF_MEMORY = 2, INVALID_CONTEXT = 201, INVALID_PTX = 218, NOT_FOUND = 500 };
 enum { BLOCKS = 4096, MODULES = 1024 };

@@ -1,5 +1,7 @@
 /* What instructions of PTX compute, by the manual "Parallel Thread Execution ISA": a function each, of its name.
  * Registers hold unsigned numbers of their width. */
+#ifndef TS_TESTS_BACKENDS_CUDA_INSTRUCTIONS_H
+#define TS_TESTS_BACKENDS_CUDA_INSTRUCTIONS_H
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -190,3 +192,5 @@ ATOMIC(add_u64, u64, a + b)
 ATOMIC(min_u32, u32, a < b ? a : b)
 ATOMIC(min_u64, u64, a < b ? a : b)
 ATOMIC(or_b64, u64, a | b)
+
+#endif

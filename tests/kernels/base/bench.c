@@ -1,9 +1,9 @@
 /* The kernel of the atomic limit: the least key of each texel whatever the threads, as spread as it says, and every
  * launch as if into empty texels. */
-#include "../seeded.h"
 #include <stdlib.h>
-#include "../../../src/backends/kernels.h"
-#include "../../../src/backends/backend.h"
+#include "backends/backend.h"
+#include "backends/kernels.h"
+#include "tests/kernels/seeded.h"
 
 enum { MOST = 1 << 17 };
 

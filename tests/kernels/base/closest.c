@@ -1,6 +1,6 @@
 /* Closest points against a double-precision search over the regions' candidates and over samples of the triangle. */
-#include "../seeded.h"
-#include "../../../src/kernels/base/closest.h"
+#include "kernels/base/closest.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 50000, STEPS = 12 };
 

@@ -1,5 +1,5 @@
 /* The atomics and bit casts that every language of the kernels must provide: order-free under threads. */
-#include "../seeded.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 200000, N_SLOTS = 64 };
 

@@ -1,8 +1,8 @@
 /* Rounding to binary16 against the library's rounding in double: every binary16, and of every exponent and sign
  * whatever bits can tell roundings apart: all of the 14 leading ones, and four of each tail. */
-#include "half_truth.h"
-#include "../seeded.h"
-#include "../../../src/kernels/base/half.h"
+#include "kernels/base/half.h"
+#include "tests/kernels/base/half_truth.h"
+#include "tests/kernels/seeded.h"
 
 static void assert_half(u32 bits)
 {

@@ -1,6 +1,6 @@
 /* Rounding to binary16 in double, by the rounding of the library. */
-#ifndef TS_TESTS_KERNELS_HALF_TRUTH_H
-#define TS_TESTS_KERNELS_HALF_TRUTH_H
+#ifndef TS_TESTS_KERNELS_BASE_HALF_TRUTH_H
+#define TS_TESTS_KERNELS_BASE_HALF_TRUTH_H
 #include <math.h>
 
 static inline double half_of(double x)

@@ -1,11 +1,7 @@
 /* Where a ray meets a triangle: against double precision, at the corners, off the triangle, edge-on and at the
  * extremes. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include "../../../src/kernels/base/hit.h"
+#include "kernels/base/hit.h"
+#include "tests/model/test.h"
 
 enum { SEED = 11, STREAM = 6, N = 100000 };
 

@@ -2,7 +2,7 @@
  * the hash against its inverse. Strides are prime, so that every exponent meets every pattern of low bits. */
 #include <float.h>
 #include <stdlib.h>
-#include "../seeded.h"
+#include "tests/kernels/seeded.h"
 
 enum { FEW = 104729, MANY = 1031 };
 

@@ -1,7 +1,7 @@
 /* Moving objects against the closed form of their path: an ellipse, a bob of twice the frequency, a spin about y;
  * and of those of the file against their matrices. */
-#include "../seeded.h"
-#include "../../../src/kernels/base/pose.h"
+#include "kernels/base/pose.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 20000 };
 

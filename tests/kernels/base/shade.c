@@ -1,7 +1,7 @@
 /* Shading against the textbook form of GGX in double precision, energy over the hemisphere by quadrature, reciprocity,
  * and the formulas of punctual lights. */
-#include "../small.h"
-#include "../../../src/kernels/base/shade.h"
+#include "kernels/base/shade.h"
+#include "tests/kernels/small.h"
 
 enum { N = 100000 };
 

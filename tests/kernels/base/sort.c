@@ -1,8 +1,8 @@
 /* Lists in order, whatever came first. */
 #include <stdlib.h>
 #include <string.h>
-#include "../../../src/kernels/base/sort.h"
-#include "../seeded.h"
+#include "kernels/base/sort.h"
+#include "tests/kernels/seeded.h"
 
 static int by_number(const void *a, const void *b)
 {

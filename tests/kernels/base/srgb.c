@@ -1,10 +1,7 @@
 /* Display values: the thresholds against the definition in long double, and the search against a count. */
-#include "../../../src/kernels/base/srgb.h"
-#include "../../srgb.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "kernels/base/srgb.h"
+#include "tests/model/test.h"
+#include "tests/srgb.h"
 
 /* The least float not below the exact boundary between two codes. */
 static void thresholds_are_the_least_floats(void **state)

@@ -1,7 +1,7 @@
 /* The surface: a corner's weights give the corner's data, normal maps turn the normal in the frame that the texture
  * coordinates span (in double precision), and material textures multiply. */
-#include "../small.h"
-#include "../../../src/kernels/base/surface.h"
+#include "kernels/base/surface.h"
+#include "tests/kernels/small.h"
 
 enum { N = 20000 };
 

@@ -1,7 +1,7 @@
 /* Textures against the endless wrapped image they stand for: a double-precision bilinear look-up by the definition of
  * each wrap mode, exact texels at their centres, nothing read outside the image, the level rule at powers of two. */
-#include "../small.h"
-#include "../../../src/kernels/base/texture.h"
+#include "kernels/base/texture.h"
+#include "tests/kernels/small.h"
 
 enum { N = 100000, MAX_SIDE = 16 };
 

@@ -1,5 +1,5 @@
 /* Vectors: exact on small integers, near double precision elsewhere, and in the written order without contraction. */
-#include "../seeded.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 100000 };
 

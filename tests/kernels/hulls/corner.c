@@ -1,11 +1,11 @@
 /* Corners of boxes: the pixels that they are at, their places where those show something else, what they gather there
  * from triangles of light, and the lobes of it. Truths in double precision share no formula with the kernels. */
 #include <string.h>
-#include "form_factor_truth.h"
-#include "room.h"
-#include "../../../src/kernels/hulls/corner.h"
-#include "../../../src/kernels/hulls/corner_lobes.h"
-#include "../../../src/kernels/raster/gbuffer.h"
+#include "kernels/hulls/corner.h"
+#include "kernels/hulls/corner_lobes.h"
+#include "kernels/raster/gbuffer.h"
+#include "tests/kernels/hulls/form_factor_truth.h"
+#include "tests/kernels/hulls/room.h"
 
 enum { N = 3000, GRID = 96, WIDTH = 150, HEIGHT = 70, N_PATCHES = 7, N_WORLDS = 200, PARTS = 4 };
 

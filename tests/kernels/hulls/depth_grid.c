@@ -1,8 +1,8 @@
 /* The depth grid: its texels against rational numbers, from images that are larger, smaller and no multiple of it; and
  * blocks, which hold each texel once. */
 #include <string.h>
-#include "../../../src/kernels/hulls/depth_grid.h"
-#include "../seeded.h"
+#include "kernels/hulls/depth_grid.h"
+#include "tests/kernels/seeded.h"
 
 /* floor((i + 1/2) to / from) in rational numbers; a pixel that the grid has texels enough for is shown by its own. */
 static void texels_are_those_of_rational_numbers(void **state)

@@ -1,9 +1,9 @@
 /* Light that pixels gather from triangles: against form factors in double precision, all of it in a room of light, none
  * in the sky or from behind, and sums in the order of the triangles. */
-#include "form_factor_truth.h"
-#include "room.h"
-#include "../../../src/kernels/raster/patch.h"
-#include "../../../src/kernels/hulls/direct.h"
+#include "kernels/hulls/direct.h"
+#include "kernels/raster/patch.h"
+#include "tests/kernels/hulls/form_factor_truth.h"
+#include "tests/kernels/hulls/room.h"
 
 enum { N_PATCHES = 9, PIXELS = 16, N_WORLDS = 1000, PARTS = 3 };
 

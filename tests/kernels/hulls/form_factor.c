@@ -1,7 +1,7 @@
 /* Solid angles and form factors against closed forms, quadrature over the triangle, rays, and the same sums in double
  * precision; and that no place and no triangle gives anything but a number in range. */
-#include "form_factor_truth.h"
-#include "../../../src/kernels/hulls/form_factor.h"
+#include "kernels/hulls/form_factor.h"
+#include "tests/kernels/hulls/form_factor_truth.h"
 
 enum { N = 20000 };
 

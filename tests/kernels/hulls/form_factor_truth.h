@@ -1,7 +1,7 @@
 /* Solid angles and form factors of triangles in double precision, the corners seen from the origin. */
-#ifndef TS_TESTS_KERNELS_FORM_FACTOR_TRUTH_H
-#define TS_TESTS_KERNELS_FORM_FACTOR_TRUTH_H
-#include "../seeded.h"
+#ifndef TS_TESTS_KERNELS_HULLS_FORM_FACTOR_TRUTH_H
+#define TS_TESTS_KERNELS_HULLS_FORM_FACTOR_TRUTH_H
+#include "tests/kernels/seeded.h"
 
 static const double ff_pi = 3.14159265358979323846;
 

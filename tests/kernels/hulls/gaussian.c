@@ -1,8 +1,8 @@
 /* Spherical Gaussians against quadrature of the integrals that define them, in double precision: the integrals, their
  * stable forms and the printed ones, the cosine by each method, and sharpness. */
-#include "gaussian_truth.h"
-#include "../seeded.h"
-#include "../../../src/kernels/hulls/gaussian.h"
+#include "kernels/hulls/gaussian.h"
+#include "tests/kernels/hulls/gaussian_truth.h"
+#include "tests/kernels/seeded.h"
 
 enum { N_LAMBDA = 61, N_BETA = 181 };
 

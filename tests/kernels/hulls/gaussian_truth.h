@@ -1,6 +1,6 @@
 /* The integrals of spherical Gaussians in double precision, from their definitions. */
-#ifndef TS_TESTS_KERNELS_GAUSSIAN_TRUTH_H
-#define TS_TESTS_KERNELS_GAUSSIAN_TRUTH_H
+#ifndef TS_TESTS_KERNELS_HULLS_GAUSSIAN_TRUTH_H
+#define TS_TESTS_KERNELS_HULLS_GAUSSIAN_TRUTH_H
 #include <math.h>
 
 static const double sg_pi = 3.14159265358979323846;

@@ -1,11 +1,11 @@
 /* Specular reflection of lobes: the surface's lobe has GGX's peak and weight, and points to the mirrored eye; a narrow
  * light is reflected as the lobe says at its direction; uniform light nearly as the BRDF returns it; surfaces of known
  * materials; sums in the order of the triangles; and no input gives what is no number. */
-#include "../small.h"
-#include "gaussian_truth.h"
-#include "room.h"
-#include "../../../src/kernels/hulls/gloss.h"
-#include "../../../src/methods/hulls/tools/truth_gloss.h"
+#include "kernels/hulls/gloss.h"
+#include "methods/hulls/tools/truth_gloss.h"
+#include "tests/kernels/hulls/gaussian_truth.h"
+#include "tests/kernels/hulls/room.h"
+#include "tests/kernels/small.h"
 
 enum { N = 2000, STEPS = 160 };
 

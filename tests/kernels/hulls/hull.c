@@ -1,11 +1,11 @@
 /* From triangles of light to pixels: their shape, which box lights a pixel, and interpolation on planes, where it
  * is exact; truths in double precision that share no formula with the kernels. */
 #include <stdlib.h>
-#include "../../../src/kernels/raster/patch.h"
-#include "../../../src/kernels/hulls/direct.h"
-#include "../../../src/kernels/hulls/corner.h"
-#include "../../../src/kernels/hulls/hull.h"
-#include "../seeded.h"
+#include "kernels/hulls/corner.h"
+#include "kernels/hulls/direct.h"
+#include "kernels/hulls/hull.h"
+#include "kernels/raster/patch.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 3000, GRID = 96, TEXELS = GRID * GRID, BLOCKS = 9, MOST_BOXES = 400, WIDTH = 150, HEIGHT = 70 };
 

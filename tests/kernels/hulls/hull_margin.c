@@ -2,8 +2,8 @@
  * is off by up to 4 ulps, each its own way. Whatever that changes is undecided, and what hangs together with no tie is
  * decided. */
 #include <string.h>
-#include "../../../src/kernels/hulls/hull_margin.h"
-#include "../seeded.h"
+#include "kernels/hulls/hull_margin.h"
+#include "tests/kernels/seeded.h"
 
 enum { GRID = 64, SIDE = 32, TEXELS = GRID * GRID, BLOCKS = 4, PLACES = SIDE * SIDE, N_WORLDS = 300, MOST_BOXES = 512 };
 

@@ -1,11 +1,11 @@
 /* Lamps as triangles of light: their areas, the ways they face, and what they send far off and near, against form
  * factors in double precision and the closed form of a disc; and lights without extent. */
 #include <string.h>
-#include "form_factor_truth.h"
-#include "../../../src/kernels/hulls/corner.h"
-#include "../../../src/kernels/hulls/corner_lobes.h"
-#include "../../../src/kernels/hulls/direct.h"
-#include "../../../src/kernels/hulls/polygon.h"
+#include "kernels/hulls/corner.h"
+#include "kernels/hulls/corner_lobes.h"
+#include "kernels/hulls/direct.h"
+#include "kernels/hulls/polygon.h"
+#include "tests/kernels/hulls/form_factor_truth.h"
 
 enum { N = 200, SIDES = TS_LAMP_TRIANGLES };
 

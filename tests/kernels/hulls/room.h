@@ -1,8 +1,8 @@
 /* A room of light: what stands in it sees light on all sides. */
-#ifndef TS_TESTS_KERNELS_ROOM_H
-#define TS_TESTS_KERNELS_ROOM_H
-#include "../../../src/kernels/base/records.h"
-#include "../../../src/kernels/base/vec.h"
+#ifndef TS_TESTS_KERNELS_HULLS_ROOM_H
+#define TS_TESTS_KERNELS_HULLS_ROOM_H
+#include "kernels/base/records.h"
+#include "kernels/base/vec.h"
 
 /* Two triangles of a square, counter-clockwise. */
 static const f32 room_corners[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{1, 1}, {0, 1}, {0, 0}}};

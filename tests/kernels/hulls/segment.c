@@ -2,8 +2,8 @@
  * looking at every texel. */
 #include <stdlib.h>
 #include <string.h>
-#include "../../../src/kernels/hulls/segment_box.h"
-#include "../seeded.h"
+#include "kernels/hulls/segment_box.h"
+#include "tests/kernels/seeded.h"
 
 enum { GRID = 96, SIDE = 32, TEXELS = GRID * GRID, BLOCKS = 9, PLACES = SIDE * SIDE, N_WORLDS = 400 };
 

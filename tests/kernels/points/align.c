@@ -1,5 +1,5 @@
 /* T_epr: an orthonormal frame along the longest edge, the centroid on a sample, corners that map back. */
-#include "mesh.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { N = 20000 };
 

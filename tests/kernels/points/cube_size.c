@@ -1,6 +1,6 @@
 /* Cube sizes against the projected box in double precision, cube.hysteresis, and the box and ball of the vertices. */
-#include "../small.h"
-#include "../../../src/kernels/points/cube_size.h"
+#include "kernels/points/cube_size.h"
+#include "tests/kernels/small.h"
 
 enum { N = 20000, N_VERTICES = 12 };
 

@@ -1,5 +1,5 @@
 /* Stochastic culling: its closed forms (FIGURES 3), independence, and what is never dropped. */
-#include "mesh.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { N = 200000 };
 

@@ -1,5 +1,5 @@
 /* Densities: the path by the ball against the true shortest one, the scale's closed forms, and splitting. */
-#include "mesh.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { N_PATHS = 3000, N_SPLITS = 60 };
 

@@ -1,6 +1,6 @@
 /* The copy pass: the colours of the codes in level 0 of every cube's mip chain, the background where there are none. */
-#include "../seeded.h"
-#include "../../../src/kernels/points/environment_map.h"
+#include "kernels/points/environment_map.h"
+#include "tests/kernels/seeded.h"
 
 enum { N_CUBES = 3, N_TEXELS = 6 * (16 * 16 + 7 * 7 + 4 * 4), BEFORE = 6 * 5 * 5 };
 

@@ -1,6 +1,6 @@
 /* Points made again from their index are those that are stored; rows of samples are those that touch. */
-#include "../../../src/kernels/points/flight.h"
-#include "mesh.h"
+#include "kernels/points/flight.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { N = 600 };
 

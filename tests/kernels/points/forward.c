@@ -1,7 +1,7 @@
 /* Forward shading: colours with a shared exponent against their definition in double precision, and whom a point is lit
  * for. */
-#include "../../../src/kernels/points/forward.h"
-#include "mesh.h"
+#include "kernels/points/forward.h"
+#include "tests/kernels/points/mesh.h"
 
 /* EXT_texture_shared_exponent, section 3.8.x: B = 15, N = 9. */
 static u32 defined_code(const double c[3])

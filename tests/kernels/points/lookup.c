@@ -1,6 +1,6 @@
 /* Deferred shading: directions to texels to points, the queues of later bounces, and the means of samples. */
-#include "../../../src/kernels/points/lookup.h"
-#include "mesh.h"
+#include "kernels/points/lookup.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { SIDE = 8, TEXELS = 6 * SIDE * SIDE, N_POINTS = 40 };
 

@@ -1,19 +1,13 @@
 /* What the tests of points and cubes share: random numbers, vectors in double precision, and a small mesh on its way
  * from densities to points. Everything here is independent of the kernels but the chain itself. */
-#ifndef TS_TESTS_KERNELS_MESH_H
-#define TS_TESTS_KERNELS_MESH_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <cmocka.h>
-#include "../../../src/kernels/raster/cube.h"
-#include "../../../src/kernels/points/align.h"
-#include "../../../src/kernels/points/cull.h"
-#include "../../../src/kernels/points/splat.h"
-#include "../../../src/kernels/points/split.h"
+#ifndef TS_TESTS_KERNELS_POINTS_MESH_H
+#define TS_TESTS_KERNELS_POINTS_MESH_H
+#include "kernels/points/align.h"
+#include "kernels/points/cull.h"
+#include "kernels/points/splat.h"
+#include "kernels/points/split.h"
+#include "kernels/raster/cube.h"
+#include "tests/model/test.h"
 
 enum { MESH_SEED = 2022, MESH_STREAM = 6, MESH_TRIANGLES = 64, MESH_CUBES = 12 };
 

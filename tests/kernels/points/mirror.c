@@ -1,6 +1,6 @@
 /* MVR's look-ups: constant cubes, seams between faces, the level of detail, and which pixels a batch answers. */
-#include "../../../src/kernels/points/mirror.h"
-#include "mesh.h"
+#include "kernels/points/mirror.h"
+#include "tests/kernels/points/mesh.h"
 
 /* A chain of levels, all filled by `fill` from face, s and t of the texel's middle. */
 typedef ts_v3 filling(u32 face, f32 s, f32 t);

@@ -1,8 +1,8 @@
 /* Reflective pixels: the surface that a ray in double precision finds, gradients between the records of neighbours, one
  * side at borders, and no look at other objects. */
-#include "../small.h"
-#include "../../../src/kernels/points/mirror_pixel.h"
-#include "../../../src/kernels/raster/eye.h"
+#include "kernels/points/mirror_pixel.h"
+#include "kernels/raster/eye.h"
+#include "tests/kernels/small.h"
 
 enum { WIDTH = 48, HEIGHT = 32, N_PIXELS = WIDTH * HEIGHT, N_SCENES = 24 };
 

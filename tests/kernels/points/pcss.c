@@ -1,8 +1,8 @@
 /* Percentage-closer soft shadows: the taps, and worlds of a floor and a half plane above it, in which PCSS is what a
  * disc of light does: the share of the disc that is seen past a straight edge. */
 #include <stdlib.h>
-#include "../../../src/kernels/points/pcss.h"
-#include "../seeded.h"
+#include "kernels/points/pcss.h"
+#include "tests/kernels/seeded.h"
 
 #define PI 3.14159265358979323846
 

@@ -1,7 +1,7 @@
 /* Reflective pixels whose samples meet corners and edges of faces, with normals that are short or none. */
-#ifndef TS_TESTS_KERNELS_PIXELS_H
-#define TS_TESTS_KERNELS_PIXELS_H
-#include "mesh.h"
+#ifndef TS_TESTS_KERNELS_POINTS_PIXELS_H
+#define TS_TESTS_KERNELS_POINTS_PIXELS_H
+#include "tests/kernels/points/mesh.h"
 
 /* Whole numbers send samples through corners and edges; what is nearly nothing, and nothing. */
 static inline ts_v3 extreme_vector(void)

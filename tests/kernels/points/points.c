@@ -1,6 +1,6 @@
 /* Points: which samples become points, in what order, where, and with what weights. */
-#include "../../whole.h"
-#include "mesh.h"
+#include "tests/kernels/points/mesh.h"
+#include "tests/whole.h"
 
 static u32 n_cases(void) { return whole_or(4000, 1500); }
 

@@ -1,6 +1,6 @@
 /* The sample set is the one of CONTRACT rule 40, and rays leave mirrors by the law of reflection. */
-#include "../seeded.h"
-#include "../../../src/kernels/points/samples.h"
+#include "kernels/points/samples.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 20000 };
 

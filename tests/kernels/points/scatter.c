@@ -1,6 +1,6 @@
 /* Scattering: where a point lands, that nothing depends on the order or on storing the points, and the codes of depth
  * and colour against their formulas (METHODS 9 and 10). */
-#include "views.h"
+#include "tests/kernels/points/views.h"
 
 enum { N_VIEWS = 70, N_TEXELS = 64 * 64 };
 enum { STRIDE = 1000003 }; /* a prime, more than there are points */

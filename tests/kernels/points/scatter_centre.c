@@ -1,8 +1,8 @@
 /* Points that count at the centre of their texel: the plane's depth there in double precision, MVR's maps bit for bit,
  * what MVR shades, and pieces that stand for culled ones (METHODS 9 and 10). */
-#include "../../whole.h"
-#include "views.h"
-#include "../../../src/kernels/raster/depth_map.h"
+#include "kernels/raster/depth_map.h"
+#include "tests/kernels/points/views.h"
+#include "tests/whole.h"
 
 enum { N_VIEWS = 6, SIDE = 40, N_TEXELS = SIDE * SIDE, N_MESHES = 40 };
 

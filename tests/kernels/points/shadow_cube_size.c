@@ -1,6 +1,6 @@
 /* The ratio that sizes shadow cubes, against its definition over the triangles in sight (EPR eq. 6). */
-#include "mesh.h"
-#include "../../../src/kernels/points/shadow_cube_size.h"
+#include "kernels/points/shadow_cube_size.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { WIDTH = 16, N_PIXELS = WIDTH * 8, N_FRAMES = 300 };
 

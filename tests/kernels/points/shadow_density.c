@@ -1,6 +1,6 @@
 /* The eye's rate through shadows: the distance from a shadow volume against its definition, the safe rate against what
  * receivers need, and the shares that the other readings of eq. 5 fall short in (FIGURES 6). */
-#include "views.h"
+#include "tests/kernels/points/views.h"
 
 enum { N_DISTANCES = 600, N_VOLUMES = 1500, N_RATES = 3000, N_TRIANGLES = 4000, N_RECEIVERS = 40 };
 

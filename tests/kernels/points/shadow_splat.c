@@ -1,7 +1,7 @@
 /* Points of any density in depth maps: no holes and the plane's depth whatever the rate, the points alone where they
  * are dense and no hole there, nothing of what misses a view, and nothing that depends on order, batches or storing. */
-#include "views.h"
-#include "../../../src/kernels/points/shadow_splat.h"
+#include "kernels/points/shadow_splat.h"
+#include "tests/kernels/points/views.h"
 
 enum { N_VIEWS = 40, SIDE = 64, N_TEXELS = SIDE * SIDE, N_SINGLE = 400, STRIDE = 1000003 };
 enum { N_PLANES = 50000, N_BESIDE = 40000 };

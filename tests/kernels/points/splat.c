@@ -1,7 +1,7 @@
 /* Splats: the tiles of a triangle cover every texel whose centre sees it, or every texel that it touches, and nothing
  * beyond their boxes is written; keys; plane depth. */
-#include "../../whole.h"
-#include "mesh.h"
+#include "tests/kernels/points/mesh.h"
+#include "tests/whole.h"
 
 static u32 n_cases(void) { return whole_or(3000, 1200); }
 

@@ -1,6 +1,6 @@
 /* Splitting for the rates of iVIR: pieces that are even enough, that cover their triangle without moving a corner, and
  * that meet their neighbours' in the same bits (METHODS 2 and 9). Limits and paths: tests/kernels/points/density.c. */
-#include "views.h"
+#include "tests/kernels/points/views.h"
 
 enum { N = 300, N_VIEWS = 5 };
 

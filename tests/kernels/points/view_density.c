@@ -1,7 +1,7 @@
 /* The densities of iVIR and VIR: their closed forms against constructions in double precision, and the holes that
  * points of such densities leave, by the whole chain of kernels (FIGURES 2). */
-#include "../../whole.h"
-#include "views.h"
+#include "tests/kernels/points/views.h"
+#include "tests/whole.h"
 
 enum { N = 20000, SIZE = 96, FULL = 128 };
 

@@ -1,9 +1,9 @@
 /* Off-screen views of a mesh: random ones, their projection in double precision, and what points leave in them. */
-#ifndef TS_TESTS_KERNELS_VIEWS_H
-#define TS_TESTS_KERNELS_VIEWS_H
-#include "mesh.h"
-#include "../../../src/kernels/points/scatter.h"
-#include "../../../src/kernels/points/split.h"
+#ifndef TS_TESTS_KERNELS_POINTS_VIEWS_H
+#define TS_TESTS_KERNELS_POINTS_VIEWS_H
+#include "kernels/points/scatter.h"
+#include "kernels/points/split.h"
+#include "tests/kernels/points/mesh.h"
 
 /* Of the rates, the one that no kernel asks for by name. */
 enum { RATE_IS_EXACT = TS_RATE_IS_WATERTIGHT + 1 };

@@ -1,9 +1,9 @@
 /* Clipping and interpolation: what is left of a triangle before the near plane, equal bits along shared edges, and
  * fragments that see what a ray in double precision sees. */
-#include "../seeded.h"
-#include "../../whole.h"
-#include "../../../src/kernels/raster/clip.h"
-#include "../../../src/kernels/raster/raster.h"
+#include "kernels/raster/clip.h"
+#include "kernels/raster/raster.h"
+#include "tests/kernels/seeded.h"
+#include "tests/whole.h"
 
 enum { N = 30000 };
 

@@ -1,8 +1,8 @@
 /* Conservative covers: their exact counts over all places within a pixel, and nothing missed of the triangle before
  * snapping. */
 #include <stdlib.h>
-#include "../seeded.h"
-#include "../../../src/kernels/raster/cover.h"
+#include "kernels/raster/cover.h"
+#include "tests/kernels/seeded.h"
 
 static i32 common_divisor(i32 a, i32 b)
 {

@@ -1,7 +1,7 @@
 /* Cube maps against OpenGL's table: which face, where on it, which texel; the faces as views; their common edges. */
-#include "../seeded.h"
-#include "../../../src/kernels/raster/cube.h"
-#include "../../../src/kernels/raster/raster.h"
+#include "kernels/raster/cube.h"
+#include "kernels/raster/raster.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 100000 };
 

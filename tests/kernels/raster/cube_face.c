@@ -1,6 +1,6 @@
 /* Cube faces against rays in double precision: a soup of triangles in a batch of cubes, and a box in closed form. */
-#include "sight.h"
-#include "../../../src/kernels/raster/cube_face.h"
+#include "kernels/raster/cube_face.h"
+#include "tests/kernels/raster/sight.h"
 
 enum { N = 16, FACE = N * N, N_SOUPS = 12, N_CUBES = 5, FIRST = 1, N_BATCH = 3, N_TRIANGLES = 24 };
 

@@ -1,7 +1,7 @@
 /* Depth maps against rays in double precision: orthographic and perspective views, what a view leaves out, masks and
  * their footprints; a batch, and nothing beside it; the same in every order. */
-#include "sight.h"
-#include "../../../src/kernels/raster/depth_map.h"
+#include "kernels/raster/depth_map.h"
+#include "tests/kernels/raster/sight.h"
 
 enum { SIZE = 32, N_TEXELS = SIZE * SIZE * 3 / 4, N_VIEWS = 6, FIRST = 1, N_BATCH = 4, N_SOUPS = 24, N_TRIANGLES = 24 };
 

@@ -1,7 +1,7 @@
 /* The eye's view against a ray caster in double precision: meshes without gaps or overlaps, a floor through the near
  * plane, ties, order, sides, masks. */
-#include "sight.h"
-#include "../../../src/kernels/raster/eye.h"
+#include "kernels/raster/eye.h"
+#include "tests/kernels/raster/sight.h"
 
 enum { WIDTH = 64, HEIGHT = 48, N_PIXELS = WIDTH * HEIGHT };
 

@@ -1,10 +1,10 @@
 /* Samples of the eye's pixels: the rotated grid; four samples are four pixels of a picture that is four times as wide
  * and high; gradients over the square that a sample stands for; the mean of a pixel's samples. */
 #include <stdlib.h>
-#include "../small.h"
-#include "../../../src/kernels/points/mirror_pixel.h"
-#include "../../../src/kernels/raster/eye.h"
-#include "../../../src/kernels/raster/image.h"
+#include "kernels/points/mirror_pixel.h"
+#include "kernels/raster/eye.h"
+#include "kernels/raster/image.h"
+#include "tests/kernels/small.h"
 
 enum { WIDTH = 32, HEIGHT = 24, N_PIXELS = WIDTH * HEIGHT, SAMPLES = TS_N_EYE_SAMPLES };
 

@@ -1,8 +1,8 @@
 /* The G-buffer against rays in double precision: position, depth, normal and albedo of a soup of triangles, the sky,
  * the screen's depth by its formula, and the footprint by which textures are read. */
-#include "sight.h"
-#include "../../../src/kernels/raster/eye.h"
-#include "../../../src/kernels/raster/gbuffer.h"
+#include "kernels/raster/eye.h"
+#include "kernels/raster/gbuffer.h"
+#include "tests/kernels/raster/sight.h"
 
 enum { SIZE = 48, N_PIXELS = SIZE * SIZE * 3 / 4, N_SOUPS = 24, N_TRIANGLES = 24 };
 

@@ -1,6 +1,6 @@
 /* MVR's faces: what is shaded, and the mip chain against its definition. */
-#include "../../../src/kernels/raster/illuminate.h"
-#include "../points/mesh.h"
+#include "kernels/raster/illuminate.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { MOST = 80 };
 

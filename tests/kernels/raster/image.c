@@ -1,7 +1,7 @@
 /* The picture: display values, background, and mirrors that show what was reflected. */
-#include "../../../src/kernels/raster/image.h"
-#include "../points/mesh.h"
-#include "../../srgb.h"
+#include "kernels/raster/image.h"
+#include "tests/kernels/points/mesh.h"
+#include "tests/srgb.h"
 
 enum { W = 16, H = 8 };
 

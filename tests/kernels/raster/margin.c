@@ -1,10 +1,10 @@
 /* The margins of depth maps against rasterizers and receivers that decide otherwise: in double precision without
  * snapping, with corners cut off at 1/256 texel, and with everything up to one step away. Whatever they change is
  * undecided, and most is decided. The figures themselves where they can be told. */
-#include "../points/views.h"
-#include "../../../src/kernels/raster/depth_map.h"
-#include "../../../src/kernels/raster/margin.h"
-#include "../../../src/kernels/raster/shadow_test_margin.h"
+#include "kernels/raster/depth_map.h"
+#include "kernels/raster/margin.h"
+#include "kernels/raster/shadow_test_margin.h"
+#include "tests/kernels/points/views.h"
 
 enum { SIZE = 64, N_TEXELS = SIZE * SIZE, N_MESHES = 200, N_TRIANGLES = 24, N_RECEIVERS = 1000, N_STEPS = 12 };
 

@@ -1,6 +1,6 @@
 /* Mip chains of cubes: their levels and places against sums of squares. */
-#include "../../../src/kernels/raster/mip.h"
-#include "../seeded.h"
+#include "kernels/raster/mip.h"
+#include "tests/kernels/seeded.h"
 
 static u64 chain_texels(u32 n)
 {

@@ -1,7 +1,7 @@
 /* Visibility in off-screen views: what projects into an image has its bit, the paper's test by its words, the same bits
  * as the cubes' own kernel, and what a view leaves out. */
-#include "../points/views.h"
-#include "../../../src/kernels/raster/visibility.h"
+#include "kernels/raster/visibility.h"
+#include "tests/kernels/points/views.h"
 
 enum { N = 20000, N_VIEWS = 72, N_SAMPLES = 40 };
 

@@ -1,8 +1,8 @@
 /* Coverage: every triangle and every edge-sharing pair of a small lattice; snapping, boxes, and orthographic views. */
 #include <stdlib.h>
-#include "../seeded.h"
-#include "../../../src/kernels/raster/clip.h"
-#include "../../../src/kernels/raster/raster.h"
+#include "kernels/raster/clip.h"
+#include "kernels/raster/raster.h"
+#include "tests/kernels/seeded.h"
 
 /* Lattice points are half pixels apart: every second one is a pixel's centre. Pixels of [-1, 3]^2 hold them all. */
 enum { SIDE = 7, N_POINTS = SIDE * SIDE, N_PIXELS = 25 };

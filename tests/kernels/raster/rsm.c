@@ -1,8 +1,8 @@
 /* Reflective shadow maps against rays in double precision: what the views of lights see, and the places, normals,
  * exitances and areas of their texels as patches; a wall's areas add up to the part of it in the view; grazing light;
  * the view of a texel. */
-#include "sight.h"
-#include "../../../src/kernels/raster/rsm.h"
+#include "kernels/raster/rsm.h"
+#include "tests/kernels/raster/sight.h"
 
 enum {
 	SIZE = 32,

@@ -1,9 +1,9 @@
 /* Shadows from depth maps: the bias is the depth that its formula says, a plane does not shadow itself, what is behind
  * another is in its shadow, and where a map says nothing there is light (METHODS 10). */
-#include "../points/views.h"
-#include "../../../src/kernels/raster/depth_map.h"
-#include "../../../src/kernels/raster/eye.h"
-#include "../../../src/kernels/raster/shadow_test.h"
+#include "kernels/raster/depth_map.h"
+#include "kernels/raster/eye.h"
+#include "kernels/raster/shadow_test.h"
+#include "tests/kernels/points/views.h"
 
 enum { N = 4000, SIZE = 64, EYE = 48 };
 

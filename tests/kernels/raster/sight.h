@@ -1,8 +1,8 @@
 /* What tests of drawing share: a soup of triangles, views of it, and what a view sees by rays in double precision. */
-#ifndef TS_TESTS_KERNELS_SIGHT_H
-#define TS_TESTS_KERNELS_SIGHT_H
-#include "../small.h"
-#include "../../../src/kernels/raster/raster.h"
+#ifndef TS_TESTS_KERNELS_RASTER_SIGHT_H
+#define TS_TESTS_KERNELS_RASTER_SIGHT_H
+#include "kernels/raster/raster.h"
+#include "tests/kernels/small.h"
 
 /* The ray through a place of an image; its parameter is axial depth. */
 typedef struct {

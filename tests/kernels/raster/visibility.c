@@ -1,7 +1,7 @@
 /* Visibility bits against samples: what a face can see has its bit; what turns its back, owns the cube or has no area
  * has none; and every cube's six bits are found again among the words. */
-#include "../small.h"
-#include "../../../src/kernels/raster/visibility.h"
+#include "kernels/raster/visibility.h"
+#include "tests/kernels/small.h"
 
 enum { N = 20000, N_CUBES = 23, N_WORDS = 3, N_SAMPLES = 60 };
 

@@ -2,10 +2,10 @@
  * numbers that are off by up to 4 ulps, each its own way, on a G-buffer whose steps, drops and cosines nearly tie.
  * Whatever that changes is undecided, most is decided, and a port of other thresholds differs where it is. */
 #include <string.h>
-#include "../../../src/backends/args.h"
-#include "../../../src/kernels/surfels/deferred_margin.h"
-#include "../../../src/kernels/surfels/surfel_shade.h"
-#include "../seeded.h"
+#include "backends/args.h"
+#include "kernels/surfels/deferred_margin.h"
+#include "kernels/surfels/surfel_shade.h"
+#include "tests/kernels/seeded.h"
 
 enum { SIDE = 48, N = SIDE * SIDE, N_WORLDS = 40 };
 

@@ -1,9 +1,9 @@
 /* Lists of the surfels of each pixel: against rays cast in double precision at every surfel, the same however they are
  * made, and of the very fragments that surfel_blend takes of each surfel. */
 #include <string.h>
-#include "../seeded.h"
-#include "../../../src/kernels/base/sort.h"
-#include "../../../src/kernels/surfels/fragment_list.h"
+#include "kernels/base/sort.h"
+#include "kernels/surfels/fragment_list.h"
+#include "tests/kernels/seeded.h"
 
 enum { WIDTH = 48, HEIGHT = 32, PIXELS = WIDTH * HEIGHT, N = 37, N_WORLDS = 60 };
 #define SIGMA 1.25

@@ -1,9 +1,9 @@
 /* Linear fields of normals: against the least squares in double precision; of a plane and of a ball, whose normals are
  * known; and of neighbours that say nothing. */
-#include "../../../src/kernels/surfels/normal_field.h"
-#include "../../methods/small.h"
 #include <math.h>
-#include "../../../src/scene/neighbours.h"
+#include "kernels/surfels/normal_field.h"
+#include "scene/neighbours.h"
+#include "tests/methods/small.h"
 
 enum { K = TS_FIELD_NEIGHBOURS, N = 600 };
 

@@ -1,9 +1,9 @@
 /* The bound of the sums of surfels (CONTRACT rule 30): no term is above 2^31 - 1, whatever the surfel, and 2^32 - 1 of
  * these still have room; more surfels are refused. */
-#include "../../../src/kernels/surfels/surfel_blend.h"
-#include "../../methods/small.h"
 #include <inttypes.h>
-#include "../../../src/methods/stages.h"
+#include "kernels/surfels/surfel_blend.h"
+#include "methods/stages.h"
+#include "tests/methods/small.h"
 
 enum { N = 20000 };
 

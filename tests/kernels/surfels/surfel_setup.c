@@ -1,7 +1,7 @@
 /* Surfels in a view against rays cast into their planes in double precision: plane coordinates, depth, bounds that
  * hold every covered pixel where those of point sprites do not, and what is not drawn at all. */
-#include "../seeded.h"
-#include "../../../src/kernels/surfels/fragment.h"
+#include "kernels/surfels/fragment.h"
+#include "tests/kernels/seeded.h"
 
 enum { WIDTH = 96, HEIGHT = 54 };
 

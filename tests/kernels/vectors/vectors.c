@@ -1,9 +1,9 @@
 /* The kernels of the arithmetic vectors: each primitive of the lists is the one of that place and name in the tables,
  * and gives the rows that ts_vector_make gives, whatever the threads. */
-#include "../../model/test.h"
-#include "../../../src/backends/kernels.h"
-#include "../../../src/backends/backend.h"
-#include "../../../src/vectors/vectors.h"
+#include "backends/backend.h"
+#include "backends/kernels.h"
+#include "tests/model/test.h"
+#include "vectors/vectors.h"
 
 enum { MOST_WORDS = TS_VECTOR_ITEMS * TS_VECTOR_WORDS, AFTER = 8 };
 

@@ -1,8 +1,8 @@
 /* The cross-bilateral filter against its definition in double precision (METHODS 14): weights by position and normal,
  * the sky, borders; constant light, radius 0, and the closed form on a plane. */
 #include <string.h>
-#include "../../../src/kernels/views/bilateral.h"
-#include "../seeded.h"
+#include "kernels/views/bilateral.h"
+#include "tests/kernels/seeded.h"
 
 enum { MOST = 16, PIXELS = MOST * MOST, N_WORLDS = 400 };
 

@@ -1,8 +1,8 @@
 /* Texels of dual-paraboloid maps that balls cover, against the angle between a texel's middle and the ball in double
  * precision: far balls, near balls, and those that the view is in. A coarse texel is inside only if all finer ones are,
  * and nothing is inside that the box leaves out. */
-#include "../../../src/kernels/views/cap.h"
-#include "../seeded.h"
+#include "kernels/views/cap.h"
+#include "tests/kernels/seeded.h"
 
 enum { N_BALLS = 600, LEVELS = 5 };
 

@@ -1,9 +1,9 @@
 /* Views from the middles of cubes: where they are, and their maps as cubes: the colour of each texel against the
  * direction of OpenGL's table and the stereographic map, in double precision. */
 #include <string.h>
-#include "../../../src/kernels/raster/mip.h"
-#include "../../../src/kernels/views/cube_view.h"
-#include "../seeded.h"
+#include "kernels/raster/mip.h"
+#include "kernels/views/cube_view.h"
+#include "tests/kernels/seeded.h"
 
 enum { N_CUBES = 3, SIDE = 32, MAP = 2 * SIDE * SIDE };
 

@@ -1,6 +1,6 @@
 /* Octrees of any mask: nodes by level and Morton code, linked both ways, with the boxes that they stand for; ordered
  * bits. */
-#include "tree.h"
+#include "tests/kernels/views/tree.h"
 
 enum { N_WORLDS = 300 };
 

@@ -1,8 +1,8 @@
 /* Pairs of nodes: nothing that a view could see is culled, equivalent pairs fall into the same texel of all views or
  * the next, and splitting keeps the views' ball no larger than the scene's: FIGURES 10. */
-#include "../../whole.h"
-#include "../../../src/kernels/views/pair.h"
-#include "../seeded.h"
+#include "kernels/views/pair.h"
+#include "tests/kernels/seeded.h"
+#include "tests/whole.h"
 
 enum { N_VIEWS = 24, N_EQUIVALENT = 60000, N_CHILDREN = 8 };
 

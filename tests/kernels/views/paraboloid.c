@@ -1,7 +1,7 @@
 /* Dual-paraboloid maps: every used texel's direction leads back to it, directions are where the formula of METHODS 13
  * puts them, sizes are those of the images of circles, and 1 - pi / 4 of the texels are unused. */
-#include "../../../src/kernels/views/paraboloid.h"
-#include "../seeded.h"
+#include "kernels/views/paraboloid.h"
+#include "tests/kernels/seeded.h"
 
 enum { N_SIZES = 20000, N_RIM = 720 };
 

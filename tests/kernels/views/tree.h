@@ -1,10 +1,10 @@
 /* An octree of few levels, whose leaves a test sets in its mask. */
-#ifndef TS_TESTS_KERNELS_TREE_H
-#define TS_TESTS_KERNELS_TREE_H
+#ifndef TS_TESTS_KERNELS_VIEWS_TREE_H
+#define TS_TESTS_KERNELS_VIEWS_TREE_H
 #include <string.h>
-#include "../../../src/kernels/views/octree.h"
-#include "../seeded.h"
-#include "../sums.h"
+#include "kernels/views/octree.h"
+#include "tests/kernels/seeded.h"
+#include "tests/kernels/sums.h"
 
 enum { MOST = 4, LEAVES = 1 << (3 * MOST), NODES = LEAVES * 2, WORDS = 100 };
 

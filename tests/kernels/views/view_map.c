@@ -3,9 +3,9 @@
  * decides; nodes that fill all texels that they cover, by either rule; and what a map shows, moved from parents to
  * children. */
 #include <string.h>
-#include "../../../src/kernels/views/view_map_fuse.h"
-#include "../../../src/kernels/views/view_octree_alone.h"
-#include "../seeded.h"
+#include "kernels/views/view_map_fuse.h"
+#include "kernels/views/view_octree_alone.h"
+#include "tests/kernels/seeded.h"
 
 enum { REACH = 9, SIDE = 2 * REACH + 1, N_NODES = SIDE * SIDE * SIDE, N_VIEWS = 3, N_PAIRS = N_NODES * N_VIEWS };
 enum { MOST = 16, TEXELS = 2 * MOST * MOST, PYRAMID = TEXELS * 3 / 2 };

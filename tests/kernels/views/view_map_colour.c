@@ -1,8 +1,8 @@
 /* Colour in maps of views, in closed form by ambient light alone: means of a leaf's triangles without those of the
  * view's own reflector, inner nodes as they are, and the background. */
 #include <string.h>
-#include "../../../src/kernels/views/view_map_colour.h"
-#include "../small.h"
+#include "kernels/views/view_map_colour.h"
+#include "tests/kernels/small.h"
 
 enum { N_TRIANGLES = 4, N_NODES = 2, N_VIEWS = 3, SIDE = 4, MAP = 2 * SIDE * SIDE };
 

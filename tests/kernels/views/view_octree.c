@@ -1,10 +1,10 @@
 /* The octree of views and their cones, against looking at every view in every node; of single views sums of directions
  * along an axis are exact, and no cosine is above 1; views alone are nodes of their own. */
-#include "../../../src/kernels/base/sort.h"
-#include "../../../src/kernels/views/view_octree.h"
-#include "../../../src/kernels/views/view_octree_alone.h"
-#include "../../../src/kernels/views/view_octree_cone.h"
-#include "tree.h"
+#include "kernels/base/sort.h"
+#include "kernels/views/view_octree.h"
+#include "kernels/views/view_octree_alone.h"
+#include "kernels/views/view_octree_cone.h"
+#include "tests/kernels/views/tree.h"
 
 enum { N_WORLDS = 300, VIEWS = 500, N_VIEWS = 20000 };
 

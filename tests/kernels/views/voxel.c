@@ -3,9 +3,9 @@
  * bit. */
 #include <stdlib.h>
 #include <string.h>
-#include "../../../src/kernels/views/voxel.h"
-#include "../seeded.h"
-#include "../small.h"
+#include "kernels/views/voxel.h"
+#include "tests/kernels/seeded.h"
+#include "tests/kernels/small.h"
 
 enum { N_TRIANGLES = 3000, N_LARGE = 400, N_ROOTS = 2000, LEVELS = 3, SIDE = 1 << LEVELS, STEPS = SIDE * TS_VOXEL };
 

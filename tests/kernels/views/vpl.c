@@ -1,9 +1,9 @@
 /* Paths of light in a box whose walls differ, each step in double precision; texels that paths begin at, in every small
  * map; directions by their moments. */
 #include <string.h>
-#include "../../../src/kernels/views/vpl.h"
-#include "../small.h"
-#include "../sums.h"
+#include "kernels/views/vpl.h"
+#include "tests/kernels/small.h"
+#include "tests/kernels/sums.h"
 
 enum { N_PATCHES = 2000, BOUNCES = 6, MOST = N_PATCHES * BOUNCES };
 

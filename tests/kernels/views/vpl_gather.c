@@ -1,7 +1,7 @@
 /* Shadows in the small map of one light, over a floor and before a wall of voxels, held against straight lines in
  * double precision: what stops light by its tangent plane, and by distance alone. */
-#include "../small.h"
-#include "../../../src/kernels/views/vpl_gather.h"
+#include "kernels/views/vpl_gather.h"
+#include "tests/kernels/small.h"
 
 enum { LEVELS = 6, SIDE = 1 << LEVELS, WALL = 32, TOP = 40, MOST = 2 * SIDE * SIDE, N = 16, N_LIGHTS = 12 };
 

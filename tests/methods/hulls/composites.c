@@ -1,8 +1,8 @@
 /* The composites of hulls against their formulas in double precision. */
-#include "../../vectors/composites.h"
-#include "../../../src/kernels/hulls/composites.h"
-#include "../../kernels/hulls/form_factor_truth.h"
-#include "../../kernels/hulls/gaussian_truth.h"
+#include "kernels/hulls/composites.h"
+#include "tests/kernels/hulls/form_factor_truth.h"
+#include "tests/kernels/hulls/gaussian_truth.h"
+#include "tests/vectors/composites.h"
 
 /* Exitance times solid angle times how much counts, a third of it each way to the corners. */
 static judgement gather(const u32 *in, const u32 *out)

@@ -1,12 +1,12 @@
 /* Screen-space approximate Gaussian hulls and the light they approximate, as whole runs: the same bits on any number of
  * threads; views of every light; the counters; pictures that look alike; what is refused; and skies, lamps and colours
  * that are not there. */
-#include "../small.h"
 #include <math.h>
-#include "../../../src/kernels/hulls/segment_box.h"
-#include "../../../src/kernels/base/shade.h"
-#include "../../../src/kernels/base/srgb.h"
-#include "../../../src/trace/sums.h"
+#include "kernels/base/shade.h"
+#include "kernels/base/srgb.h"
+#include "kernels/hulls/segment_box.h"
+#include "tests/methods/small.h"
+#include "trace/sums.h"
 
 static ts_params tiny_params(void)
 {

@@ -1,9 +1,9 @@
 /* The primitives of light against the integrals in double precision: spherical Gaussians and triangles that shine. */
-#include "../../model/test.h"
-#include "../../../src/kernels/hulls/vectors.h"
-#include "../../../src/vectors/row.h"
-#include "../../kernels/hulls/form_factor_truth.h"
-#include "../../kernels/hulls/gaussian_truth.h"
+#include "kernels/hulls/vectors.h"
+#include "tests/kernels/hulls/form_factor_truth.h"
+#include "tests/kernels/hulls/gaussian_truth.h"
+#include "tests/model/test.h"
+#include "vectors/row.h"
 
 static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 static _Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];

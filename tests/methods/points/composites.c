@@ -1,7 +1,7 @@
 /* The composites of points against their formulas in double precision. */
 #include <float.h>
-#include "../../vectors/composites.h"
-#include "../../../src/kernels/points/composites.h"
+#include "kernels/points/composites.h"
+#include "tests/vectors/composites.h"
 
 /* Along the shortest line from the triangle's closest point to the eye that does not go through the ball's middle, by
  * chords: what METHODS 2 says. */

@@ -1,9 +1,9 @@
 /* Sizes of cubes over frames: what a sequence remembers, what the turn repeats, and replaying every frame agree. */
-#include "../small.h"
 #include <stdlib.h>
-#include "../../../src/kernels/points/cube_size.h"
-#include "../../../src/methods/stages.h"
-#include "../../../src/scene/view.h"
+#include "kernels/points/cube_size.h"
+#include "methods/stages.h"
+#include "scene/view.h"
+#include "tests/methods/small.h"
 
 enum { N_CUBES = 4, PATH_FRAMES = 701, STARTS = 600, PACE = 3, MOTION_FRAMES = 60 };
 

@@ -1,10 +1,10 @@
 /* EPR's variants as whole runs: without buffers of points every buffer that both have is the same; with cubes of
  * colours a texel has the colour of the point that EPR's texel names, and one mirror shows what EPR shows; without the
  * texels that nobody reads the picture is the same. */
-#include "../small.h"
 #include <math.h>
-#include "../../../src/kernels/points/forward.h"
-#include "../../../src/trace/sums.h"
+#include "kernels/points/forward.h"
+#include "tests/methods/small.h"
+#include "trace/sums.h"
 
 static ts_sums sums_of(const ts_scene *scene, const ts_params *params, const char *method, ts_how how)
 {

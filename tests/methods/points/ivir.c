@@ -1,10 +1,10 @@
 /* iVIR, VIR and shadows from depth maps as whole runs: the same bits on any number of threads, in passes of any size
  * and with points stored or not; the counters; the papers' claims that hold for every scene; and what is refused. */
-#include "../small.h"
 #include <math.h>
-#include "../../../src/kernels/base/area.h"
-#include "../../../src/kernels/base/shade.h"
-#include "../../../src/trace/sums.h"
+#include "kernels/base/area.h"
+#include "kernels/base/shade.h"
+#include "tests/methods/small.h"
+#include "trace/sums.h"
 
 #define SHADOWED "soft-shadows", "ivir"
 

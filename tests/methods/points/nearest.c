@@ -2,17 +2,13 @@
  * wrong texel asked for the point that it has (FIGURES 13). Nearly all come from a triangle beside the centre, whose
  * depth is right where the point is; few are left where points count at the centre, and without culling as few as
  * MVR has. */
-#include "../../../src/kernels/raster/shadow_test.h"
-#include "../../../src/kernels/points/scatter.h"
-#include "../../../src/methods/pipeline.h"
-#include "../../../src/methods/points/points.h"
-#include "../../../src/methods/points/tools/tools.h"
-#include "../../../src/truth/query.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdlib.h>
-#include <cmocka.h>
+#include "kernels/points/scatter.h"
+#include "kernels/raster/shadow_test.h"
+#include "methods/pipeline.h"
+#include "methods/points/points.h"
+#include "methods/points/tools/tools.h"
+#include "tests/model/test.h"
+#include "truth/query.h"
 
 /* The nearest point of a texel. */
 typedef struct {

@@ -1,18 +1,14 @@
 /* The pipelines against rays: MVR's faces hold the triangles that rays hit, no texel of EPR is empty where the ray
  * through its centre hits, and both pictures tend to truth A as the cubes grow. */
-#include "../../../src/kernels/raster/cube.h"
-#include "../../../src/kernels/points/samples.h"
-#include "../../../src/kernels/base/srgb.h"
-#include "../../../src/methods/pipeline.h"
-#include "../../../src/truth/query.h"
-#include "../../../src/methods/points/tools/tools.h"
-#include "../../truth/soup.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdlib.h>
-#include <cmocka.h>
 #include <math.h>
+#include "kernels/base/srgb.h"
+#include "kernels/points/samples.h"
+#include "kernels/raster/cube.h"
+#include "methods/pipeline.h"
+#include "methods/points/tools/tools.h"
+#include "tests/model/test.h"
+#include "tests/truth/soup.h"
+#include "truth/query.h"
 
 static ts_params small_params(void)
 {

@@ -1,7 +1,7 @@
 /* The primitive of culling against each of its operations rounded once. */
-#include "../../model/test.h"
-#include "../../../src/kernels/points/vectors.h"
-#include "../../vectors/rounded.h"
+#include "kernels/points/vectors.h"
+#include "tests/model/test.h"
+#include "tests/vectors/rounded.h"
 
 static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 static _Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];

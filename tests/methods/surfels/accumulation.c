@@ -1,12 +1,12 @@
 /* Sums of surfels in the formats of frame buffers: the lists of fragments against all surfels tried at every pixel,
  * the sums over them against models of their own, how far apart the formats are, and what the lists are expected to
  * take. */
-#include "../../../src/kernels/surfels/surfel_blend_order.h"
-#include "../../../src/methods/surfels/surfel.h"
-#include "surfels.h"
 #include <touchstone/image.h>
-#include "../../../src/methods/stages.h"
-#include "../../../src/trace/sums.h"
+#include "kernels/surfels/surfel_blend_order.h"
+#include "methods/stages.h"
+#include "methods/surfels/surfel.h"
+#include "tests/methods/surfels/surfels.h"
+#include "trace/sums.h"
 
 enum { N_FORMATS = 4, N_TERMS = 7, WEIGHT = 6, NORMAL = 3 };
 #define UNIT 1073741824.0

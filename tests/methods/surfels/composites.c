@@ -1,6 +1,6 @@
 /* The composites of surfels against rays and planes in double precision. */
-#include "../../vectors/composites.h"
-#include "../../../src/kernels/surfels/composites.h"
+#include "kernels/surfels/composites.h"
+#include "tests/vectors/composites.h"
 
 /* Where the ray through the middle of a pixel near the centre meets the ellipse's plane, in its axes; and its depth. */
 static judgement disc(const u32 *in, const u32 *out)

@@ -1,9 +1,9 @@
 /* Crumbs along depth edges: pixels of surfels that are coloured otherwise than the surface and all its neighbours
  * there, by a ball of two-sided triangles. Most are backs of surfels, which surfels.sides=front leaves out. */
 #include <touchstone/image.h>
-#include "surfels.h"
-#include "../../../src/kernels/base/scene.h"
-#include "../../../src/methods/surfels/tools/tools.h"
+#include "kernels/base/scene.h"
+#include "methods/surfels/tools/tools.h"
+#include "tests/methods/surfels/surfels.h"
 
 enum { SIDE = 160, COLUMNS = 40, ROWS = 20 };
 

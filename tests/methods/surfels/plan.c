@@ -1,5 +1,5 @@
 /* Plans of surfels: the scene's own lights, whatever is typed, and the filter of each method. */
-#include "../small.h"
+#include "tests/methods/small.h"
 
 static void surfels_plan_for_the_scenes_lights(void **state)
 {

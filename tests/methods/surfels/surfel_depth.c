@@ -1,10 +1,10 @@
 /* The margins of surfels against ports that round otherwise: rays in double precision, in which every number is off
  * by some ulps, each its own way. Pixels that show another nearest surfel or blend others are undecided; few are;
  * and a port whose thresholds are off by more than rounding differs in pixels that are decided. */
-#include "../../../src/methods/surfels/surfel.h"
-#include "surfels.h"
-#include "../../../src/kernels/surfels/surfel_margin.h"
-#include "../../../src/methods/stages.h"
+#include "kernels/surfels/surfel_margin.h"
+#include "methods/stages.h"
+#include "methods/surfels/surfel.h"
+#include "tests/methods/surfels/surfels.h"
 
 enum { N_PORTS = 3, WIDTH = 96, HEIGHT = 64, N_PIXELS = WIDTH * HEIGHT };
 

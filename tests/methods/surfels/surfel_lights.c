@@ -1,11 +1,11 @@
 /* Shadows of surfels by a point light, whose maps are the faces of a cube: rays from the light in double precision,
  * found by Embree, on every wall of a room with blockers all around the light, on edges and corners of the cube too;
  * without blockers no line where the faces meet; and each of several lights has its own views. */
-#include "../../../src/kernels/base/shade.h"
-#include "../../../src/kernels/raster/gbuffer.h"
-#include "surfels.h"
-#include "../../../src/kernels/raster/cube.h"
-#include "../../../src/methods/surfels/tools/discs.h"
+#include "kernels/base/shade.h"
+#include "kernels/raster/cube.h"
+#include "kernels/raster/gbuffer.h"
+#include "methods/surfels/tools/discs.h"
+#include "tests/methods/surfels/surfels.h"
 
 enum { WIDTH = 96, HEIGHT = 72, N_PIXELS = WIDTH * HEIGHT, TEXELS = 96 };
 static const ts_v3 light_at = {0.1f, -0.05f, 0.07f};

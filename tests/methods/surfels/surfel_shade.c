@@ -2,9 +2,9 @@
  * shading where nothing varies; a ball, whose shading is known, better from flat to Gouraud to Phong; how often each
  * shades; and the same bits on any number of threads, in any order of the surfels, and from the buffers that stages
  * claim to read. */
-#include "../../../src/kernels/surfels/surfel_shade.h"
-#include "surfels.h"
-#include "../../../src/trace/sums.h"
+#include "kernels/surfels/surfel_shade.h"
+#include "tests/methods/surfels/surfels.h"
+#include "trace/sums.h"
 
 enum { FLAT, GOURAUD, PHONG, DEFERRED, METHODS };
 static const char *const methods[] = {"flat", "gouraud", "phong", "deferred"};

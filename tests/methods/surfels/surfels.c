@@ -1,9 +1,9 @@
 /* Deferred surface splatting: the same bits on any number of threads and in any order of the surfels; every stage
  * from what it claims to read; sums against sums in double precision over rays cast in double; visibility, occlusion
  * and shadows; and that a pixel is shaded once, whatever overlaps there. */
-#include "../../../src/kernels/raster/gbuffer.h"
-#include "surfels.h"
-#include "../../../src/trace/sums.h"
+#include "tests/methods/surfels/surfels.h"
+#include "kernels/raster/gbuffer.h"
+#include "trace/sums.h"
 
 static const char *const methods[] = {"deferred", "ewa"};
 

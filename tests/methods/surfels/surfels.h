@@ -1,9 +1,9 @@
 /* Scenes of surfels for tests, made by hand. */
-#ifndef TS_TESTS_PIPELINES_SURFELS_H
-#define TS_TESTS_PIPELINES_SURFELS_H
-#include "../small.h"
+#ifndef TS_TESTS_METHODS_SURFELS_SURFELS_H
+#define TS_TESTS_METHODS_SURFELS_SURFELS_H
 #include <math.h>
-#include "../../../src/scene/build.h"
+#include "scene/build.h"
+#include "tests/methods/small.h"
 
 static u32 surfels_random;
 static inline f32 surfels_uniform(void) { return ts_uniform(ts_random(surfels_random++, 6, 41)); }

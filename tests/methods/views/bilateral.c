@@ -1,7 +1,7 @@
 /* The filter as a stage, on the G-buffer of a scene: constant light, noise, radius 0; rows before columns. */
-#include "../small.h"
 #include <math.h>
-#include "../../../src/kernels/raster/gbuffer.h"
+#include "kernels/raster/gbuffer.h"
+#include "tests/methods/small.h"
 
 enum { WIDTH = 80, HEIGHT = 44, NUMBERS = WIDTH * HEIGHT * 3 };
 

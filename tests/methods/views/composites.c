@@ -1,6 +1,6 @@
 /* The composites of MegaViews and ManyLoDs against angles in double precision, and separating axes in integers. */
-#include "../../vectors/composites.h"
-#include "../../../src/kernels/views/composites.h"
+#include "kernels/views/composites.h"
+#include "tests/vectors/composites.h"
 
 static judgement paraboloid_texel(const u32 *in, const u32 *out)
 {

@@ -1,12 +1,12 @@
 /* Reflections by MegaViews: the same bits on any number of threads and by queues of any length; every stage from what
  * it claims to read; reflectors of nodes against a recursion, and none in its own view; pictures nearer to those of
  * rasterized cubes as octrees become deep. */
-#include "../small.h"
 #include <math.h>
-#include "../../../src/kernels/base/morton.h"
-#include "../../../src/kernels/base/scene.h"
-#include "../../../src/methods/views/views.h"
-#include "../../../src/trace/sums.h"
+#include "kernels/base/morton.h"
+#include "kernels/base/scene.h"
+#include "methods/views/views.h"
+#include "tests/methods/small.h"
+#include "trace/sums.h"
 
 static ts_params tiny_params(u32 levels)
 {

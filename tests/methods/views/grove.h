@@ -1,8 +1,8 @@
 /* Octrees for tests: a room with balls and pillars, or noise, in the unit cube, and views in it; built by sorting
  * codes. */
-#ifndef TS_TESTS_STAGES_GROVE_H
-#define TS_TESTS_STAGES_GROVE_H
-#include "../small.h"
+#ifndef TS_TESTS_METHODS_VIEWS_GROVE_H
+#define TS_TESTS_METHODS_VIEWS_GROVE_H
+#include "tests/methods/small.h"
 
 enum { GROVE_LEVELS = 9 };
 

@@ -2,11 +2,11 @@
  * length; lists that leave no light out; light that tends to what every pixel gathers from triangles of light; skies,
  * lamps and octrees that are hardly there; maps by brute force against a second reckoning, and against ManyLoDs; every
  * stage from what it claims to read. */
-#include "../small.h"
 #include <math.h>
-#include "../../../src/kernels/views/view_map.h"
-#include "../../../src/methods/views/views.h"
-#include "../../../src/trace/sums.h"
+#include "kernels/views/view_map.h"
+#include "methods/views/views.h"
+#include "tests/methods/small.h"
+#include "trace/sums.h"
 
 static const char *const methods[] = {"megaviews", "manylods", "bruteforce"};
 enum { N_METHODS = 3 };

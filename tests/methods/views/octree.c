@@ -1,8 +1,8 @@
 /* The two octrees of MegaViews, from the scene to the cones of the views: the same bits on any number of threads;
  * leaves that hold just their triangles; surfaces; every stage from what it claims to read. */
-#include "octrees.h"
 #include <math.h>
-#include "../../../src/kernels/views/voxel.h"
+#include "kernels/views/voxel.h"
+#include "tests/methods/views/octrees.h"
 
 static void threads_change_no_octree(void **state)
 {

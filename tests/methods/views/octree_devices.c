@@ -1,6 +1,6 @@
 /* The two octrees of MegaViews on devices: the bits of C. */
-#include "octrees.h"
-#include "../../backends/device.h"
+#include "tests/backends/device.h"
+#include "tests/methods/views/octrees.h"
 
 static void on_device(const ts_backend_kind *kind)
 {

@@ -1,11 +1,11 @@
 /* A pipeline of tests: the two octrees of MegaViews, from the scene to the cones of the views. */
-#ifndef TS_TESTS_STAGES_OCTREES_H
-#define TS_TESTS_STAGES_OCTREES_H
-#include "../small.h"
-#include "../../../src/methods/views/pipelines.h"
-#include "../../../src/methods/stages.h"
-#include "../../../src/methods/views/views.h"
-#include "../../../src/trace/sums.h"
+#ifndef TS_TESTS_METHODS_VIEWS_OCTREES_H
+#define TS_TESTS_METHODS_VIEWS_OCTREES_H
+#include "methods/stages.h"
+#include "methods/views/pipelines.h"
+#include "methods/views/views.h"
+#include "tests/methods/small.h"
+#include "trace/sums.h"
 
 static const ts_step octrees_steps[] = {
 	{.stage = "pose"},

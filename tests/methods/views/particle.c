@@ -1,10 +1,10 @@
 /* Glowing particles: where they are and what they send; the same bits on any number of threads; light of all of them
  * against a sum in double precision; shadows that only take light away, by shared maps as by maps of their own; nothing
  * culled; every stage from what it claims to read. */
-#include "../small.h"
 #include <math.h>
-#include "../../../src/scene/view.h"
-#include "../../../src/trace/sums.h"
+#include "scene/view.h"
+#include "tests/methods/small.h"
+#include "trace/sums.h"
 
 static const char *const methods[] = {"megaviews", "manylods", "bruteforce"};
 enum { N_METHODS = 3 };

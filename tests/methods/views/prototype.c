@@ -1,5 +1,5 @@
 /* Whole maps show what each view by itself would, as often as in the prototype (FIGURES 11). */
-#include "prototype.h"
+#include "tests/methods/views/prototype.h"
 
 static void whole_maps_repeat_the_prototype(void **state)
 {

@@ -1,9 +1,9 @@
 /* Maps of a grove beside the prototype that FIGURES 11 comes from, and beside what each view by itself sees. */
-#ifndef TS_TESTS_STAGES_PROTOTYPE_H
-#define TS_TESTS_STAGES_PROTOTYPE_H
+#ifndef TS_TESTS_METHODS_VIEWS_PROTOTYPE_H
+#define TS_TESTS_METHODS_VIEWS_PROTOTYPE_H
 #include <math.h>
-#include "grove.h"
-#include "../../../src/methods/views/traverse.h"
+#include "methods/views/traverse.h"
+#include "tests/methods/views/grove.h"
 
 /* The prototype's row. Shares are in percent. */
 typedef struct {

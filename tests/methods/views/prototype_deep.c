@@ -1,5 +1,5 @@
 /* The prototype's rows of more and of deeper octrees, larger maps, and views anywhere (FIGURES 11). */
-#include "prototype.h"
+#include "tests/methods/views/prototype.h"
 
 /* In the air, all looking up. */
 static grove_place air(void)

@@ -1,9 +1,9 @@
 /* The traversal of two octrees: the pairs that a recursion renders, whatever the queues' memory; maps of those
  * pairs, and whole maps. */
-#include "grove.h"
-#include "../../../src/methods/views/traverse.h"
-#include "../../../src/methods/views/views.h"
-#include "../../../src/backends/kernels.h"
+#include "backends/kernels.h"
+#include "methods/views/traverse.h"
+#include "methods/views/views.h"
+#include "tests/methods/views/grove.h"
 
 static ts_params params_of(u32 n)
 {

@@ -1,10 +1,10 @@
 /* The margins of maps of views against ports that round otherwise: a traversal in double precision, in which every
  * number that is compared is off by up to 2 ulps, each its own way. Texels that show another node, or none, are
  * undecided; few are; and a port whose thresholds are off by more than rounding differs in texels that are decided. */
-#include "../../../src/methods/views/views.h"
-#include "grove.h"
-#include "../../../src/kernels/views/view_map_margin.h"
-#include "../../../src/methods/stages.h"
+#include "kernels/views/view_map_margin.h"
+#include "methods/stages.h"
+#include "methods/views/views.h"
+#include "tests/methods/views/grove.h"
 
 enum { N_PORTS = 4 };
 

@@ -1,8 +1,8 @@
 /* Paths of light on a scene: lights where the texels of the lamp's maps are, and at their reflections; rays, against a
  * loop over all triangles and in double precision; a lamp that meets nothing. */
-#include "octrees.h"
 #include <math.h>
-#include "../../../src/kernels/views/cast.h"
+#include "kernels/views/cast.h"
+#include "tests/methods/views/octrees.h"
 
 /* Flux of all lights, of red. */
 static double flux_of(const ts_run *run)

@@ -3,11 +3,11 @@
  * counted in. Pixels that draw from another list, or with a light that one sees and the other does not, are
  * undecided, and few are; and a port that is off by more differs in pixels that are decided. */
 #include <math.h>
-#include "../../../src/methods/views/views.h"
-#include "../small.h"
-#include "../../whole.h"
-#include "../../../src/kernels/views/vpl_gather_margin.h"
-#include "../../../src/methods/stages.h"
+#include "kernels/views/vpl_gather_margin.h"
+#include "methods/stages.h"
+#include "methods/views/views.h"
+#include "tests/methods/small.h"
+#include "tests/whole.h"
 
 enum { N_PORTS = 4, N_TIES = 3000, WIDTH = 64, HEIGHT = 48 };
 

@@ -1,7 +1,7 @@
 /* What a port needs of Vulkan 1.2, and no more: memory with addresses, and compute shaders that take addresses.
  * Whatever fails ends the program with one line and status 2. */
-#ifndef GPU_H
-#define GPU_H
+#ifndef TS_TESTS_PORTS_VULKAN_GPU_H
+#define TS_TESTS_PORTS_VULKAN_GPU_H
 #include <stddef.h>
 #include <stdint.h>
 

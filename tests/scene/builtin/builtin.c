@@ -1,14 +1,10 @@
 /* The built-in scenes: exact counts, one-line errors, the same bytes every time, and that they are places: closed
  * rooms, normals that agree with their faces, a free path for the eye, triangles of all sizes. */
-#include "../../../src/scene/sources.h"
-#include "../../../src/scene/view.h"
-#include "../../../src/kernels/base/scene.h"
 #include <omp.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <cmocka.h>
+#include "kernels/base/scene.h"
+#include "scene/sources.h"
+#include "scene/view.h"
+#include "tests/model/test.h"
 
 static const char *const names[3] = {"atrium", "gallery", "dining"};
 static ts_scene *whole[3]; /* of as many triangles as they have by default */

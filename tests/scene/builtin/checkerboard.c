@@ -1,15 +1,10 @@
 /* The checkerboard of surfels: how many, where, how large and of what colour; and what the command says of it. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
-#include "../../../src/model/core.h"
-#include "../../../src/kernels/base/vec.h"
-#include "../../../src/methods/pipeline.h"
-#include "../../../src/scene/sources.h"
+#include "kernels/base/vec.h"
+#include "methods/pipeline.h"
+#include "model/core.h"
+#include "scene/sources.h"
+#include "tests/model/test.h"
 
 static ts_params params;
 

@@ -1,10 +1,10 @@
 /* Small glTF files that tests write and load. */
-#ifndef TS_TESTS_GLTF_FILES_H
-#define TS_TESTS_GLTF_FILES_H
+#ifndef TS_TESTS_SCENE_GLTF_FILES_H
+#define TS_TESTS_SCENE_GLTF_FILES_H
 #include <unistd.h>
-#include "../../status.h"
-#include "../../../src/model/core.h"
-#include "../../../src/scene/sources.h"
+#include "model/core.h"
+#include "scene/sources.h"
+#include "tests/status.h"
 
 /* n is a multiple of 3. */
 static inline void base64(char *to, const unsigned char *from, size_t n)

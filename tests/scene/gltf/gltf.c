@@ -1,7 +1,7 @@
 /* Reading glTF: small files made here, judged by closed forms. Every file is one mesh of a few corners in a data URI.
  */
-#include "../../../src/kernels/base/shade.h"
-#include "files.h"
+#include "kernels/base/shade.h"
+#include "tests/scene/gltf/files.h"
 
 #define TRIANGLE "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]"
 #define ONE_NODE "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]"

@@ -1,9 +1,9 @@
 /* Files of a gibibyte: what they begin with, or what is said of them, is looked at before they are read. And
  * images whose texels only their own bytes justify. */
-#include "files.h"
 #include <sys/resource.h>
 #include <zlib.h>
-#include "../../scratch.h"
+#include "tests/scene/gltf/files.h"
+#include "tests/scratch.h"
 
 /* A gibibyte of zeros, without blocks on the disk, after `head`. */
 static void make(const char *leaf, const char *head, size_t n)

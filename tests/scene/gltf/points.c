@@ -1,6 +1,6 @@
 /* Points of glTF: small files made here, of floats in a data URI, judged by closed forms. */
-#include "../../../src/kernels/base/vec.h"
-#include "files.h"
+#include "kernels/base/vec.h"
+#include "tests/scene/gltf/files.h"
 
 /* Four points of a square of side 2, then of each: normal +z, half-axes 0.5 x and 0.25 y, colour, and the second axis
  * turned out of the plane; then the indices 3 1. */

@@ -1,5 +1,5 @@
 /* KHR_mesh_quantization: the same mesh as integers and as the floats that they stand for gives the same scene. */
-#include "files.h"
+#include "tests/scene/gltf/files.h"
 
 enum { N = 3, BYTE = 5120, UBYTE, SHORT, USHORT, FLOAT = 5126 };
 

@@ -1,6 +1,6 @@
 /* Textures that other tools write: formats that are not read, no image at all, and any set of texture coordinates. */
-#include "../../../src/kernels/base/num.h"
-#include "files.h"
+#include "kernels/base/num.h"
+#include "tests/scene/gltf/files.h"
 
 /* A red PNG of one texel; then what begins as a KTX2, a WebP, a GIF, and as nothing known. */
 #define PNG \

@@ -1,5 +1,5 @@
 /* Data URIs (RFC 2397): a buffer in base64 and the same, percent-encoded, give the same scene. */
-#include "files.h"
+#include "tests/scene/gltf/files.h"
 
 enum { BYTES = 36 };
 

@@ -1,16 +1,16 @@
 /* Loads hostile files, each in a process of its own: those that hostile_files.py makes, held against its manifest, and
  * where $TS_SCENES has them those of another project, and good scenes. A file gets 10 seconds, a process 4 GiB. */
-#include "../../model/test.h"
 #include <dlfcn.h>
 #include <limits.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "../../../src/image/codec.h"
-#include "../../../src/model/core.h"
-#include "../../../src/scene/scene.h"
-#include "../../scratch.h"
-#include "../folder.h"
+#include "image/codec.h"
+#include "model/core.h"
+#include "scene/scene.h"
+#include "tests/model/test.h"
+#include "tests/scene/folder.h"
+#include "tests/scratch.h"
 
 /* What came of a file. `text`: why it was refused, or what its process printed, which did not end well. */
 typedef struct {

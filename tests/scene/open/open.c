@@ -1,16 +1,12 @@
 /* Opening scenes: what is refused, and how a loaded scene is described. */
-#include "../../../src/model/core.h"
-#include "../../../src/kernels/base/shade.h"
-#include "../../../src/scene/build.h"
-#include "../../scratch.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include <jansson.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <jansson.h>
-#include <cmocka.h>
+#include "kernels/base/shade.h"
+#include "model/core.h"
+#include "scene/build.h"
+#include "tests/model/test.h"
+#include "tests/scratch.h"
 
 static ts_params params;
 

@@ -1,12 +1,12 @@
 /* Reading PLY: files made here in all three formats, what they must say, and every way to lie about them. */
 #include <math.h>
 #include <unistd.h>
-#include "../../comma.h"
-#include "../../srgb.h"
-#include "../../status.h"
-#include "../../../src/model/core.h"
-#include "../../../src/kernels/base/vec.h"
-#include "../../../src/scene/sources.h"
+#include "kernels/base/vec.h"
+#include "model/core.h"
+#include "scene/sources.h"
+#include "tests/comma.h"
+#include "tests/srgb.h"
+#include "tests/status.h"
 
 static ts_build *load_bytes(const void *bytes, size_t n)
 {

@@ -1,8 +1,8 @@
 /* Fast path of the hull kernel, with the same bits: the closed form of many lobes in one loop without branches, which
  * compilers make of vector instructions. */
-#include "../../../kernels/hulls/hull.h"
-#include "../../fast.h"
-#include "../../wide.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/hulls/hull.h"
 
 enum { PIXELS = 64, LOBES = 3 * PIXELS };
 
@@ -70,4 +70,4 @@ bool ts_c_fast_hull(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,9 +1,9 @@
 /* Fast path of alignment, with the same bits: pieces side by side. */
 #include <string.h>
-#include "../../../kernels/points/align.h"
-#include "../../fast.h"
-#include "../../wide.h"
-#include "closest_lanes.h"
+#include "backends/c/points/closest_lanes.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/points/align.h"
 
 enum { PIECES = 64, COORDINATES = 9, PLACES = 6 };
 
@@ -97,4 +97,4 @@ bool ts_c_fast_align(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,8 +1,8 @@
 /* Marks of the texels that are read, and of their blocks. */
-#include "asked_texels.h"
+#include "backends/c/points/asked_texels.h"
 #include <stdlib.h>
-#include "../../../model/core.h"
-#include "sample_texels.h"
+#include "backends/c/points/sample_texels.h"
+#include "model/core.h"
 
 static u32 levels_of(u32 n) { return 32 - (u32)__builtin_clz(n | 1); }
 
@@ -127,4 +127,4 @@ void ts_asked_open(const ts_asked *asked, u64 *texels, u32 threads)
 	for (i64 i = 0; i < (i64)asked->n; i++) texels[i] |= (u64)asked->texel[i] - 1;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

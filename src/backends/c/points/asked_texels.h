@@ -1,7 +1,7 @@
 /* The texels that samples of reflective pixels read, and whether a box of texels has one. */
-#ifndef TS_BACKENDS_ASKED_TEXELS_H
-#define TS_BACKENDS_ASKED_TEXELS_H
-#include "../../../kernels/points/splat.h"
+#ifndef TS_BACKENDS_C_POINTS_ASKED_TEXELS_H
+#define TS_BACKENDS_C_POINTS_ASKED_TEXELS_H
+#include "kernels/points/splat.h"
 
 enum { TS_ASKED_LEVELS = 32 };
 

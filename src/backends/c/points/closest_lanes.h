@@ -1,8 +1,8 @@
 /* Closest points for vector loops: without branches, with the bits of the kernels. */
-#ifndef TS_BACKENDS_CLOSEST_LANES_H
-#define TS_BACKENDS_CLOSEST_LANES_H
-#include "../../../kernels/base/closest.h"
-#include "../raster/lanes.h"
+#ifndef TS_BACKENDS_C_POINTS_CLOSEST_LANES_H
+#define TS_BACKENDS_C_POINTS_CLOSEST_LANES_H
+#include "backends/c/raster/lanes.h"
+#include "kernels/base/closest.h"
 
 static inline u32 ts_all3(bool x, bool y, bool z)
 {

@@ -8,9 +8,9 @@
  *
  * The kernel rounds some fifty times in a row, each time by 2^-24 of at most the sum of all coordinates. The slack is
  * 2^-15 of that sum. Beyond 2^26, where products may overflow, it is infinite, and nothing is left out. */
-#include "density_bound.h"
+#include "backends/c/points/density_bound.h"
 #include <math.h>
-#include "../../wide.h"
+#include "backends/wide.h"
 
 /* Margins for rounding: the slack, 2^-19 of the square of |u + v|, 2^-13 of a need. */
 #define SLACK 0.000030517578125f
@@ -74,4 +74,4 @@ u32 ts_density_may_count(u32 list[TS_PART], const ts_density_part *p, const ts_d
 	return n;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

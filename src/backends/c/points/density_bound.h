@@ -1,7 +1,7 @@
 /* Triangles in vector lanes, and the cubes that may still change their densities. */
-#ifndef TS_BACKENDS_DENSITY_BOUND_H
-#define TS_BACKENDS_DENSITY_BOUND_H
-#include "../../../kernels/points/density.h"
+#ifndef TS_BACKENDS_C_POINTS_DENSITY_BOUND_H
+#define TS_BACKENDS_C_POINTS_DENSITY_BOUND_H
+#include "kernels/points/density.h"
 
 enum { TS_PART = 128, TS_COORDINATES = 9 };
 

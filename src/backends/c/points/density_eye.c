@@ -1,9 +1,9 @@
 /* EPR's densities, with the bits of ts_k_density: the triangles that a cube may see are processed side by side. */
-#include "density_eye.h"
-#include "../../../model/core.h"
-#include "../../wide.h"
-#include "closest_lanes.h"
-#include "density_bound.h"
+#include "backends/c/points/density_eye.h"
+#include "backends/c/points/closest_lanes.h"
+#include "backends/c/points/density_bound.h"
+#include "backends/wide.h"
+#include "model/core.h"
 
 enum { LANES = 16 };
 
@@ -165,4 +165,4 @@ bool ts_c_eye_density(const ts_density_args *args, u32 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

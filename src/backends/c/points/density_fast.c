@@ -2,11 +2,11 @@
  * which compilers vectorize. */
 #include <omp.h>
 #include <stdlib.h>
-#include "../../../kernels/points/split.h"
-#include "../../fast.h"
-#include "../../wide.h"
-#include "closest_lanes.h"
-#include "density_eye.h"
+#include "backends/c/points/closest_lanes.h"
+#include "backends/c/points/density_eye.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/points/split.h"
 
 enum { ENTRIES = 10, TRIANGLES_A_CHUNK = 256 };
 
@@ -95,4 +95,4 @@ bool ts_c_fast_split_count(const void *arguments, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

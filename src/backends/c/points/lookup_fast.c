@@ -1,8 +1,8 @@
 /* Fast path of the look-ups of reflective pixels, with the same bits: a pixel's samples side by side, and the texels of
  * some pixels prefetched. */
-#include "../../../kernels/points/lookup.h"
-#include "../../fast.h"
-#include "sample_texels.h"
+#include "backends/c/points/sample_texels.h"
+#include "backends/fast.h"
+#include "kernels/points/lookup.h"
 
 enum { PIXELS = 8 };
 
@@ -44,4 +44,4 @@ bool ts_c_fast_lookup(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

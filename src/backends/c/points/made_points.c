@@ -1,7 +1,7 @@
 /* Points of a piece side by side: the lattice's in loops without branches, which compilers vectorize; then the samples
  * beside the piece, which move to its border. */
-#include "made_points.h"
-#include "../../wide.h"
+#include "backends/c/points/made_points.h"
+#include "backends/wide.h"
 
 enum { PART = 256, LANES = TS_MADE_LANES };
 
@@ -185,4 +185,4 @@ u32 ts_made_row(const ts_made_piece *p, i32 y, f32 *const centre[3])
 	return (u32)(row.last - row.first + 1);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

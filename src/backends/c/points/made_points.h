@@ -1,9 +1,9 @@
 /* Makes the points of a piece, row by row of its lattice, in vector lanes, with the bits of ts_k_flight_start. */
-#ifndef TS_BACKENDS_MADE_POINTS_H
-#define TS_BACKENDS_MADE_POINTS_H
-#include "../../../kernels/points/points.h"
-#include "sample_mask.h"
-#include "view_planes.h"
+#ifndef TS_BACKENDS_C_POINTS_MADE_POINTS_H
+#define TS_BACKENDS_C_POINTS_MADE_POINTS_H
+#include "backends/c/points/sample_mask.h"
+#include "backends/c/points/view_planes.h"
+#include "kernels/points/points.h"
 
 /* Lanes beyond the last point may be written, and hold anything when read. */
 enum { TS_MADE_LANES = 16 };

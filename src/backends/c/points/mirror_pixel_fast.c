@@ -1,11 +1,11 @@
 /* Fast path of reflective pixels, with the same bits: each is glanced at once, and its neighbours reuse that; pixels of
  * one material are glanced at together. */
-#include "../../../kernels/points/mirror_pixel.h"
 #include <omp.h>
 #include <stdlib.h>
-#include "../../../model/core.h"
-#include "../../fast.h"
-#include "../raster/fragment_batch.h"
+#include "backends/c/raster/fragment_batch.h"
+#include "backends/fast.h"
+#include "kernels/points/mirror_pixel.h"
+#include "model/core.h"
 
 enum { BAND = 32, RING = 3 };
 
@@ -128,4 +128,4 @@ bool ts_c_fast_mirror_pixel(const void *of, u64 n, u32 threads)
 	return enough;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

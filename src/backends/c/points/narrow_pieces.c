@@ -1,6 +1,6 @@
 /* Narrow pieces: their edges as lines, row after row. */
-#include "narrow_pieces.h"
-#include "../../wide.h"
+#include "backends/c/points/narrow_pieces.h"
+#include "backends/wide.h"
 
 enum { PIECES = TS_NARROW_PIECES, NARROW = TS_NARROW };
 
@@ -82,4 +82,4 @@ void ts_narrow_find(ts_narrow_pieces *to, const ts_align *frames, u32 n, i32 hal
 	for (u32 y = 0; y < to->n_rows; y++) find_row(to->rows[y], to->n, &e, (i32)y);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

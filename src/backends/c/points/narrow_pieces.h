@@ -1,7 +1,7 @@
 /* The samples that touch narrow pieces, in vector lanes, with the bits of ts_k_touches. */
-#ifndef TS_BACKENDS_NARROW_PIECES_H
-#define TS_BACKENDS_NARROW_PIECES_H
-#include "../../../kernels/raster/lattice.h"
+#ifndef TS_BACKENDS_C_POINTS_NARROW_PIECES_H
+#define TS_BACKENDS_C_POINTS_NARROW_PIECES_H
+#include "kernels/raster/lattice.h"
 
 /* A narrow piece touches samples of a box of at most TS_NARROW per side. */
 enum { TS_NARROW = 8, TS_NARROW_PIECES = 64 };

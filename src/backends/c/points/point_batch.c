@@ -1,6 +1,6 @@
 /* Points side by side: see point_batch.h. */
-#include "point_batch.h"
-#include "../../wide.h"
+#include "backends/c/points/point_batch.h"
+#include "backends/wide.h"
 
 typedef struct {
 	ts_lanes3 w, normal;
@@ -58,4 +58,4 @@ void ts_points_add(ts_point_batch *batch, ts_surface_bins *bins, const ts_arrays
 	if (batch->n == TS_ABREAST) ts_points_flush(batch, bins);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

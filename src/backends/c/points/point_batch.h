@@ -1,9 +1,9 @@
 /* Surfaces of points in vector lanes, with the bits of ts_k_flight_surface: vector loops compute the weights of samples
  * in the lattices of their pieces. */
-#ifndef TS_BACKENDS_POINT_BATCH_H
-#define TS_BACKENDS_POINT_BATCH_H
-#include "../../../kernels/raster/lattice.h"
-#include "../raster/surface_bins.h"
+#ifndef TS_BACKENDS_C_POINTS_POINT_BATCH_H
+#define TS_BACKENDS_C_POINTS_POINT_BATCH_H
+#include "backends/c/raster/surface_bins.h"
+#include "kernels/raster/lattice.h"
 
 typedef struct {
 	u32 n;

@@ -2,10 +2,10 @@
  * ends by division, their points side by side; narrow pieces side by side; masks of pieces found once. */
 #include <omp.h>
 #include <stdlib.h>
-#include "../../../model/core.h"
-#include "../../fast.h"
-#include "made_points.h"
-#include "narrow_pieces.h"
+#include "backends/c/points/made_points.h"
+#include "backends/c/points/narrow_pieces.h"
+#include "backends/fast.h"
+#include "model/core.h"
 
 /* Fewest samples per row, on average, for a wide piece; most that there is room for, and those at its ends. */
 enum { LEAST = 8, MOST = 4096, ENDS = 4, PIECES = TS_NARROW_PIECES, CHUNK = 16 };
@@ -162,4 +162,4 @@ bool ts_c_fast_points(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

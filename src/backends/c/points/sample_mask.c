@@ -1,5 +1,5 @@
 /* Alpha masks of samples. */
-#include "sample_mask.h"
+#include "backends/c/points/sample_mask.h"
 
 /* Like ts_k_slot_sample. */
 static void find_levels(ts_sample_mask *m, const ts_arrays *scene, f32 area, f32 footprint)
@@ -60,4 +60,4 @@ bool ts_sample_mask_cuts(const ts_sample_mask *m, i32 x, i32 y)
 	return alpha < m->cutoff;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,8 +1,8 @@
 /* The alpha mask of a piece's samples, with the bits of ts_k_is_cut: values that the samples share are computed once,
  * and only the alpha of texels is read. */
-#ifndef TS_BACKENDS_SAMPLE_MASK_H
-#define TS_BACKENDS_SAMPLE_MASK_H
-#include "../../../kernels/raster/lattice.h"
+#ifndef TS_BACKENDS_C_POINTS_SAMPLE_MASK_H
+#define TS_BACKENDS_C_POINTS_SAMPLE_MASK_H
+#include "kernels/raster/lattice.h"
 
 typedef struct {
 	ts_v2 corner[3]; /* of the triangle, in the lattice */

@@ -1,7 +1,7 @@
 /* The texels that the samples of a reflective pixel read, side by side. */
-#include "sample_texels.h"
-#include "../../../kernels/raster/cube.h"
-#include "../../wide.h"
+#include "backends/c/points/sample_texels.h"
+#include "backends/wide.h"
+#include "kernels/raster/cube.h"
 
 enum { SAMPLES = TS_SAMPLE_ROOM };
 
@@ -75,4 +75,4 @@ void ts_sample_texels(u32 to[TS_SAMPLE_ROOM], const ts_sample_offsets *o, const 
 	find_texels(to, o, pixel_of(of, eye, n));
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

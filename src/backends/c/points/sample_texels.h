@@ -1,8 +1,8 @@
 /* The texels that the samples of a reflective pixel read: those of ts_k_lookup. */
-#ifndef TS_BACKENDS_SAMPLE_TEXELS_H
-#define TS_BACKENDS_SAMPLE_TEXELS_H
-#include "../../../kernels/points/mirror_pixel.h"
-#include "../../../kernels/points/samples.h"
+#ifndef TS_BACKENDS_C_POINTS_SAMPLE_TEXELS_H
+#define TS_BACKENDS_C_POINTS_SAMPLE_TEXELS_H
+#include "kernels/points/mirror_pixel.h"
+#include "kernels/points/samples.h"
 
 enum { TS_SAMPLE_ROOM = 32 }; /* samples of a pixel, in whole vectors */
 

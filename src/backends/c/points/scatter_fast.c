@@ -4,12 +4,12 @@
  * see are counted, and not made. */
 #include <omp.h>
 #include <stdlib.h>
-#include "../../../kernels/points/scatter.h"
-#include "../../fast.h"
-#include "../../wide.h"
-#include "../raster/prepared.h"
-#include "made_points.h"
-#include "view_planes.h"
+#include "backends/c/points/made_points.h"
+#include "backends/c/points/view_planes.h"
+#include "backends/c/raster/prepared.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/points/scatter.h"
 
 enum {
 	ROOM = (1 << 16) + 256, /* a row of a lattice, 24.8 and dilated, has at most 65538 points */
@@ -361,4 +361,4 @@ static bool scatter(const ts_scatter_args *args, u64 n, bool stored, u32 threads
 bool ts_c_fast_scatter(const void *of, u64 n, u32 threads) { return scatter(of, n, true, threads); }
 bool ts_c_fast_scatter_pieces(const void *of, u64 n, u32 threads) { return scatter(of, n, false, threads); }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

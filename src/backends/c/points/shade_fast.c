@@ -3,11 +3,11 @@
  * together. Shading operations are counted as the method prescribes, remembered or not. */
 #include <omp.h>
 #include <stdlib.h>
-#include "../../../kernels/points/lookup.h"
-#include "../../../model/core.h"
-#include "../../fast.h"
-#include "../raster/light_batch.h"
-#include "point_batch.h"
+#include "backends/c/points/point_batch.h"
+#include "backends/c/raster/light_batch.h"
+#include "backends/fast.h"
+#include "kernels/points/lookup.h"
+#include "model/core.h"
 
 enum { SLOTS = 16384, ENTRIES = 256, CHUNK = 4 /* parts */, MOST = ENTRIES * TS_N_SAMPLES };
 
@@ -226,4 +226,4 @@ bool ts_c_fast_shade(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -3,10 +3,10 @@
  * are evaluated as lines in (i, j). */
 #include <omp.h>
 #include <stdlib.h>
-#include "../../../kernels/points/shadow_splat.h"
-#include "../../../kernels/raster/cube.h"
-#include "../../fast.h"
-#include "../../wide.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/points/shadow_splat.h"
+#include "kernels/raster/cube.h"
 
 enum { BLOCK = 64, MOST_VIEWS = 1024, PIECES_A_CHUNK = 64 };
 
@@ -258,4 +258,4 @@ bool ts_c_fast_shadow_splat_pieces(const void *of, u64 n, u32 threads)
 	return made;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

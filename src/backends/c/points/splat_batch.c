@@ -1,9 +1,9 @@
 /* Pieces side by side: projected, snapped, and their edges as lines, like ts_k_splat_triangle and ts_k_lines where no
  * plane clips. */
-#include "splat_batch.h"
+#include "backends/c/points/splat_batch.h"
 #include <stdlib.h>
-#include "../../../kernels/points/splat_pieces.h"
-#include "../../wide.h"
+#include "backends/wide.h"
+#include "kernels/points/splat_pieces.h"
 
 enum { PIECES = TS_SPLAT_PIECES, LANES = TS_SPLAT_LANES, LONGEST = 1 << 18, HALF_SIZE = 129 };
 
@@ -176,4 +176,4 @@ bool ts_splat_batch_box(ts_splat_batch *b, u32 k, ts_box box, const ts_lines *li
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

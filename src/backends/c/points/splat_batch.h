@@ -1,8 +1,8 @@
 /* Splats of many pieces and points in vector lanes, into a cube face that their thread owns. The axes of a cube's face
  * are those of the world except for sign and order, so projections need no products; edges are lines in (i, j). */
-#ifndef TS_BACKENDS_SPLAT_BATCH_H
-#define TS_BACKENDS_SPLAT_BATCH_H
-#include "splat_live.h"
+#ifndef TS_BACKENDS_C_POINTS_SPLAT_BATCH_H
+#define TS_BACKENDS_C_POINTS_SPLAT_BATCH_H
+#include "backends/c/points/splat_live.h"
 
 enum { TS_SPLAT_PIECES = 64 };
 

@@ -1,9 +1,9 @@
 /* Points side by side. Most splats touch at most three texels by three: vectorized loops find which of the nine they
  * offer a key to, and those are written one after another, the first four without branches. */
 #include <string.h>
-#include "../../../kernels/points/splat_pieces.h"
-#include "../../wide.h"
-#include "splat_batch.h"
+#include "backends/c/points/splat_batch.h"
+#include "backends/wide.h"
+#include "kernels/points/splat_pieces.h"
 
 enum { POINTS = TS_SPLAT_POINTS, LANES = TS_SPLAT_LANES, ROOM = TS_SPLAT_ROOM, EDGES = TS_SPLAT_EDGES };
 
@@ -359,4 +359,4 @@ void ts_splat_block_row(ts_splat_block *b, ts_splat_face *f, const ts_splat_live
 	put(b, f, &of, row.n, lines != NULL || f->args->plane_depth != 0);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,6 +1,6 @@
 /* Where splats of many points may be. */
-#include "splat_extent.h"
-#include "../../wide.h"
+#include "backends/c/points/splat_extent.h"
+#include "backends/wide.h"
 
 enum { FEW = 8 };
 
@@ -105,4 +105,4 @@ bool ts_splat_is_hidden(const ts_splat_face *f, ts_box box, const ts_splat_bound
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,7 +1,7 @@
 /* Bounds of the splats of many points: in the world, and on a cube face. */
-#ifndef TS_BACKENDS_SPLAT_EXTENT_H
-#define TS_BACKENDS_SPLAT_EXTENT_H
-#include "splat_batch.h"
+#ifndef TS_BACKENDS_C_POINTS_SPLAT_EXTENT_H
+#define TS_BACKENDS_C_POINTS_SPLAT_EXTENT_H
+#include "backends/c/points/splat_batch.h"
 
 /* The reach of splats from their points, along the axes of the world. */
 typedef struct {

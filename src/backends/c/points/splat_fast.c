@@ -5,11 +5,11 @@
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../../model/core.h"
-#include "../../../model/order.h"
-#include "../../fast.h"
-#include "asked_texels.h"
-#include "splat_extent.h"
+#include "backends/c/points/asked_texels.h"
+#include "backends/c/points/splat_extent.h"
+#include "backends/fast.h"
+#include "model/core.h"
+#include "model/order.h"
 
 enum { LANES = TS_SPLAT_LANES, POINTS = TS_SPLAT_POINTS, ROOM = TS_SPLAT_ROOM };
 
@@ -464,4 +464,4 @@ bool ts_c_fast_splat_fragments(const void *of, u64 n, u32 threads)
 	return splat(of, threads);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,9 +1,9 @@
 /* Rows of points, as arrays. */
-#include "splat_live.h"
+#include "backends/c/points/splat_live.h"
 #include <stdlib.h>
 #include <string.h>
-#include "../../../kernels/points/splat_pieces.h"
-#include "../../../model/core.h"
+#include "kernels/points/splat_pieces.h"
+#include "model/core.h"
 
 enum { WORDS = 6 + TS_SPLAT_CORNERS + TS_SPLAT_SIDES, POINTS = TS_SPLAT_POINTS, LANES = TS_SPLAT_LANES };
 
@@ -129,4 +129,4 @@ void ts_splat_live_clear(ts_splat_live *live)
 	free(live->bounds);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,9 +1,9 @@
 /* The input of splatting: rows of points, each of one piece, as arrays. If points are made as they are splatted, a row
  * is a whole piece. */
-#ifndef TS_BACKENDS_SPLAT_LIVE_H
-#define TS_BACKENDS_SPLAT_LIVE_H
-#include "../../../kernels/raster/cube.h"
-#include "../../../kernels/raster/cover.h"
+#ifndef TS_BACKENDS_C_POINTS_SPLAT_LIVE_H
+#define TS_BACKENDS_C_POINTS_SPLAT_LIVE_H
+#include "kernels/raster/cover.h"
+#include "kernels/raster/cube.h"
 
 typedef struct ts_splat_args ts_splat_args;
 

@@ -1,6 +1,6 @@
 /* Fast path of the kernel that writes pieces, with the same bits: a triangle that is not split is its own piece. */
-#include "../../../kernels/points/split.h"
-#include "../../fast.h"
+#include "backends/fast.h"
+#include "kernels/points/split.h"
 
 enum { TRIANGLES_A_CHUNK = 1024 };
 
@@ -29,4 +29,4 @@ bool ts_c_fast_split(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,9 +1,9 @@
 /* The planes of 32 views side by side. A point at R to the right and A ahead is W/2 + f R / A pixels from the left of
  * an image that is W wide: inside where f R + W/2 A >= 0 and W/2 A - f R >= 0, as A is at least near; the same
  * upward. */
+#include "backends/c/points/view_planes.h"
 #include <math.h>
-#include "../../wide.h"
-#include "view_planes.h"
+#include "backends/wide.h"
 
 static const f32 ROUNDING = 0x1p-16f; /* some 20 operations of 2^-24 each, with a factor of two */
 
@@ -67,4 +67,4 @@ u32 ts_view_planes_meet(const ts_view_planes *p, const ts_bounds *box)
 	return bits;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,8 +1,8 @@
 /* The views, of at most 32, that may see a box in world space: those without a plane of their pyramid that separates
  * the box. */
-#ifndef TS_BACKENDS_VIEW_PLANES_H
-#define TS_BACKENDS_VIEW_PLANES_H
-#include "../../../kernels/raster/view.h"
+#ifndef TS_BACKENDS_C_POINTS_VIEW_PLANES_H
+#define TS_BACKENDS_C_POINTS_VIEW_PLANES_H
+#include "kernels/raster/view.h"
 
 enum { TS_GROUP = 32, TS_PLANES = 5 };
 

@@ -4,10 +4,10 @@
  * these texels would be too many. */
 #include <omp.h>
 #include <stdlib.h>
-#include "../../../kernels/raster/cube_face.h"
-#include "../../fast.h"
-#include "../../wide.h"
-#include "draw_batch.h"
+#include "backends/c/raster/draw_batch.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/raster/cube_face.h"
 
 enum {
 	TRIANGLES = TS_DRAW_TRIANGLES,
@@ -174,4 +174,4 @@ bool ts_c_fast_cube_face(const void *of, u64 n, u32 threads)
 	return made;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

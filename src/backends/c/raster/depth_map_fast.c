@@ -1,8 +1,8 @@
 /* Fast path of MVR's depth maps, with the same bits. */
 #include <stdlib.h>
-#include "../../../kernels/raster/depth_map.h"
-#include "../../fast.h"
-#include "draw_views.h"
+#include "backends/c/raster/draw_views.h"
+#include "backends/fast.h"
+#include "kernels/raster/depth_map.h"
 
 bool ts_c_fast_depth_map(const void *of, u64 n, u32 threads)
 {
@@ -20,4 +20,4 @@ bool ts_c_fast_depth_map(const void *of, u64 n, u32 threads)
 	return done;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -2,9 +2,9 @@
  * and all their pixels side by side. Edges are whole numbers below 2^52, which doubles hold exactly. Their crossings
  * with rows are exact, too: a quotient by a step of up to 2^32 is at least 2^-32 from any whole number that it does not
  * equal. */
-#include "../../wide.h"
-#include "draw_batch.h"
-#include "prepared.h"
+#include "backends/c/raster/draw_batch.h"
+#include "backends/c/raster/prepared.h"
+#include "backends/wide.h"
 
 enum { LANES = TS_DRAW_LANES, WIDEST = 512, ROWS = 64, PIXELS = 2048 };
 
@@ -220,4 +220,4 @@ void ts_draw_alone(const ts_draw_batch *batch, u32 triangle, bool masked, bool c
 	}
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,7 +1,7 @@
 /* Small triangles side by side, like ts_k_draw where no plane clips: corners are snapped, edges set up, covered pixels
  * listed, and the list's depths found. */
-#include "draw_batch.h"
-#include "../../wide.h"
+#include "backends/c/raster/draw_batch.h"
+#include "backends/wide.h"
 
 enum { TRIANGLES = TS_DRAW_TRIANGLES, LANES = TS_DRAW_LANES, LONGEST = (1 << 15) - 1, MOST_PIXELS = 128, LIST = 512 };
 
@@ -260,4 +260,4 @@ void ts_draw_add(ts_draw_batch *b, const ts_draw_block *block, u32 k, const ts_d
 	if (b->n == TRIANGLES) ts_draw_flush(b);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

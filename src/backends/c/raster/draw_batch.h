@@ -1,9 +1,9 @@
 /* Triangles of one view in vector lanes, drawn into texels that their thread owns. Most triangles cover few pixels:
  * vector loops project and snap them, and compute the depths of all pixels that they cover. Triangles that are clipped
  * or large are drawn alone. */
-#ifndef TS_BACKENDS_DRAW_BATCH_H
-#define TS_BACKENDS_DRAW_BATCH_H
-#include "../../../kernels/raster/draw.h"
+#ifndef TS_BACKENDS_C_RASTER_DRAW_BATCH_H
+#define TS_BACKENDS_C_RASTER_DRAW_BATCH_H
+#include "kernels/raster/draw.h"
 
 enum { TS_DRAW_TRIANGLES = 64, TS_DRAW_LANES = 16 };
 

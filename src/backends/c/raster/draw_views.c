@@ -1,11 +1,11 @@
 /* Each view, or band of one, by itself: blocks of triangles are transformed into it side by side, and those that it may
  * show enter its batch. */
-#include "draw_views.h"
+#include "backends/c/raster/draw_views.h"
 #include <omp.h>
 #include <stdlib.h>
-#include "../../../model/core.h"
-#include "../../wide.h"
-#include "draw_batch.h"
+#include "backends/c/raster/draw_batch.h"
+#include "backends/wide.h"
+#include "model/core.h"
 
 enum { TRIANGLES = TS_DRAW_TRIANGLES, LANES = TS_DRAW_LANES };
 
@@ -100,4 +100,4 @@ bool ts_draw_views(const ts_arrays *scene, const ts_draw_view *views, u32 n, u32
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

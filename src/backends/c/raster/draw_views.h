@@ -1,8 +1,8 @@
 /* Draws the triangles of the scene into several views. One thread draws a view; if there are more threads, one draws
  * each band of its rows. */
-#ifndef TS_BACKENDS_DRAW_VIEWS_H
-#define TS_BACKENDS_DRAW_VIEWS_H
-#include "../../../kernels/raster/draw.h"
+#ifndef TS_BACKENDS_C_RASTER_DRAW_VIEWS_H
+#define TS_BACKENDS_C_RASTER_DRAW_VIEWS_H
+#include "kernels/raster/draw.h"
 
 /* A view does not show triangles of `object`; TS_NONE: it shows all. */
 typedef struct {

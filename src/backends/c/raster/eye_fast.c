@@ -1,7 +1,7 @@
 /* Fast path of the eye's view, with the same bits. */
-#include "../../../kernels/raster/eye.h"
-#include "../../fast.h"
-#include "draw_views.h"
+#include "backends/c/raster/draw_views.h"
+#include "backends/fast.h"
+#include "kernels/raster/eye.h"
 
 bool ts_c_fast_eye(const void *of, u64 n, u32 threads)
 {
@@ -18,4 +18,4 @@ bool ts_c_fast_eye(const void *of, u64 n, u32 threads)
 	return ts_draw_views(&args->scene, views, n_views, threads);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,7 +1,7 @@
 /* Fragments side by side. Edges are whole numbers below 2^48, which doubles hold exactly: rounded to f32 they equal the
  * kernel's integers. */
-#include "fragment_batch.h"
-#include "../../wide.h"
+#include "backends/c/raster/fragment_batch.h"
+#include "backends/wide.h"
 
 typedef struct {
 	ts_lanes3 at[3];
@@ -103,4 +103,4 @@ void ts_fragments_ask(ts_fragment_batch *batch, ts_surface_bins *bins, const ts_
 	batch->n = 0;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,9 +1,9 @@
 /* Fragments of neighbouring pixels, with the bits of ts_k_fragment_at: vector loops transform their triangles into the
  * view. */
-#ifndef TS_BACKENDS_FRAGMENT_BATCH_H
-#define TS_BACKENDS_FRAGMENT_BATCH_H
-#include "../../../kernels/raster/draw.h"
-#include "surface_bins.h"
+#ifndef TS_BACKENDS_C_RASTER_FRAGMENT_BATCH_H
+#define TS_BACKENDS_C_RASTER_FRAGMENT_BATCH_H
+#include "backends/c/raster/surface_bins.h"
+#include "kernels/raster/draw.h"
 
 typedef struct {
 	u32 n;

@@ -1,8 +1,8 @@
 /* Fast path of the G-buffer, with the same bits: neighbouring pixels are transformed into the view together, and the
  * surfaces of one material are found together. */
-#include "../../../kernels/raster/gbuffer.h"
-#include "../../fast.h"
-#include "surface_rows.h"
+#include "backends/c/raster/surface_rows.h"
+#include "backends/fast.h"
+#include "kernels/raster/gbuffer.h"
 
 /* Like ts_k_gpixel. */
 static void store(const void *user, const ts_surface_batch *of, const ts_surfaces *found)
@@ -41,4 +41,4 @@ bool ts_c_fast_gbuffer(const void *of, u64 n, u32 threads)
 	return ts_see_rows(&rows, threads);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,11 +1,11 @@
 /* Fast path of MVR's shading, with the same bits: neighbouring texels are transformed into the view together, and those
  * of one material are shaded together. */
-#include "../../../kernels/base/shade.h"
-#include "../../../kernels/raster/cube.h"
-#include "../../../kernels/raster/texel_place.h"
-#include "../../fast.h"
-#include "light_batch.h"
-#include "surface_rows.h"
+#include "backends/c/raster/light_batch.h"
+#include "backends/c/raster/surface_rows.h"
+#include "backends/fast.h"
+#include "kernels/base/shade.h"
+#include "kernels/raster/cube.h"
+#include "kernels/raster/texel_place.h"
 
 enum { TEXELS = 1024 };
 
@@ -58,4 +58,4 @@ bool ts_c_fast_illuminate(const void *of, u64 n, u32 threads)
 	return ts_see_rows(&rows, threads);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

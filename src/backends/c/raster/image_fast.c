@@ -1,10 +1,10 @@
 /* Fast path of the picture, with the same bits: neighbouring pixels are transformed into the view together, and those
  * of one material are shaded together. */
-#include "../../../kernels/raster/image.h"
-#include "../../fast.h"
-#include "light_batch.h"
-#include "srgb_table.h"
-#include "surface_rows.h"
+#include "backends/c/raster/light_batch.h"
+#include "backends/c/raster/srgb_table.h"
+#include "backends/c/raster/surface_rows.h"
+#include "backends/fast.h"
+#include "kernels/raster/image.h"
 
 typedef struct {
 	const ts_image_args *args;
@@ -59,4 +59,4 @@ bool ts_c_fast_image(const void *of, u64 n, u32 threads)
 	return ts_see_rows(&rows, threads);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,7 +1,7 @@
 /* Values of many items in vector lanes, and choices that vector loops can make. */
-#ifndef TS_BACKENDS_LANES_H
-#define TS_BACKENDS_LANES_H
-#include "../../../kernels/base/scene.h"
+#ifndef TS_BACKENDS_C_RASTER_LANES_H
+#define TS_BACKENDS_C_RASTER_LANES_H
+#include "kernels/base/scene.h"
 
 enum { TS_LANES = 16, TS_ABREAST = 64 };
 

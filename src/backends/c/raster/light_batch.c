@@ -1,6 +1,6 @@
 /* Lights one after another, each on all surfaces. */
-#include "light_batch.h"
-#include "../../wide.h"
+#include "backends/c/raster/light_batch.h"
+#include "backends/wide.h"
 
 enum { N = TS_ABREAST };
 
@@ -132,4 +132,4 @@ void ts_light_batch(ts_lanes3 *radiance, const ts_arrays *scene, const ts_lamp *
 	flush_sums(radiance, n);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

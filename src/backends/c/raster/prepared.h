@@ -1,7 +1,7 @@
 /* A triangle that is clipped and set up once for a view and many pixels; fast paths share it. */
-#ifndef TS_BACKENDS_C_PREPARED_H
-#define TS_BACKENDS_C_PREPARED_H
-#include "../../../kernels/raster/draw.h"
+#ifndef TS_BACKENDS_C_RASTER_PREPARED_H
+#define TS_BACKENDS_C_RASTER_PREPARED_H
+#include "kernels/raster/draw.h"
 
 /* A triangle in the view: its polygon and the triangles of its fan, by their last corner. */
 typedef struct {

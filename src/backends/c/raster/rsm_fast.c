@@ -1,8 +1,8 @@
 /* Fast path of reflective shadow maps, with the same bits. */
 #include <stdlib.h>
-#include "../../../kernels/raster/rsm.h"
-#include "../../fast.h"
-#include "draw_views.h"
+#include "backends/c/raster/draw_views.h"
+#include "backends/fast.h"
+#include "kernels/raster/rsm.h"
 
 bool ts_c_fast_rsm(const void *of, u64 n, u32 threads)
 {
@@ -19,4 +19,4 @@ bool ts_c_fast_rsm(const void *of, u64 n, u32 threads)
 	return done;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,7 +1,7 @@
 /* Display values by a table, with the bits of ts_srgb_byte. */
-#ifndef TS_BACKENDS_SRGB_TABLE_H
-#define TS_BACKENDS_SRGB_TABLE_H
-#include "../../../kernels/base/srgb.h"
+#ifndef TS_BACKENDS_C_RASTER_SRGB_TABLE_H
+#define TS_BACKENDS_C_RASTER_SRGB_TABLE_H
+#include "kernels/base/srgb.h"
 
 /* Display values are 0 below 2^-13. From there to 1, numbers with the same exponent and the same 8 highest bits of the
  * fraction have at most one threshold between them. */

@@ -1,8 +1,8 @@
 /* Surfaces side by side: the corners' attributes are copied, then vectorized loops compute ts_k_surface from them. */
-#include "surface_batch.h"
+#include "backends/c/raster/surface_batch.h"
 #include <string.h>
-#include "../../wide.h"
-#include "texture_batch.h"
+#include "backends/c/raster/texture_batch.h"
+#include "backends/wide.h"
 
 enum { N = TS_ABREAST, UV_SETS = 2 };
 enum { BASE, METALLIC_ROUGHNESS, NORMAL_MAP, OCCLUSION, EMISSIVE, SLOTS };
@@ -196,4 +196,4 @@ void ts_surfaces_find(ts_surfaces *to, const ts_arrays *scene, const ts_surface_
 	dull_mirrors(to, &c, n);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

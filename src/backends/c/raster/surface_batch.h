@@ -1,9 +1,9 @@
 /* Surfaces of one material in vector lanes, with the bits of ts_k_surface: vector loops evaluate textures, normal maps
  * and corners of many samples at once. */
-#ifndef TS_BACKENDS_SURFACE_BATCH_H
-#define TS_BACKENDS_SURFACE_BATCH_H
-#include "../../../kernels/base/surface.h"
-#include "lanes.h"
+#ifndef TS_BACKENDS_C_RASTER_SURFACE_BATCH_H
+#define TS_BACKENDS_C_RASTER_SURFACE_BATCH_H
+#include "backends/c/raster/lanes.h"
+#include "kernels/base/surface.h"
 
 /* The samples. */
 typedef struct {

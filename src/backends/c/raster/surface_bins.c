@@ -1,5 +1,5 @@
 /* Bins of surfaces: see surface_bins.h. */
-#include "surface_bins.h"
+#include "backends/c/raster/surface_bins.h"
 
 void ts_surface_bins_begin(ts_surface_bins *bins, const ts_arrays *scene, ts_surface_done *done, const void *user)
 {
@@ -40,4 +40,4 @@ void ts_surface_bins_flush(ts_surface_bins *bins)
 		if (bins->bin[b].n > 0) find(bins, &bins->bin[b]);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,8 +1,8 @@
 /* Surfaces that a thread asks for one by one are collected in bins by material; the surfaces of a full bin are found at
  * once. */
-#ifndef TS_BACKENDS_SURFACE_BINS_H
-#define TS_BACKENDS_SURFACE_BINS_H
-#include "surface_batch.h"
+#ifndef TS_BACKENDS_C_RASTER_SURFACE_BINS_H
+#define TS_BACKENDS_C_RASTER_SURFACE_BINS_H
+#include "backends/c/raster/surface_batch.h"
 
 enum { TS_SURFACE_BINS = 32 };
 

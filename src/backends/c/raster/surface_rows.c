@@ -1,8 +1,8 @@
 /* Rows of pixels by threads: see surface_rows.h. */
-#include "surface_rows.h"
+#include "backends/c/raster/surface_rows.h"
 #include <omp.h>
 #include <stdlib.h>
-#include "../../../model/core.h"
+#include "model/core.h"
 
 enum { ROWS = 4 };
 
@@ -29,4 +29,4 @@ bool ts_see_rows(const ts_surface_rows *rows, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

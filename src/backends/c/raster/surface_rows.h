@@ -1,7 +1,7 @@
 /* Threads that find the surfaces of rows of pixels. */
-#ifndef TS_BACKENDS_SURFACE_ROWS_H
-#define TS_BACKENDS_SURFACE_ROWS_H
-#include "fragment_batch.h"
+#ifndef TS_BACKENDS_C_RASTER_SURFACE_ROWS_H
+#define TS_BACKENDS_C_RASTER_SURFACE_ROWS_H
+#include "backends/c/raster/fragment_batch.h"
 
 /* The state of a thread. */
 typedef struct {

@@ -1,6 +1,6 @@
 /* Textures side by side: where each sample reads two levels, their texels, and the mean of those. */
-#include "texture_batch.h"
-#include "../../wide.h"
+#include "backends/c/raster/texture_batch.h"
+#include "backends/wide.h"
 
 enum { N = TS_ABREAST, LEVELS = 2, TEXELS = 4, MOST_LEVELS = 17 /* of 65,536 texels a side */ };
 
@@ -162,4 +162,4 @@ void ts_texture_batch(ts_lanes3 *to, const ts_arrays *scene, const ts_slot *slot
 	mix_reads(to, &r, of->n);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

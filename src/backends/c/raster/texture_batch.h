@@ -1,7 +1,7 @@
 /* One texture at many places in vector lanes, with the bits of ts_k_slot_sample. */
-#ifndef TS_BACKENDS_TEXTURE_BATCH_H
-#define TS_BACKENDS_TEXTURE_BATCH_H
-#include "surface_batch.h"
+#ifndef TS_BACKENDS_C_RASTER_TEXTURE_BATCH_H
+#define TS_BACKENDS_C_RASTER_TEXTURE_BATCH_H
+#include "backends/c/raster/surface_batch.h"
 
 /* The corners' texture coordinates in the slot's set. */
 typedef struct {

@@ -1,9 +1,9 @@
 /* Fast path of the visibility of cubes, with the same bits: triangles side by side, cube by cube. The axes of a face
  * are the world's except for sign and order, so nothing needs products. */
 #include <string.h>
-#include "../../../kernels/raster/visibility.h"
-#include "../../fast.h"
-#include "../../wide.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/raster/visibility.h"
 
 enum { LANES = 128, AXES = 3 };
 
@@ -188,4 +188,4 @@ bool ts_c_fast_visibility(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

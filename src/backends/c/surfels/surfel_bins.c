@@ -1,8 +1,8 @@
 /* Bins of surfels, filled by all threads. */
-#include "surfel_bins.h"
-#include "../../../kernels/surfels/surfel_setup.h"
+#include "backends/c/surfels/surfel_bins.h"
 #include <math.h>
 #include <stdlib.h>
+#include "kernels/surfels/surfel_setup.h"
 
 enum { TILE = TS_SURFEL_TILE, MOST_TILES_A_SURFEL = 16, FEW_TILES = 4 };
 
@@ -165,4 +165,4 @@ u64 ts_surfel_bin_end(const ts_surfel_bins *b, u32 tile) { return b->place[(u64)
 
 u64 ts_surfel_bin_begin(const ts_surfel_bins *b, u32 tile) { return tile > 0 ? ts_surfel_bin_end(b, tile - 1) : 0; }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,8 +1,8 @@
 /* The surfels of each tile of an image, so that a thread can own a tile. */
-#ifndef TS_BACKENDS_SURFEL_BINS_H
-#define TS_BACKENDS_SURFEL_BINS_H
-#include "../../../kernels/base/num.h"
-#include "../../backend.h"
+#ifndef TS_BACKENDS_C_SURFELS_SURFEL_BINS_H
+#define TS_BACKENDS_C_SURFELS_SURFEL_BINS_H
+#include "backends/backend.h"
+#include "kernels/base/num.h"
 
 enum { TS_SURFEL_TILE = 64, TS_SURFELS_AHEAD = 8 };
 

@@ -1,13 +1,13 @@
 /* Fast paths of the surfel kernels, with the same bits: a thread owns a tile of the image and draws the surfels of its
  * bin, so there are no atomics. The order is that of the surfels, though integer sums and minima do not depend on it.
  * Counts of all items are kept per thread first. */
-#include "../../../kernels/surfels/surfel_blend.h"
-#include "../../../kernels/surfels/deferred.h"
-#include "../../../kernels/surfels/surfel_depth.h"
-#include "../../fast.h"
-#include "surfel_bins.h"
-#include "../../wide.h"
 #include <math.h>
+#include "backends/c/surfels/surfel_bins.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/surfels/deferred.h"
+#include "kernels/surfels/surfel_blend.h"
+#include "kernels/surfels/surfel_depth.h"
 
 enum { ITEMS = 1024 };
 
@@ -280,4 +280,4 @@ bool ts_c_fast_deferred(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,8 +1,8 @@
 /* Fast path of the means of surfels, with the same bits: pixels with fragments side by side, by the kernel's own
  * functions in loops without branches, which compilers vectorize; the sky is the same everywhere. */
-#include "../../../kernels/surfels/surfel_blend_mean.h"
-#include "../../fast.h"
-#include "../../wide.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/surfels/surfel_blend_mean.h"
 
 enum { LOT = 64, VECTOR = 16, PART = 4096 };
 
@@ -106,4 +106,4 @@ bool ts_c_fast_surfel_blend_mean(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

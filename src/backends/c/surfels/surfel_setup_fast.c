@@ -1,8 +1,8 @@
 /* Fast path of the set-up of surfels, with the same bits: those that face the eye side by side, by the kernel's own
  * functions in loops without branches, which compilers vectorize. */
-#include "../../../kernels/surfels/surfel_setup.h"
-#include "../../fast.h"
-#include "../../wide.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/surfels/surfel_setup.h"
 
 enum { LOT = 64, VECTOR = 16, FATES = TS_DISC_BESIDE + 1 };
 
@@ -143,4 +143,4 @@ bool ts_c_fast_surfel_setup(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -1,8 +1,8 @@
 /* The texels of a cap, from the coarsest level on. The terms of ts_k_cap_inside per column and per row are computed
  * once each. Rounded sums do not fall as a term grows, so a row has no texel inside if its best column is not
  * inside. */
-#include "cap_rows.h"
-#include "../../wide.h"
+#include "backends/c/views/cap_rows.h"
+#include "backends/wide.h"
 
 /* The terms of ts_k_cap_inside along one axis, for n texels of a level from `first` on; and the greatest. */
 typedef struct {
@@ -98,4 +98,4 @@ void ts_cap_rows_fill(u64 *map, const ts_cap_sides *sides, const ts_cap *cap, bo
 	}
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

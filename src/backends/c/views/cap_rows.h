@@ -1,7 +1,7 @@
 /* Filling the texels of a cap row by row, in maps that no other thread writes. */
-#ifndef TS_BACKENDS_CAP_ROWS_H
-#define TS_BACKENDS_CAP_ROWS_H
-#include "../../../kernels/views/view_map.h"
+#ifndef TS_BACKENDS_C_VIEWS_CAP_ROWS_H
+#define TS_BACKENDS_C_VIEWS_CAP_ROWS_H
+#include "kernels/views/view_map.h"
 
 enum { TS_MOST_SIDE = 1024, TS_MOST_LEVELS = 11 }; /* of a map */
 

@@ -1,7 +1,7 @@
 /* Pairs of nodes in groups, called lots, by the kernels' own functions in loops without branches, which compilers
  * vectorize. */
-#include "pair_lot.h"
-#include "../../wide.h"
+#include "backends/c/views/pair_lot.h"
+#include "backends/wide.h"
 
 static inline void copy_row(f32 *to, const f32 *from) { memcpy(to, from, TS_ROW * sizeof *to); }
 static inline void copy_whole(u32 *to, const u32 *from) { memcpy(to, from, TS_ROW * sizeof *to); }
@@ -255,4 +255,4 @@ void ts_pair_lot_place(ts_pair_lot *lot, const ts_lot_job *job)
 	for (u32 back = 0; pyramid->point == 0 && back < 2; back++) place_half(lot, pyramid, back);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

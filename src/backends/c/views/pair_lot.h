@@ -1,9 +1,9 @@
 /* Lots of pairs of the traversal for maps, one pair per lane: their fates, and the texels that they are rendered into.
  * A lot is laid from rows: the children of a split node, which follow each other. */
-#ifndef TS_BACKENDS_PAIR_LOT_H
-#define TS_BACKENDS_PAIR_LOT_H
-#include "../../../kernels/views/view_map.h"
-#include "../raster/lanes.h"
+#ifndef TS_BACKENDS_C_VIEWS_PAIR_LOT_H
+#define TS_BACKENDS_C_VIEWS_PAIR_LOT_H
+#include "backends/c/raster/lanes.h"
+#include "kernels/views/view_map.h"
 
 enum { TS_ROW = 8, TS_LOT_PAIRS = TS_ABREAST, TS_LOT_ROOM = TS_LOT_PAIRS + TS_LANES };
 

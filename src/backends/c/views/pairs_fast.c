@@ -4,9 +4,9 @@
  * the views of its level that its parent left. */
 #include <omp.h>
 #include <stdlib.h>
-#include "../../../kernels/views/vpl_gather_pairs.h"
-#include "../../fast.h"
-#include "../../wide.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/views/vpl_gather_pairs.h"
 
 enum { MOST_LEVELS = 12, BELOW = 2 }; /* levels below a node that one thread takes */
 
@@ -227,4 +227,4 @@ bool ts_c_at_once_vpl_gather_pairs_list(const void *source, const void *args, u6
 	return at_once(source, args, n, threads, false);
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

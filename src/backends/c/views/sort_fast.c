@@ -1,7 +1,7 @@
 /* Fast path of the sorting of lists, with the same bits: lists that are sorted already, as one thread or an ordered
  * pass leaves them, stay. */
-#include "../../../kernels/base/sort.h"
-#include "../../fast.h"
+#include "backends/fast.h"
+#include "kernels/base/sort.h"
 
 enum { LISTS_A_CHUNK = 16 };
 
@@ -25,4 +25,4 @@ bool ts_c_fast_leaf_sort(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -4,9 +4,9 @@
  * again for each node of it, but rendered and counted only for the first node below them. */
 #include <omp.h>
 #include <stdlib.h>
-#include "../../fast.h"
-#include "cap_rows.h"
-#include "pair_lot.h"
+#include "backends/c/views/cap_rows.h"
+#include "backends/c/views/pair_lot.h"
+#include "backends/fast.h"
 
 enum { SHARES = 16, ROOTS = 16 }; /* least shares of work per thread; most roots of views per share */
 enum { FASTER = 2 };              /* than the passes, with equally many threads */
@@ -353,4 +353,4 @@ bool ts_c_at_once_view_map(const void *source, const void *args, u64 n, u32 thre
 	return enough;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

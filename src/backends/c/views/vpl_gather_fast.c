@@ -2,10 +2,10 @@
  * side, by the kernel's own functions in loops without branches, which compilers vectorize. Adding an unseen light
  * changes no sum. Only for fused maps. */
 #include <stdlib.h>
-#include "../../../kernels/views/vpl_gather.h"
-#include "../../fast.h"
-#include "../../wide.h"
-#include "../raster/lanes.h"
+#include "backends/c/raster/lanes.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/views/vpl_gather.h"
 
 enum { LOT = TS_ABREAST, PIXELS_A_CHUNK = 64, MOST_TEXELS = 64 }; /* side of maps with precomputed directions */
 
@@ -218,4 +218,4 @@ bool ts_c_fast_vpl_gather(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-#include "../../selftest.h"
+#include "backends/selftest.h"

@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <touchstone/image.h>
-#include "../../pipeline.h"
-#include "benches.h"
-#include "borders.h"
-#include "../../../study/bench_case.h"
+#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/borders.h"
+#include "methods/pipeline.h"
+#include "study/bench_case.h"
 
 enum { OURS, FACING, RECTANGLE, N_CHOICES };
 

@@ -2,8 +2,8 @@
  * two; SSAGH's figure 7. Quadrature and methods are the kernels', in single precision, whose rounding errors are below
  * 1e-6. */
 #include <math.h>
-#include "../../../kernels/hulls/gaussian.h"
-#include "benches.h"
+#include "kernels/hulls/gaussian.h"
+#include "methods/hulls/tools/benches.h"
 
 enum { N_SHARP = 61, N_ANGLES = 181, N_METHODS = 3, DOT_STEP = 3 };
 

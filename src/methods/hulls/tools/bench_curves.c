@@ -2,8 +2,8 @@
  * 1] by A_b and A_u, s the remaining interpolation between the clamped cosine and that over the whole sphere (eqs 15
  * and 16). */
 #include <math.h>
-#include "../../../kernels/hulls/gaussian.h"
-#include "benches.h"
+#include "kernels/hulls/gaussian.h"
+#include "methods/hulls/tools/benches.h"
 
 enum { N_SHARP = 5, N_ANGLES = 37 };
 

@@ -2,8 +2,8 @@
  * eq 18; SSAGH's figure 6, and the errors of the fits. In double precision. The Gaussian of sharpness 0 is subtracted
  * before integration, so that nothing cancels where sharpness is small. */
 #include <math.h>
-#include "../../../kernels/hulls/gaussian.h"
-#include "benches.h"
+#include "kernels/hulls/gaussian.h"
+#include "methods/hulls/tools/benches.h"
 
 enum { N_SHARP = 41, N_ANGLES = 181, N_NODES = 161 };
 

@@ -2,8 +2,8 @@
  * overflows where it is large: with the C library's exponential A_b then is 0 times infinity, with the kernels', which
  * is at most the largest float, 0. */
 #include <math.h>
-#include "../../../kernels/hulls/gaussian.h"
-#include "benches.h"
+#include "kernels/hulls/gaussian.h"
+#include "methods/hulls/tools/benches.h"
 
 static const f32 sharpness[] = {1e-4f, 1e-3f, 1e-2f, 0.1f, 1, 10, 60, 88, 90, 700};
 

@@ -3,10 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../../kernels/hulls/segment.h"
-#include "../../pipeline.h"
-#include "benches.h"
-#include "../../../study/bench_case.h"
+#include "kernels/hulls/segment.h"
+#include "methods/hulls/tools/benches.h"
+#include "methods/pipeline.h"
+#include "study/bench_case.h"
 
 /* Counts of blocks and labels. */
 typedef struct {

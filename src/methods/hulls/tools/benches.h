@@ -1,9 +1,9 @@
 /* The tables of `bench` that are of this family. */
-#ifndef TS_HULLS_TOOLS_BENCHES_H
-#define TS_HULLS_TOOLS_BENCHES_H
-#include "../../../study/bench.h"
-#include "../../../study/bench_paper.h"
-#include "../../../study/claims.h"
+#ifndef TS_METHODS_HULLS_TOOLS_BENCHES_H
+#define TS_METHODS_HULLS_TOOLS_BENCHES_H
+#include "study/bench.h"
+#include "study/bench_paper.h"
+#include "study/claims.h"
 
 extern const ts_claim ts_hulls_claims[];
 extern const ts_paper_table ts_ssagh_1, ts_ssagh_2, ts_ssagh_3, ts_ssagh_4, ts_ssagh_gloss, ts_ssagh_flicker;

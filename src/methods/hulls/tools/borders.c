@@ -1,5 +1,5 @@
 /* Seams of hulls (FIGURES 24). */
-#include "borders.h"
+#include "methods/hulls/tools/borders.h"
 #include <math.h>
 
 static const double like_depth = 0.02, like_normal = 0.99;

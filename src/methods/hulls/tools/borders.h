@@ -1,8 +1,8 @@
 /* Seams of hulls (FIGURES 24): the change of the irradiance of hulls from pixel to pixel, against that of `direct`, and
  * the number of triangles of light that count at the corners of boxes that they face. */
-#ifndef TS_HULLS_TOOLS_BORDERS_H
-#define TS_HULLS_TOOLS_BORDERS_H
-#include "../../../kernels/hulls/corner.h"
+#ifndef TS_METHODS_HULLS_TOOLS_BORDERS_H
+#define TS_METHODS_HULLS_TOOLS_BORDERS_H
+#include "kernels/hulls/corner.h"
 
 /* Two runs of one image: arrays with an element per pixel; irradiance has three channels. */
 typedef struct {

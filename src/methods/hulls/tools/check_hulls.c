@@ -1,7 +1,7 @@
 /* The grid of depth and the boxes of its segments. */
 #include <inttypes.h>
-#include "../../stages.h"
-#include "tools.h"
+#include "methods/hulls/tools/tools.h"
+#include "methods/stages.h"
 
 static ts_status check_grid(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {

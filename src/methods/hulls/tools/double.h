@@ -1,8 +1,8 @@
 /* Vectors in double precision, for truths. */
-#ifndef TS_HULLS_TOOLS_DOUBLE_H
-#define TS_HULLS_TOOLS_DOUBLE_H
+#ifndef TS_METHODS_HULLS_TOOLS_DOUBLE_H
+#define TS_METHODS_HULLS_TOOLS_DOUBLE_H
 #include <math.h>
-#include "../../../kernels/base/vec.h"
+#include "kernels/base/vec.h"
 
 #define TS_PI 3.14159265358979323846
 

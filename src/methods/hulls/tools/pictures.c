@@ -2,12 +2,12 @@
  * the boxes' corners. */
 #include <math.h>
 #include <stdio.h>
-#include "../../../image/falsecolour.h"
-#include "../../../kernels/raster/gbuffer.h"
-#include "../../../kernels/raster/view.h"
-#include "../../../kernels/hulls/segment_box.h"
-#include "../../../kernels/base/srgb.h"
-#include "tools.h"
+#include "image/falsecolour.h"
+#include "kernels/base/srgb.h"
+#include "kernels/hulls/segment_box.h"
+#include "kernels/raster/gbuffer.h"
+#include "kernels/raster/view.h"
+#include "methods/hulls/tools/tools.h"
 
 enum { MOST_PIXELS = 2048, MOST_ACROSS = 3840, MOST_ZOOM = 8 };
 

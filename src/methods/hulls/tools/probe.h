@@ -1,10 +1,10 @@
 /* Answers of the probe about hulls, and about the light that they approximate. */
-#ifndef TS_HULLS_TOOLS_PROBE_H
-#define TS_HULLS_TOOLS_PROBE_H
-#include "../../../kernels/hulls/direct.h"
-#include "../../../kernels/hulls/gloss.h"
-#include "../../../kernels/hulls/hull.h"
-#include "../../../probe/parts.h"
+#ifndef TS_METHODS_HULLS_TOOLS_PROBE_H
+#define TS_METHODS_HULLS_TOOLS_PROBE_H
+#include "kernels/hulls/direct.h"
+#include "kernels/hulls/gloss.h"
+#include "kernels/hulls/hull.h"
+#include "probe/parts.h"
 
 /* A pixel's irradiance by hulls (probe_hull.c), of one channel from its lobe (probe_lobe.c); and by direct
  * (probe_direct.c). */

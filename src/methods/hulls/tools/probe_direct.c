@@ -1,9 +1,9 @@
 /* A pixel of `direct`: the brightest triangles of light and lamps without extent. */
 #include <stdlib.h>
-#include "../../../kernels/hulls/polygon.h"
-#include "../../raster/tools/probe.h"
-#include "../gloss.h"
-#include "probe.h"
+#include "kernels/hulls/polygon.h"
+#include "methods/hulls/gloss.h"
+#include "methods/hulls/tools/probe.h"
+#include "methods/raster/tools/probe.h"
 
 enum { MOST_LISTED = 16 };
 

@@ -1,10 +1,10 @@
 /* A pixel of `hulls`: why it has its box, the light that the box's corners gathered, and each corner's share. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../../../kernels/hulls/corner.h"
-#include "../gloss.h"
-#include "../../raster/tools/probe.h"
-#include "probe.h"
+#include "kernels/hulls/corner.h"
+#include "methods/hulls/gloss.h"
+#include "methods/hulls/tools/probe.h"
+#include "methods/raster/tools/probe.h"
 
 enum { MOST_LISTED = 8, N_CORNERS = 4 };
 

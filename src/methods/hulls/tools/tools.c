@@ -1,9 +1,9 @@
 /* The tables of hulls for the tools. */
-#include "../../tools/family.h"
-#include "probe.h"
-#include "../../raster/tools/truth_gather.h"
-#include "benches.h"
-#include "tools.h"
+#include "methods/hulls/tools/tools.h"
+#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/probe.h"
+#include "methods/raster/tools/truth_gather.h"
+#include "methods/tools/family.h"
 
 static const ts_margin_rule margins[] = {
 	{TS_B_segment_label, TS_B_segment_margin, .of = 1, .steps = 1.0f},

@@ -1,10 +1,10 @@
 /* Functions of this folder's files for tools.c. */
-#ifndef TS_HULLS_TOOLS_H
-#define TS_HULLS_TOOLS_H
-#include "../../../replay/check.h"
-#include "../../../study/stage_pictures.h"
-#include "../../../truth/sampling.h"
-#include "../../../truth/truth.h"
+#ifndef TS_METHODS_HULLS_TOOLS_TOOLS_H
+#define TS_METHODS_HULLS_TOOLS_TOOLS_H
+#include "replay/check.h"
+#include "study/stage_pictures.h"
+#include "truth/sampling.h"
+#include "truth/truth.h"
 
 extern const ts_check_rule ts_hulls_checks[];
 extern const ts_stage_picture_rule ts_hulls_pictures[];

@@ -1,5 +1,5 @@
 /* The microfacet BRDF in double precision: for one direction, integrated over a triangle, and sampled. */
-#include "truth_gloss.h"
+#include "methods/hulls/tools/truth_gloss.h"
 #include <math.h>
 
 enum { DEEPEST = 10 }; /* a triangle ends as 4^10 parts */

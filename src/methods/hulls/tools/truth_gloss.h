@@ -1,8 +1,8 @@
 /* Specular reflection in double precision: the BRDF of glTF 2.0 (appendix B) itself, not its lobe (METHODS 17). */
-#ifndef TS_HULLS_TOOLS_TRUTH_GLOSS_H
-#define TS_HULLS_TOOLS_TRUTH_GLOSS_H
-#include "../../../truth/query.h"
-#include "double.h"
+#ifndef TS_METHODS_HULLS_TOOLS_TRUTH_GLOSS_H
+#define TS_METHODS_HULLS_TOOLS_TRUTH_GLOSS_H
+#include "methods/hulls/tools/double.h"
+#include "truth/query.h"
 
 /* Makes gloss.pixel in a run that has its eye. *gloss: that of the pixels; *eye: its position. */
 ts_status ts_truth_gloss(ts_run *run, const ts_gloss **gloss, ts_v3 *eye);

@@ -8,12 +8,12 @@
  *
  * Places form a lattice whose steps are the powers of the root of x^3 = x + 1, folded into the triangle, at a random
  * shift per pixel. */
-#include "../../../kernels/hulls/polygon.h"
-#include "../../../kernels/hulls/direct.h"
-#include "../../raster/tools/truth_gather.h"
-#include "../gloss.h"
-#include "tools.h"
-#include "truth_gloss.h"
+#include "kernels/hulls/direct.h"
+#include "kernels/hulls/polygon.h"
+#include "methods/hulls/gloss.h"
+#include "methods/hulls/tools/tools.h"
+#include "methods/hulls/tools/truth_gloss.h"
+#include "methods/raster/tools/truth_gather.h"
 
 typedef struct {
 	const ts_truth *truth; /* NULL: nothing blocks light */

@@ -4,13 +4,13 @@
  *
  * Rays begin and end 2^-12 of the greatest coordinate off their surfaces. The rays of `bounce` are a sunflower's seeds
  * (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn per pixel. */
-#include "../../../kernels/hulls/direct.h"
-#include "../../../kernels/raster/patch.h"
-#include "../../../scene/lamp.h"
-#include "../../raster/tools/truth_gather.h"
-#include "../gloss.h"
-#include "tools.h"
-#include "truth_gloss.h"
+#include "kernels/hulls/direct.h"
+#include "kernels/raster/patch.h"
+#include "methods/hulls/gloss.h"
+#include "methods/hulls/tools/tools.h"
+#include "methods/hulls/tools/truth_gloss.h"
+#include "methods/raster/tools/truth_gather.h"
+#include "scene/lamp.h"
 
 typedef struct {
 	const ts_truth *truth;

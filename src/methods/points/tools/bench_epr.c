@@ -1,9 +1,9 @@
 /* The EPR paper's tables. Some of its cells contradict others and are kept as printed: Gallery's ratio with one mirror
  * would be 4.23 by its own operations; Breakfast's error of iVIR with 10 mirrors is 2.49, but 0.31 with 20; iVIR's
  * times with 20 mirrors in Sponza give 3.44, not 2.72. */
-#include "benches.h"
-#include "../../stages.h"
-#include "../../../kernels/points/cube_size.h"
+#include "kernels/points/cube_size.h"
+#include "methods/points/tools/benches.h"
+#include "methods/stages.h"
 
 /* The larger side of the reflectors' boxes in the eye's picture, in pixels: the mean of those in sight. */
 static double projected_size(const ts_run *run)

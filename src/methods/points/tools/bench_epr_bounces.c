@@ -1,7 +1,7 @@
 /* EPR's figure 5: deferred shading of one, two and three bounces between two cylinders that face each other, 25 samples
  * of the first and 4 of the others. No bounce takes a pass over the geometry. In the long atrium two mirrors are too
  * far apart to be seen in each other: they stand in dining, in a frame that shows both from the side. */
-#include "benches.h"
+#include "methods/points/tools/benches.h"
 
 /* clang-format off */
 static const ts_bench_variant variants[] = {

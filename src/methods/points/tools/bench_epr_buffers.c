@@ -1,5 +1,5 @@
 /* Claims of EPR's sections 3.4 and 3.5 about variants: without buffers of points, and with cubes of colours. */
-#include "benches.h"
+#include "methods/points/tools/benches.h"
 
 enum { M_EPR, M_BUFFERLESS, M_FORWARD, M_FORWARD_EYE, M_MVR, M_MVR_ADAPTIVE };
 

@@ -3,7 +3,7 @@
  * less than 20 %). Doing fewer points or texels shortens a frame by a share of its time only if at least that share of
  * them is gone: so the counts are judged too. All cullable triangles of a pixel are culled with a probability of at
  * most 5 in 100,000 (footnote 1). */
-#include "benches.h"
+#include "methods/points/tools/benches.h"
 
 enum { M_ALL, M_UNCULLED, M_FIXED, M_UNCLIPPED };
 

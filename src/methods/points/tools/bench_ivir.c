@@ -1,5 +1,5 @@
 /* The iVIR paper's tables. */
-#include "benches.h"
+#include "methods/points/tools/benches.h"
 
 /* Table 1. The paper's brackets: with stochastic culling. */
 enum {

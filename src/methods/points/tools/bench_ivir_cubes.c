@@ -1,6 +1,6 @@
 /* The iVIR paper's tables of cube maps: reflections, and omnidirectional shadows. */
 #include <math.h>
-#include "benches.h"
+#include "methods/points/tools/benches.h"
 
 /* The side of the largest face of a cube in sight. */
 static double largest_face(const ts_run *run)

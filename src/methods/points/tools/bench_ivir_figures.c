@@ -1,6 +1,6 @@
 /* The iVIR paper's figures 3, 4 and 6: its pictures, with RMSE and SSIM instead of HDR-VDP2.
  * Figure 5 is in bench_pcss.c, figure 7 in table 3. */
-#include "benches.h"
+#include "methods/points/tools/benches.h"
 
 /* clang-format off */
 static const ts_paper_row rows[] = { { 0 } };

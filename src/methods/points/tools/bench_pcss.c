@@ -1,6 +1,6 @@
 /* iVIR 4.2 and figure 5: soft shadows by PCSS and by few views of iVIR, compared with 128 views of MVR and with
  * rays. */
-#include "benches.h"
+#include "methods/points/tools/benches.h"
 
 /* clang-format off */
 /* Figures of each method except the reference, by prefix `p`. */

@@ -1,7 +1,7 @@
 /* Widths of penumbras in texels of depth maps, for tables of soft shadows (iVIR 4, 6). */
 #include <math.h>
-#include "../../stages.h"
-#include "benches.h"
+#include "methods/points/tools/benches.h"
+#include "methods/stages.h"
 
 #define DEGREE 0.017453292519943295
 

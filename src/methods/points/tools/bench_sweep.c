@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "benches.h"
-#include "../../../study/bench_case.h"
-#include "../../../study/truths.h"
+#include "methods/points/tools/benches.h"
+#include "study/bench_case.h"
+#include "study/truths.h"
 
 /* A point of a curve: its settings and its label. */
 typedef struct {

@@ -1,10 +1,10 @@
 /* The tables of `bench` that are of this family. */
-#ifndef TS_POINTS_TOOLS_BENCHES_H
-#define TS_POINTS_TOOLS_BENCHES_H
-#include "../../../study/bench.h"
-#include "../../../study/bench_paper.h"
-#include "../../../study/claims.h"
-#include "../../../study/speed.h"
+#ifndef TS_METHODS_POINTS_TOOLS_BENCHES_H
+#define TS_METHODS_POINTS_TOOLS_BENCHES_H
+#include "study/bench.h"
+#include "study/bench_paper.h"
+#include "study/claims.h"
+#include "study/speed.h"
 
 /* The settings of the iVIR paper, and a quarter of its image, faces and mirrors. */
 #define TS_IVIR_DEFAULTS "density.rate=paper,points.snap=off"

@@ -2,8 +2,8 @@
  * that make points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces. points.offset, for
  * stage points or remade points: the sums of stage points.count for the same align.frame. */
 #include <inttypes.h>
-#include "../../../kernels/raster/lattice.h"
-#include "tools.h"
+#include "kernels/raster/lattice.h"
+#include "methods/points/tools/tools.h"
 
 enum { MAX_LATTICE = (1 << 23) - 1 };
 static const u64 max_squares = 1ull << 34;

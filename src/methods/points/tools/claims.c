@@ -1,5 +1,5 @@
 /* EPR's and iVIR's claims, and what tests them. */
-#include "benches.h"
+#include "methods/points/tools/benches.h"
 
 /* clang-format off */
 const ts_claim ts_points_claims[] = {

@@ -2,13 +2,13 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../../../image/falsecolour.h"
-#include "../../../kernels/base/srgb.h"
-#include "../../../kernels/points/forward.h"
-#include "../../../kernels/raster/mip.h"
-#include "../../raster/tools/pictures.h"
-#include "../points.h"
-#include "tools.h"
+#include "image/falsecolour.h"
+#include "kernels/base/srgb.h"
+#include "kernels/points/forward.h"
+#include "kernels/raster/mip.h"
+#include "methods/points/points.h"
+#include "methods/points/tools/tools.h"
+#include "methods/raster/tools/pictures.h"
 
 /* Points per triangle, summed over its pieces; to be released by free(). */
 static u32 *points_per_triangle(const ts_run *run)

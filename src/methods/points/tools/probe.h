@@ -1,8 +1,8 @@
 /* Answers of the probe about the family of points, and functions that its parts share. */
-#ifndef TS_POINTS_TOOLS_PROBE_H
-#define TS_POINTS_TOOLS_PROBE_H
-#include "../../../kernels/raster/cube.h"
-#include "../../../probe/parts.h"
+#ifndef TS_METHODS_POINTS_TOOLS_PROBE_H
+#define TS_METHODS_POINTS_TOOLS_PROBE_H
+#include "kernels/raster/cube.h"
+#include "probe/parts.h"
 
 /* ---- answers ---- */
 /* Pixels of reflections by EPR and MVR (probe_pixel.c), of PCSS (probe_taps.c). */

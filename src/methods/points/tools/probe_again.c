@@ -1,7 +1,7 @@
 /* Points that the method does not store: stage `points` makes them from the trace, as if they were stored. */
 #include <stdlib.h>
-#include "../../../replay/replay.h"
-#include "probe.h"
+#include "methods/points/tools/probe.h"
+#include "replay/replay.h"
 
 /* A copy of the stage's buffer, instead of a file. */
 static ts_status hold(ts_probe *p, ts_buffer_id id)

@@ -1,6 +1,6 @@
 /* The cubes of a trace's reflectors. */
 #include <inttypes.h>
-#include "probe.h"
+#include "methods/points/tools/probe.h"
 
 const ts_face *ts_probe_cubes(const ts_probe *p) { return p->whole[TS_B_cube_size_face]; }
 u32 ts_probe_n_cubes(const ts_probe *p) { return (u32)ts_probe_n(p, TS_B_cube_size_face); }

@@ -1,11 +1,11 @@
 /* Which faces may see a triangle, how densely it is sampled, and for which cube. The kernels run again for one
  * reflector at a time. */
 #include <stdlib.h>
-#include "../points.h"
-#include "../../../kernels/points/density.h"
-#include "../../stages.h"
-#include "../../../trace/where.h"
-#include "probe.h"
+#include "kernels/points/density.h"
+#include "methods/points/points.h"
+#include "methods/points/tools/probe.h"
+#include "methods/stages.h"
+#include "trace/where.h"
 
 /* Planes that all three corners lie beyond, as ts_k_outside_plane tests them. */
 static json_t *planes_of(const ts_face *cube, u32 face, const ts_corners *t)

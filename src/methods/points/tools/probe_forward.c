@@ -1,6 +1,6 @@
 /* What a reflective pixel of forward-shaded points shows: the colours that its samples looked up, and their mean. */
-#include "../lookup.h"
-#include "probe.h"
+#include "methods/points/lookup.h"
+#include "methods/points/tools/probe.h"
 
 typedef struct {
 	ts_pixel pixel;

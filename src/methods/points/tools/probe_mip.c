@@ -1,7 +1,7 @@
 /* What a reflective pixel of MVR shows: its look-ups in the mip chain of one cube. */
 #include <stdlib.h>
-#include "../../../kernels/points/mirror.h"
-#include "probe.h"
+#include "kernels/points/mirror.h"
+#include "methods/points/tools/probe.h"
 
 /* One texel of level 0: its triangle and its value. */
 static ts_status put_texel(ts_probe *p, json_t *o, u32 r, const ts_mip_cube *cube, ts_v3 direction)

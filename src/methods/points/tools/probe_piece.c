@@ -1,8 +1,8 @@
 /* A piece of a triangle: how dense, kept or dropped. */
-#include "../points.h"
-#include "../../../kernels/points/cull.h"
-#include "../../stages.h"
-#include "probe.h"
+#include "kernels/points/cull.h"
+#include "methods/points/points.h"
+#include "methods/points/tools/probe.h"
+#include "methods/stages.h"
 
 ts_status ts_probe_piece(ts_probe *p, u64 index, json_t *o, bool *kept)
 {

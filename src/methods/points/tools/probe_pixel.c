@@ -1,5 +1,5 @@
 /* A pixel of the eye in a picture with mirrors: its light, or the mirror's reflection. */
-#include "probe.h"
+#include "methods/points/tools/probe.h"
 
 static void put_record(ts_probe *p, json_t *o, u32 entry, const ts_pixel *pixel)
 {

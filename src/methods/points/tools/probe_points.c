@@ -1,8 +1,8 @@
 /* Points of one triangle, splatted again by themselves. */
 #include <stdlib.h>
-#include "../../../kernels/points/splat.h"
-#include "../points.h"
-#include "probe.h"
+#include "kernels/points/splat.h"
+#include "methods/points/points.h"
+#include "methods/points/tools/probe.h"
 
 json_t *ts_probe_key(u64 key)
 {

@@ -1,6 +1,6 @@
 /* Which points took which texels from a triangle. */
 #include <stdlib.h>
-#include "probe.h"
+#include "methods/points/tools/probe.h"
 
 enum { MOST_RIVALS = 8 };
 

@@ -1,8 +1,8 @@
 /* The light that reaches a pixel by percentage-closer soft shadows: one view per light, whose blockers set how widely
  * its taps are spread. */
-#include "../../../kernels/points/pcss.h"
-#include "../../raster/tools/probe.h"
-#include "probe.h"
+#include "kernels/points/pcss.h"
+#include "methods/points/tools/probe.h"
+#include "methods/raster/tools/probe.h"
 
 static ts_status put_taps(ts_probe *p, json_t *o, ts_probe_shadow *q, u32 light)
 {

@@ -1,12 +1,12 @@
 /* A texel of a face of a cube. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../../../kernels/raster/illuminate.h"
-#include "../../../kernels/points/forward.h"
-#include "../../../kernels/points/splat.h"
-#include "../../../trace/where.h"
-#include "../points.h"
-#include "probe.h"
+#include "kernels/points/forward.h"
+#include "kernels/points/splat.h"
+#include "kernels/raster/illuminate.h"
+#include "methods/points/points.h"
+#include "methods/points/tools/probe.h"
+#include "trace/where.h"
 
 typedef struct {
 	u32 reflector, face, x, y;

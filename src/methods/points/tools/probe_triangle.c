@@ -1,9 +1,9 @@
 /* Where a triangle or a point went, or which stage lost it. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../../../kernels/raster/draw.h"
-#include "probe.h"
-#include "../../raster/eye.h"
+#include "kernels/raster/draw.h"
+#include "methods/points/tools/probe.h"
+#include "methods/raster/eye.h"
 
 enum { MOST_PIECES = 32, MOST_POINTS = 64 };
 

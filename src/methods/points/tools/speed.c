@@ -1,7 +1,7 @@
 /* `bench speed` of points, compared with standard rasterization. Goals: EPR's views in the time of rays, and at most
  * three times that of as many bare points; equal faces by either method in the same time; MVR's faces at most twice as
  * long as an occlusion rasterizer without ids, which took 0.44, 1.16 and 1.20 times Embree's time. */
-#include "benches.h"
+#include "methods/points/tools/benches.h"
 
 /* clang-format off */
 #define FIXED "cube.px="

@@ -1,10 +1,10 @@
 /* The kernel of stage splat itself decides whether a point offers a distance. */
-#include "tie.h"
+#include "methods/points/tools/tie.h"
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../../../kernels/points/splat.h"
-#include "../../../trace/reader.h"
-#include "../points.h"
+#include "kernels/points/splat.h"
+#include "methods/points/points.h"
+#include "trace/reader.h"
 
 /* Inputs of that decision for a texel. */
 typedef struct {

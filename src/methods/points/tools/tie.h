@@ -1,8 +1,8 @@
 /* Texels in which points in the order of arrival may answer otherwise: of equal distances the lowest index wins, and
  * indices differ. All other texels must be equal. A rule of compare/tie.h. */
-#ifndef TS_POINTS_TOOLS_TIE_H
-#define TS_POINTS_TOOLS_TIE_H
-#include "../../../trace/read.h"
+#ifndef TS_METHODS_POINTS_TOOLS_TIE_H
+#define TS_METHODS_POINTS_TOOLS_TIE_H
+#include "trace/read.h"
 
 /* Opens splat.tie and the inputs of stage splat in the reference; if one of them is missing there are no ties. */
 ts_status ts_splat_ties_open(void **ties, const ts_trace *reference);

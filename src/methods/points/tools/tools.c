@@ -1,9 +1,9 @@
 /* The tables of points for the tools. */
-#include "../../tools/family.h"
-#include "probe.h"
-#include "benches.h"
-#include "tools.h"
-#include "tie.h"
+#include "methods/points/tools/tools.h"
+#include "methods/points/tools/benches.h"
+#include "methods/points/tools/probe.h"
+#include "methods/points/tools/tie.h"
+#include "methods/tools/family.h"
 
 static const ts_tie_rule ties[] = {
 	{TS_B_splat_depth_index, ts_splat_ties_open, ts_splat_tie_allows, ts_splat_ties_close},

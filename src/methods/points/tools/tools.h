@@ -1,12 +1,12 @@
 /* Functions of this folder's files for tools.c. */
-#ifndef TS_POINTS_TOOLS_H
-#define TS_POINTS_TOOLS_H
-#include "../../../replay/check.h"
-#include "../../../study/stage_pictures.h"
-#include "../../../study/viewer.h"
-#include "../../../trace/where.h"
-#include "../../../truth/sampling.h"
-#include "../../../truth/texels.h"
+#ifndef TS_METHODS_POINTS_TOOLS_TOOLS_H
+#define TS_METHODS_POINTS_TOOLS_TOOLS_H
+#include "replay/check.h"
+#include "study/stage_pictures.h"
+#include "study/viewer.h"
+#include "trace/where.h"
+#include "truth/sampling.h"
+#include "truth/texels.h"
 
 extern const ts_check_rule ts_points_checks[];
 extern const ts_stage_picture_rule ts_points_pictures[];

@@ -1,13 +1,13 @@
 /* Truth of reflections by rays: A from the cube's centre in the exact directions of EPR's samples, B from the surface
  * (METHODS 17). A is EPR with cubes of infinite resolution; B has no cubes at all. */
 #include <stdlib.h>
-#include "../../../kernels/points/density.h"
-#include "../../../kernels/points/samples.h"
-#include "../../../kernels/base/shade.h"
-#include "../../raster/eye.h"
-#include "../../../truth/query.h"
-#include "../../../truth/sampling.h"
-#include "tools.h"
+#include "kernels/base/shade.h"
+#include "kernels/points/density.h"
+#include "kernels/points/samples.h"
+#include "methods/points/tools/tools.h"
+#include "methods/raster/eye.h"
+#include "truth/query.h"
+#include "truth/sampling.h"
 
 typedef struct tracer tracer;
 

@@ -6,12 +6,12 @@
  * map does. The point's own triangle stops no ray. Nor does anything nearer than 2^-20 of the greatest coordinate, 16
  * roundings, to that triangle's plane, measured along the ray: what touches a receiver cannot be distinguished from it,
  * and neither can the neighbours in its plane. There is no other bias. */
-#include "../../../kernels/raster/shadow_test.h"
-#include "../../pipeline.h"
-#include "../../raster/eye.h"
-#include "../../../truth/query.h"
-#include "../../../truth/sampling.h"
-#include "tools.h"
+#include "kernels/raster/shadow_test.h"
+#include "methods/pipeline.h"
+#include "methods/points/tools/tools.h"
+#include "methods/raster/eye.h"
+#include "truth/query.h"
+#include "truth/sampling.h"
 
 enum { MOST_SAMPLES = 1 << 20, RAYS = 64 }; /* of all lights; rays that are cast at once */
 

@@ -2,9 +2,9 @@
  * the reference of EPR 4.2). The scene is the same, so reflectors keep their places and sizes. */
 #include <stdio.h>
 #include <stdlib.h>
-#include "../../../kernels/base/num.h"
-#include "../../pipeline.h"
-#include "tools.h"
+#include "kernels/base/num.h"
+#include "methods/pipeline.h"
+#include "methods/points/tools/tools.h"
 
 enum { MAX_FACTOR = 16, RAYS_A_TEXEL = 8 }; /* as long as a texel takes: 4 us, where a ray takes half of one */
 

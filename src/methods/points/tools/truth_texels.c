@@ -10,13 +10,13 @@
 #include <float.h>
 #include <math.h>
 #include <omp.h>
-#include "../../../kernels/raster/shadow_map.h"
-#include "../../../kernels/points/colour_code.h"
-#include "../../stages.h"
-#include "../../../truth/query.h"
-#include "../../../truth/sampling.h"
-#include "../../../truth/work.h"
-#include "tools.h"
+#include "kernels/points/colour_code.h"
+#include "kernels/raster/shadow_map.h"
+#include "methods/points/tools/tools.h"
+#include "methods/stages.h"
+#include "truth/query.h"
+#include "truth/sampling.h"
+#include "truth/work.h"
 
 #define ROUNDING 1.00001
 

@@ -1,7 +1,7 @@
 /* Points as PLY: centre, splat length, piece. */
 #include <inttypes.h>
-#include "../../../output/file.h"
-#include "tools.h"
+#include "methods/points/tools/tools.h"
+#include "output/file.h"
 
 ts_status ts_points_view(const ts_run *run, const char *folder)
 {

@@ -1,6 +1,6 @@
 /* Places of points and reflective pixels. */
 #include <stdio.h>
-#include "tools.h"
+#include "methods/points/tools/tools.h"
 
 static void where_key(char *text, u64 key)
 {

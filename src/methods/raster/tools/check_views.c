@@ -4,8 +4,8 @@
  * samples, for stage lamp.view one per view, in order, for views are written at these places. lamp.light: at least one,
  * and its kind. shadow_test.lit: at most the samples. */
 #include <inttypes.h>
-#include "../../stages.h"
-#include "tools.h"
+#include "methods/raster/tools/tools.h"
+#include "methods/stages.h"
 
 static ts_status check_eye(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {

@@ -1,7 +1,7 @@
 /* Pictures of cubes, for families that fill them. */
-#ifndef TS_RASTER_TOOLS_PICTURES_H
-#define TS_RASTER_TOOLS_PICTURES_H
-#include "../../../study/stage_pictures.h"
+#ifndef TS_METHODS_RASTER_TOOLS_PICTURES_H
+#define TS_METHODS_RASTER_TOOLS_PICTURES_H
+#include "study/stage_pictures.h"
 
 extern const u8 ts_picture_nothing[3]; /* the colour of empty texels */
 

@@ -1,8 +1,8 @@
 /* Parts of answers that families share: lamps and their depth maps, the G-buffer, reflective shadow maps. */
-#ifndef TS_RASTER_TOOLS_PROBE_H
-#define TS_RASTER_TOOLS_PROBE_H
-#include "../../../kernels/raster/shadow_map.h"
-#include "../../../probe/parts.h"
+#ifndef TS_METHODS_RASTER_TOOLS_PROBE_H
+#define TS_METHODS_RASTER_TOOLS_PROBE_H
+#include "kernels/raster/shadow_map.h"
+#include "probe/parts.h"
 
 /* ---- lamps and their views (probe_lamps.c) ---- */
 /* The views of a light's samples. */

@@ -1,7 +1,7 @@
 /* A pixel of indirect light: its place in the G-buffer, the light that arrives, and the light that it reflects. */
-#include "../../../kernels/raster/gbuffer.h"
-#include "../../../kernels/raster/indirect.h"
-#include "probe.h"
+#include "kernels/raster/gbuffer.h"
+#include "kernels/raster/indirect.h"
+#include "methods/raster/tools/probe.h"
 
 static ts_status put_gbuffer(ts_probe *p, json_t *o, const ts_probe_seen *at, ts_gpixel *pixel)
 {

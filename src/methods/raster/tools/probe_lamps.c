@@ -1,6 +1,6 @@
 /* The lamps of a trace and the views of their depth maps, checked for matching references. */
 #include <inttypes.h>
-#include "probe.h"
+#include "methods/raster/tools/probe.h"
 
 /* Views per sample. */
 static u32 views_each(const ts_probe_lamps *l) { return l->lens == TS_PROBE_A_CUBE ? 6 : 1; }

@@ -1,6 +1,6 @@
 /* Triangles of light, and the texels of reflective shadow maps that hold them. */
-#include "../../../kernels/raster/rsm.h"
-#include "probe.h"
+#include "kernels/raster/rsm.h"
+#include "methods/raster/tools/probe.h"
 
 void ts_probe_put_shining(ts_probe *p, json_t *o, const ts_patch *patch)
 {

@@ -1,7 +1,7 @@
 /* The light that reaches a pixel: each sample's comparison with its depth map, repeated. */
 #include <stdlib.h>
-#include "../../../kernels/raster/shadow_test_margin.h"
-#include "probe.h"
+#include "kernels/raster/shadow_test_margin.h"
+#include "methods/raster/tools/probe.h"
 
 ts_status ts_probe_read_rows(ts_probe *p, ts_probe_shadow *q, const ts_offscreen *view, u32 first, u32 n)
 {

@@ -1,8 +1,8 @@
 /* Tables of standard rasterization, which families share, for the tools. */
-#include "../../tools/family.h"
-#include "pictures.h"
-#include "probe.h"
-#include "tools.h"
+#include "methods/raster/tools/tools.h"
+#include "methods/raster/tools/pictures.h"
+#include "methods/raster/tools/probe.h"
+#include "methods/tools/family.h"
 
 static const ts_margin_rule margins[] = {
 	{TS_B_eye_depth_triangle, TS_B_eye_margin, .of = 1, .steps = 1.0f},

@@ -2,9 +2,9 @@
  * (triangle + 1), image.radiance.exr and image.srgb.png. */
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "../../../image/about.h"
-#include "../../../kernels/base/num.h"
-#include "tools.h"
+#include "image/about.h"
+#include "kernels/base/num.h"
+#include "methods/raster/tools/tools.h"
 
 /* The file shows `what` of the run's method. */
 static void describe(ts_about *about, const ts_run *run, const char *what)

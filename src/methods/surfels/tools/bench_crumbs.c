@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "benches.h"
-#include "../../../study/bench_case.h"
-#include "../../../study/truths.h"
+#include "methods/surfels/tools/benches.h"
+#include "study/bench_case.h"
+#include "study/truths.h"
 
 /* clang-format off */
 static const struct {

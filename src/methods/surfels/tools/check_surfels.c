@@ -1,7 +1,7 @@
 /* Surfels in a view: bounds of kernels' loops and indices. */
 #include <inttypes.h>
-#include "../../../kernels/surfels/surfel_blend_order.h"
-#include "tools.h"
+#include "kernels/surfels/surfel_blend_order.h"
+#include "methods/surfels/tools/tools.h"
 
 /* Boxes are in the image, or empty. */
 static ts_status check_discs(const ts_load *load, const ts_stage *stage, ts_buffer_id id)

@@ -1,9 +1,9 @@
 /* Surfels as user geometry of Embree. */
-#include "discs.h"
+#include "methods/surfels/tools/discs.h"
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
-#include "../../../truth/tree.h"
+#include "truth/tree.h"
 
 struct ts_discs {
 	const ts_surfel *surfels;

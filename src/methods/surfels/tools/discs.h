@@ -1,8 +1,8 @@
 /* Rays into the surfels themselves: Embree finds the candidates, and double precision computes where a ray meets an
  * ellipse. No kernel that draws surfels is used. */
-#ifndef TS_TRUTH_DISCS_H
-#define TS_TRUTH_DISCS_H
-#include "../../../truth/truth.h"
+#ifndef TS_METHODS_SURFELS_TOOLS_DISCS_H
+#define TS_METHODS_SURFELS_TOOLS_DISCS_H
+#include "truth/truth.h"
 
 typedef struct ts_discs ts_discs;
 

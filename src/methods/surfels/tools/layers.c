@@ -8,8 +8,8 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../../../kernels/surfels/surfel_blend.h"
-#include "tools.h"
+#include "kernels/surfels/surfel_blend.h"
+#include "methods/surfels/tools/tools.h"
 
 #define ALIKE 0.9f       /* least cosine of their normals */
 #define LEAST_GAP 0.05f  /* of epsilon: less is roughness */

@@ -1,7 +1,7 @@
 /* Answers of the probe about surfels. */
-#ifndef TS_SURFELS_TOOLS_PROBE_H
-#define TS_SURFELS_TOOLS_PROBE_H
-#include "../../raster/tools/probe.h"
+#ifndef TS_METHODS_SURFELS_TOOLS_PROBE_H
+#define TS_METHODS_SURFELS_TOOLS_PROBE_H
+#include "methods/raster/tools/probe.h"
 
 /* A pixel of surfels: the nearest surfel, the blended surfels and the result (probe_surfel.c). */
 ts_status ts_probe_surfel_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);

@@ -1,12 +1,12 @@
 /* A pixel of surfels: the nearest, the blended and the hidden fragments, and the results of their sums. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../../../kernels/surfels/surfel_blend_order.h"
-#include "../../../kernels/surfels/surfel_shade.h"
-#include "../surfel.h"
-#include "../../../kernels/surfels/surfel_blend_mean.h"
-#include "../../stages.h"
-#include "probe.h"
+#include "kernels/surfels/surfel_blend_mean.h"
+#include "kernels/surfels/surfel_blend_order.h"
+#include "kernels/surfels/surfel_shade.h"
+#include "methods/stages.h"
+#include "methods/surfels/surfel.h"
+#include "methods/surfels/tools/probe.h"
 
 enum { MOST_LISTED = 16 };
 

@@ -1,8 +1,8 @@
 /* The tables of surfels for the tools. */
-#include "../../tools/family.h"
-#include "probe.h"
-#include "benches.h"
-#include "tools.h"
+#include "methods/surfels/tools/tools.h"
+#include "methods/surfels/tools/benches.h"
+#include "methods/surfels/tools/probe.h"
+#include "methods/tools/family.h"
 
 static const ts_margin_rule margins[] = {
 	{TS_B_surfel_depth_surfel, TS_B_surfel_depth_margin, .of = 1, .steps = 1.0f},

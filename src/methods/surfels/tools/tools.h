@@ -1,10 +1,10 @@
 /* Functions of this folder's files for tools.c. */
-#ifndef TS_SURFELS_TOOLS_H
-#define TS_SURFELS_TOOLS_H
-#include "../../../replay/check.h"
-#include "../../../study/notes.h"
-#include "../../../truth/sampling.h"
-#include "../../../truth/truth.h"
+#ifndef TS_METHODS_SURFELS_TOOLS_TOOLS_H
+#define TS_METHODS_SURFELS_TOOLS_TOOLS_H
+#include "replay/check.h"
+#include "study/notes.h"
+#include "truth/sampling.h"
+#include "truth/truth.h"
 
 extern const ts_check_rule ts_surfels_checks[];
 

@@ -8,17 +8,17 @@
  * do triangles in the last 2^-12 of the greatest coordinate. */
 #include <math.h>
 #include <stdlib.h>
-#include "../../../kernels/raster/patch.h"
-#include "../surfel.h"
-#include "../../../kernels/surfels/surfel_blend_mean.h"
-#include "../../pipeline.h"
-#include "../../../scene/checkerboard.h"
-#include "../../stages.h"
-#include "discs.h"
-#include "../../../truth/query.h"
-#include "../../../truth/sampling.h"
-#include "../../../truth/work.h"
-#include "tools.h"
+#include "kernels/raster/patch.h"
+#include "kernels/surfels/surfel_blend_mean.h"
+#include "methods/pipeline.h"
+#include "methods/stages.h"
+#include "methods/surfels/surfel.h"
+#include "methods/surfels/tools/discs.h"
+#include "methods/surfels/tools/tools.h"
+#include "scene/checkerboard.h"
+#include "truth/query.h"
+#include "truth/sampling.h"
+#include "truth/work.h"
 
 #define SKIP 0.000244140625f /* of the greatest coordinate */
 #define ONE 1073741824.0     /* sums are in 2^-30, so that the order of hits does not matter */

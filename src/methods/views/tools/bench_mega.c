@@ -1,8 +1,8 @@
 /* MegaViews compared with ManyLoDs for growing numbers of views: the paper's figure 10, known only from its text. The
  * stages `view_map` and `view_map.fuse` render maps. */
 #include <math.h>
-#include "../../../kernels/base/num.h"
-#include "benches.h"
+#include "kernels/base/num.h"
+#include "methods/views/tools/benches.h"
 
 enum { M_MEGA, M_LODS, M_UNCULLED, M_DESCEND, M_DEEP, M_VIEWS, M_BRUTE };
 

@@ -1,5 +1,5 @@
 /* MegaViews as maps, octrees and gathering vary: the paper's figures 12, 13 and 16, known only from its text. */
-#include "bench_mega.h"
+#include "methods/views/tools/bench_mega.h"
 
 #define ALL TS_NO_FIGURE, 0, 0
 

@@ -1,6 +1,6 @@
 /* MegaViews as views become less coherent: where light falls first, where it is reflected, and anywhere on the scene's
  * surfaces, the paper's figure 11. */
-#include "benches.h"
+#include "methods/views/tools/benches.h"
 
 enum { LIGHT, BOUNCES, RANDOM };
 

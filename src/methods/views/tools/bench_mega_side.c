@@ -1,6 +1,6 @@
 /* Maps with sides of 64 texels against those of 16: the paper's figure 15, by pictures and rays. Each pixel gathers
  * from all lights, so that neither draws nor the filter hide the maps' errors. */
-#include "benches.h"
+#include "methods/views/tools/benches.h"
 
 enum { COARSE, HOLED, FINE, LODS_COARSE, LODS_FINE };
 
@@ -20,7 +20,7 @@ enum { LEAVES, PSNR, PSNR_HOLED, PSNR_FINE, PSNR_LODS, PSNR_LODS_FINE, SSIM, SSI
 	LEAKS_HOLED_SHARE, LEAKS_FINE, LEAKS_FINE_SHARE, GAIN, SSIM_GAIN, WRONG_LEFT, COST, LEAKS_LEFT, WIDER, SEVERAL,
 	RENDERED, OVER_LODS, OVER_LODS_FINE, WIDER_SHARE, SEVERAL_SHARE,
 #define WRONG(id, ...) WHY_##id, WHY_FINE_##id, WHY_SHARE_##id, WHY_FINE_SHARE_##id,
-#include "truth_wrong.def"
+#include "methods/views/tools/truth_wrong.def"
 #undef WRONG
 };
 
@@ -72,7 +72,7 @@ static const ts_bench_figure figures[] = {
 	COUNT(WHY_FINE_##id, #id "_64", head, FINE, counter), \
 	SHARE(WHY_SHARE_##id, #id "_16_percent", head, WHY_##id, ASKED), \
 	SHARE(WHY_FINE_SHARE_##id, #id "_64_percent", head, WHY_FINE_##id, ASKED),
-#include "truth_wrong.def"
+#include "methods/views/tools/truth_wrong.def"
 #undef WRONG
 	{ 0 },
 };
@@ -86,12 +86,12 @@ static const ts_paper_part parts[] = {
 	  WRONG_FINE_SHARE, WRONG_LEFT, LIT_FINE, DARK_FINE, TS_NO_FIGURE } },
 	{ "mega_15_why_16", "Why those of 16 are wrong, % of all asked: the first half lit, the second dark", {
 #define WRONG(id, ...) WHY_SHARE_##id,
-#include "truth_wrong.def"
+#include "methods/views/tools/truth_wrong.def"
 #undef WRONG
 	  TS_NO_FIGURE } },
 	{ "mega_15_why_64", "And those of 64", {
 #define WRONG(id, ...) WHY_FINE_SHARE_##id,
-#include "truth_wrong.def"
+#include "methods/views/tools/truth_wrong.def"
 #undef WRONG
 	  TS_NO_FIGURE } },
 	{ "mega_15_leaks", "Texels that show what lies behind what rays hit", { LEAKS_SHARE, LEAKS_HOLED_SHARE,

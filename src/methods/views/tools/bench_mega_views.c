@@ -1,6 +1,6 @@
 /* MegaViews compared with ManyLoDs for views that are less clustered than those of figure 10: of four bounces; and
  * anywhere in the air, the paper's particles (section 5.2). */
-#include "bench_mega.h"
+#include "methods/views/tools/bench_mega.h"
 
 #define MILLION X, 800e3, 1e9
 #define ALL TS_NO_FIGURE, 0, 0

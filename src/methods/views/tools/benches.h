@@ -1,10 +1,10 @@
 /* The tables of `bench` that are of this family. */
-#ifndef TS_VIEWS_TOOLS_BENCHES_H
-#define TS_VIEWS_TOOLS_BENCHES_H
-#include "../../../study/bench.h"
-#include "../../../study/bench_paper.h"
-#include "../../../study/claims.h"
-#include "../../../study/speed.h"
+#ifndef TS_METHODS_VIEWS_TOOLS_BENCHES_H
+#define TS_METHODS_VIEWS_TOOLS_BENCHES_H
+#include "study/bench.h"
+#include "study/bench_paper.h"
+#include "study/claims.h"
+#include "study/speed.h"
 
 extern const ts_speed_of ts_views_speed;
 extern const ts_claim ts_views_claims[];

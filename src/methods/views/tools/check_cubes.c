@@ -1,6 +1,6 @@
 /* Checks of views from the middles of cubes before a stage runs on them. */
 #include <inttypes.h>
-#include "tools.h"
+#include "methods/views/tools/tools.h"
 
 ts_status ts_check_colours(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {

@@ -1,7 +1,7 @@
 /* Lists of views that pixels draw from: the drawn numbers are indices. */
 #include <inttypes.h>
-#include "../../../kernels/views/mask.h"
-#include "tools.h"
+#include "kernels/views/mask.h"
+#include "methods/views/tools/tools.h"
 
 /* The sums up to each node of a list add up its cones' views. */
 static ts_status check_list(const ts_load *load, u32 from, u32 to)

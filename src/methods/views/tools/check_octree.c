@@ -6,8 +6,8 @@
  * children after it that refer to it. Every leaf of the views has some views, and those refer to it; view_octree.cone
  * refers to existing views. */
 #include <inttypes.h>
-#include "../octree.h"
-#include "tools.h"
+#include "methods/views/octree.h"
+#include "methods/views/tools/tools.h"
 
 /* The octree that these masks, ids, levels or nodes belong to. */
 static const ts_octree *octree_of(ts_buffer_id id)

@@ -1,9 +1,9 @@
 /* A picture of one rendered view (MegaViews, figure 9). */
 #include <stdio.h>
-#include "../../../kernels/base/srgb.h"
-#include "../../../kernels/views/paraboloid.h"
-#include "../../raster/tools/pictures.h"
-#include "tools.h"
+#include "kernels/base/srgb.h"
+#include "kernels/views/paraboloid.h"
+#include "methods/raster/tools/pictures.h"
+#include "methods/views/tools/tools.h"
 
 /* The front and the back of the view behind the largest cube, one disc each. */
 static ts_status take_view(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)

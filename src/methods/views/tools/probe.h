@@ -1,11 +1,11 @@
 /* Answers of the probe about methods of many views, and functions that its parts share. */
-#ifndef TS_VIEWS_TOOLS_PROBE_H
-#define TS_VIEWS_TOOLS_PROBE_H
-#include "../../../kernels/views/view_map_fuse.h"
-#include "../../../kernels/views/traverse.h"
-#include "../../../kernels/views/vpl.h"
-#include "../../../kernels/views/vpl_gather.h"
-#include "../../raster/tools/probe.h"
+#ifndef TS_METHODS_VIEWS_TOOLS_PROBE_H
+#define TS_METHODS_VIEWS_TOOLS_PROBE_H
+#include "kernels/views/traverse.h"
+#include "kernels/views/view_map_fuse.h"
+#include "kernels/views/vpl.h"
+#include "kernels/views/vpl_gather.h"
+#include "methods/raster/tools/probe.h"
 
 /* ---- answers ---- */
 /* A pixel's irradiance from virtual point lights or particles: the lights that culling leaves, those that are drawn

@@ -1,8 +1,8 @@
 /* The cross-bilateral filter at a pixel: its neighbours along its row, then along its column. */
 #include <stdlib.h>
-#include "../../../kernels/views/bilateral.h"
-#include "../../stages.h"
-#include "probe.h"
+#include "kernels/views/bilateral.h"
+#include "methods/stages.h"
+#include "methods/views/tools/probe.h"
 
 enum { MOST_LISTED = 8 };
 

@@ -2,9 +2,9 @@
  * results of fusion, from the root down. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../../stages.h"
-#include "../traverse.h"
-#include "probe.h"
+#include "methods/stages.h"
+#include "methods/views/tools/probe.h"
+#include "methods/views/traverse.h"
 
 enum { MOST_LISTED = 8 };
 

@@ -1,10 +1,10 @@
 /* A texel of the whole map of a node of views: the results of the nodes above it there, and the pair that was
  * rendered. */
 #include <stdlib.h>
-#include "../../../kernels/views/view_map_margin.h"
-#include "../../stages.h"
-#include "../traverse.h"
-#include "probe.h"
+#include "kernels/views/view_map_margin.h"
+#include "methods/stages.h"
+#include "methods/views/tools/probe.h"
+#include "methods/views/traverse.h"
 
 ts_status ts_probe_read_chain(ts_probe *p, ts_probe_chain *c, u32 node)
 {

@@ -1,9 +1,9 @@
 /* A pixel lit by virtual point lights or particles: the nodes of views that culling leaves its node of the scene, the
  * lights that it draws, and the contribution of each. */
 #include <stdlib.h>
-#include "../octree.h"
-#include "../traverse.h"
-#include "probe.h"
+#include "methods/views/octree.h"
+#include "methods/views/tools/probe.h"
+#include "methods/views/traverse.h"
 
 enum { MOST_LISTED = 16, MOST_DRAWN = 64 };
 

@@ -1,10 +1,10 @@
 /* A virtual point light or particle that a pixel draws: its origin and its contribution. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../views.h"
-#include "../../stages.h"
-#include "../../../kernels/views/particle.h"
-#include "probe.h"
+#include "kernels/views/particle.h"
+#include "methods/stages.h"
+#include "methods/views/tools/probe.h"
+#include "methods/views/views.h"
 
 /* Each path begins at a texel, and its lights exist. */
 static ts_status check_paths(const ts_probe *p, const ts_probe_gather *g)

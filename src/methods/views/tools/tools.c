@@ -1,9 +1,9 @@
 /* The tables of many views for the tools. */
-#include "../../tools/family.h"
-#include "probe.h"
-#include "../../raster/tools/truth_gather.h"
-#include "benches.h"
-#include "tools.h"
+#include "methods/views/tools/tools.h"
+#include "methods/raster/tools/truth_gather.h"
+#include "methods/tools/family.h"
+#include "methods/views/tools/benches.h"
+#include "methods/views/tools/probe.h"
 
 static const ts_margin_rule margins[] = {
 	{TS_B_view_map_depth_node, TS_B_view_map_margin, .of = 1, .steps = 1.0f},

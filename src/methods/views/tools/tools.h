@@ -1,12 +1,12 @@
 /* Functions of this folder's files for tools.c. */
-#ifndef TS_VIEWS_TOOLS_H
-#define TS_VIEWS_TOOLS_H
-#include "../../../kernels/base/vec.h"
-#include "../../../replay/check.h"
-#include "../../../study/stage_pictures.h"
-#include "../../../trace/where.h"
-#include "../../../truth/sampling.h"
-#include "../../../truth/texels.h"
+#ifndef TS_METHODS_VIEWS_TOOLS_TOOLS_H
+#define TS_METHODS_VIEWS_TOOLS_TOOLS_H
+#include "kernels/base/vec.h"
+#include "replay/check.h"
+#include "study/stage_pictures.h"
+#include "trace/where.h"
+#include "truth/sampling.h"
+#include "truth/texels.h"
 
 typedef struct ts_vpl_gather_args ts_vpl_gather_args;
 
@@ -39,7 +39,7 @@ ts_status ts_truth_maps(ts_texel_counts *counts, ts_truth *truth, const ts_run *
 /* Reasons of truth_wrong.def. */
 typedef enum {
 #define WRONG(id, ...) TS_WRONG_##id,
-#include "truth_wrong.def"
+#include "methods/views/tools/truth_wrong.def"
 #undef WRONG
 	TS_N_WRONG
 } ts_wrong;

@@ -1,10 +1,10 @@
 /* Maps of many views compared with rays (METHODS 17): the depths of whole maps along the middles of their texels, and
  * their results for places that pixels see. A large number of views is sampled at regular steps. */
-#include "../../../kernels/views/vpl_gather.h"
-#include "../views.h"
-#include "../traverse.h"
-#include "../../../truth/query.h"
-#include "tools.h"
+#include "kernels/views/vpl_gather.h"
+#include "methods/views/tools/tools.h"
+#include "methods/views/traverse.h"
+#include "methods/views/views.h"
+#include "truth/query.h"
 
 enum { MOST_VIEWS = 1024, PLACES = 64, WRONG_LEAVES = 3, FINER = 4 };
 

@@ -1,10 +1,10 @@
 /* Truths of the light of many points by rays (METHODS 17): `vpls` gathers from all virtual point lights of MegaViews,
  * `glow` from all its particles, if nothing is between them and the pixel. */
-#include "../../../kernels/views/vpl_gather.h"
-#include "../../raster/tools/truth_gather.h"
-#include "../../stages.h"
-#include "../views.h"
-#include "tools.h"
+#include "kernels/views/vpl_gather.h"
+#include "methods/raster/tools/truth_gather.h"
+#include "methods/stages.h"
+#include "methods/views/tools/tools.h"
+#include "methods/views/views.h"
 
 typedef struct {
 	const ts_truth *truth;

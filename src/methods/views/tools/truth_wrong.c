@@ -1,12 +1,12 @@
 /* Why maps of many views differ from rays (METHODS 17). */
-#include "../../../kernels/views/octree.h"
-#include "../../../kernels/views/vpl_gather.h"
-#include "../../../truth/query.h"
-#include "tools.h"
+#include "kernels/views/octree.h"
+#include "kernels/views/vpl_gather.h"
+#include "methods/views/tools/tools.h"
+#include "truth/query.h"
 
 const char *const ts_wrong_names[] = {
 #define WRONG(id, counter, head) counter,
-#include "truth_wrong.def"
+#include "methods/views/tools/truth_wrong.def"
 #undef WRONG
 	NULL,
 };

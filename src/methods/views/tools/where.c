@@ -1,7 +1,7 @@
 /* Places of pairs of nodes. */
-#include "../../../kernels/views/traverse.h"
-#include "tools.h"
 #include <stdio.h>
+#include "kernels/views/traverse.h"
+#include "methods/views/tools/tools.h"
 
 static void where_key(char *text, u64 pair)
 {

@@ -1,9 +1,9 @@
 /* The fast hulls equal the plain kernel bit for bit: boxes, irradiance and counter, of random boxes and lobes biased
  * to the extremes. */
 #include <string.h>
-#include "../../../kernels/seeded.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 400, GRID = 64, TEXELS = GRID * GRID, MOST_BOXES = 64, MOST_PIXELS = 2048 };
 

@@ -1,8 +1,8 @@
 /* The fast alignment equals the plain kernel bit for bit: pieces of every shape, degenerate and far away too, with
  * densities of every size, in numbers that fill no vector. */
-#include "../../../kernels/points/mesh.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { N = 2000, PIECES = 150 };
 

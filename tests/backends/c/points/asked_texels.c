@@ -1,8 +1,8 @@
 /* The texels that samples read are marked, no other; and boxes of texels without a marked one are told, of faces of any
  * size. */
-#include "../../../kernels/points/pixels.h"
-#include "../../../../src/backends/c/points/asked_texels.h"
-#include "../../../../src/kernels/points/lookup.h"
+#include "backends/c/points/asked_texels.h"
+#include "kernels/points/lookup.h"
+#include "tests/kernels/points/pixels.h"
 
 enum { N = 300, PIXELS = 7, BOXES = 400 };
 

@@ -1,6 +1,6 @@
 /* Closest points without branches are on the triangle, whatever numbers its sides and the point gave. */
-#include "../../../kernels/points/mesh.h"
-#include "../../../../src/backends/c/points/closest_lanes.h"
+#include "backends/c/points/closest_lanes.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { SMALL = 7, N = 3000000 };
 

@@ -1,7 +1,7 @@
 /* A cube that may still lower a triangle's shortest way by one rounding, or raise its densest need by one, is listed.
  * Of others few are. */
-#include "../../../kernels/points/views.h"
-#include "../../../../src/backends/c/points/density_bound.h"
+#include "backends/c/points/density_bound.h"
+#include "tests/kernels/points/views.h"
 
 enum { PARTS = 4000 };
 

@@ -1,9 +1,9 @@
 /* The fast densities equal the plain kernel bit for bit: of triangles in all places about many views, biased to the
  * extremes. */
-#include "../../../whole.h"
-#include "../../../kernels/points/views.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/points/views.h"
+#include "tests/whole.h"
 
 enum { VIEWS = 128 };
 

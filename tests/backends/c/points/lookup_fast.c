@@ -1,9 +1,9 @@
 /* The fast look-ups equal the plain kernel bit for bit: of pixels whose samples meet corners and edges of faces, with
  * normals that are short or none, in cubes of all sizes and of none. */
-#include "../../../kernels/points/pixels.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
-#include "../../../../src/kernels/points/lookup.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "kernels/points/lookup.h"
+#include "tests/kernels/points/pixels.h"
 
 enum { N = 400, PIXELS = 61 };
 

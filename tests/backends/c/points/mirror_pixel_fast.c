@@ -1,10 +1,10 @@
 /* The fast records of reflective pixels equal the plain kernel's: pictures of all sizes, higher than what a thread
  * takes at once, with one sample a pixel or four, mirrors beside each other and beside what reflects nothing. */
-#include "../../../kernels/small.h"
-#include "../../../../src/kernels/points/mirror_pixel.h"
-#include "../../../../src/kernels/raster/eye.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "kernels/points/mirror_pixel.h"
+#include "kernels/raster/eye.h"
+#include "tests/kernels/small.h"
 
 enum { N = 200, TRIANGLES = 36, WIDEST = 40, HIGHEST = 100, MOST = WIDEST * HIGHEST * TS_N_EYE_SAMPLES };
 

@@ -1,9 +1,9 @@
 /* Fast counts and points equal the plain kernels' bit for bit: of wide pieces and narrow ones, slivers, pieces with a
  * mask and pieces without points. */
-#include "../../../kernels/points/mesh.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
-#include "../../../../src/backends/c/points/made_points.h"
+#include "backends/c/points/made_points.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { N = 600, TRIANGLES = 12 };
 

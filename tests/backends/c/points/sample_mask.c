@@ -1,7 +1,7 @@
 /* Masks of samples, found once a piece, cut what the kernel cuts: any texture, level, wrap and transform, alphas of
  * vertices, and materials without a texture. */
-#include "../../../kernels/points/mesh.h"
-#include "../../../../src/backends/c/points/sample_mask.h"
+#include "backends/c/points/sample_mask.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { N = 4000, MOST = 16, TEXELS = 2 * MOST * MOST, SAMPLES = 64, MASKED = 4 };
 

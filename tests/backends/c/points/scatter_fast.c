@@ -1,9 +1,9 @@
 /* The fast path of the scatter kernels gives the kernels' bits and tallies: random pieces into random views,
  * perspective and orthographic, of stored points and of points made on the spot, at coordinates where views begin
  * and end. */
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
-#include "../../../kernels/points/mesh.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { N = 24, MOST_VIEWS = 80 };
 

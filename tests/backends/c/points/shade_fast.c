@@ -1,10 +1,10 @@
 /* Fast shading equals the plain kernel bit for bit: of pixels and of entries of later bounces, whose samples see the
  * same points again and again, from many cubes, or nothing, or a mirror; of stored points, points that are made again,
  * and colours; with a texture and without. */
-#include "../../../kernels/points/mesh.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
-#include "../../../../src/kernels/points/lookup.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "kernels/points/lookup.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { N = 120, ENTRIES = 1500, SAMPLES = ENTRIES * TS_N_SAMPLES };
 

@@ -1,9 +1,9 @@
 /* The fast path of EPR's shadow splats gives the kernel's bits and tallies: random pieces of any density in random
  * views, some along the world's axes and some that a piece reaches behind, in batches, by several threads. */
-#include "../../../kernels/points/views.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
-#include "../../../../src/kernels/points/shadow_splat.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "kernels/points/shadow_splat.h"
+#include "tests/kernels/points/views.h"
 
 enum { N = 12, N_VIEWS = 40, SIDE = 64, N_TEXELS = SIDE * SIDE };
 

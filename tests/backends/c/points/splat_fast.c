@@ -1,10 +1,10 @@
 /* The fast splats equal the plain kernel bit for bit: texels and counters, on random meshes biased to the extremes; and
  * the texels that pixels ask for, where those are told. */
-#include "../../../kernels/points/pixels.h"
-#include "../../../whole.h"
-#include "../../../../src/backends/c/points/asked_texels.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
+#include "backends/c/points/asked_texels.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/points/pixels.h"
+#include "tests/whole.h"
 
 enum { PIXELS = 400 };
 

@@ -1,8 +1,8 @@
 /* The fast split writes the pieces of the plain kernel: whole triangles, split ones, those that splitting leaves too
  * large, and those that nobody sees; by the eye and by views. */
-#include "../../../kernels/points/views.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/points/views.h"
 
 enum { N = 400, VIEWS = 4 };
 

@@ -1,7 +1,7 @@
 /* The fast path of MVR's cube faces gives the kernel's bits: of random triangles, in cubes of any size, of which some
  * are out of sight, by several threads, in batches. */
-#include "triangles.h"
-#include "../../../../src/kernels/raster/cube_face.h"
+#include "kernels/raster/cube_face.h"
+#include "tests/backends/c/raster/triangles.h"
 
 enum { N = 150, CUBES = 4, MOST = 90, TEXELS = CUBES * 6 * MOST * MOST };
 

@@ -1,7 +1,7 @@
 /* The fast path of MVR's depth maps gives the kernel's bits: of random triangles, in views of any kind, by fewer and by
  * more threads than views, in batches. */
-#include "offscreen.h"
-#include "../../../../src/kernels/raster/depth_map.h"
+#include "kernels/raster/depth_map.h"
+#include "tests/backends/c/raster/offscreen.h"
 
 enum { N = 200 };
 

@@ -1,7 +1,7 @@
 /* The fast path of the eye's view gives the kernel's bits: of random triangles, for one sample of the pixels and for
  * four, in images wider and narrower than a tile, by one thread and by several. */
-#include "triangles.h"
-#include "../../../../src/kernels/raster/eye.h"
+#include "kernels/raster/eye.h"
+#include "tests/backends/c/raster/triangles.h"
 
 enum { N = 200, TEXELS = 4 * 1200 * 40 };
 

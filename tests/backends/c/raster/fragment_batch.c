@@ -1,8 +1,8 @@
 /* Fragments side by side equal ts_k_fragment_at bit for bit: of triangles of any size, across planes, behind the eye,
  * degenerate, that cover their pixels or do not; of views with one sample and with four. */
-#include "triangles.h"
-#include "../../../../src/backends/c/raster/fragment_batch.h"
-#include "../../../../src/kernels/raster/eye_sample.h"
+#include "backends/c/raster/fragment_batch.h"
+#include "kernels/raster/eye_sample.h"
+#include "tests/backends/c/raster/triangles.h"
 
 enum { N = 1500, SIDE = 64 };
 

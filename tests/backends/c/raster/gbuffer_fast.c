@@ -1,7 +1,7 @@
 /* The fast G-buffer equals the plain kernel bit for bit: of pixels that name triangles in front of the eye, across
  * the near plane, behind it, degenerate, or beside the pixel, in runs of any length; of the sky; and of samples of
  * pixels. */
-#include "scribble.h"
+#include "tests/backends/c/raster/scribble.h"
 
 enum { N = 60 };
 

@@ -1,8 +1,8 @@
 /* Fast shading of MVR's faces equals the plain kernel bit for bit: of batches of cubes of any sides, some of which have
  * none, from anywhere; of texels that name what the cube sees there, or triangles at random, or nothing. */
-#include "../../../whole.h"
-#include "scribble.h"
-#include "../../../../src/kernels/raster/cube.h"
+#include "kernels/raster/cube.h"
+#include "tests/backends/c/raster/scribble.h"
+#include "tests/whole.h"
 
 enum { CUBES = 4, SIDE = 24, TEXELS = CUBES * 6 * SIDE * SIDE };
 

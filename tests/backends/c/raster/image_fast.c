@@ -1,7 +1,7 @@
 /* The fast picture equals the plain kernel bit for bit: of pixels that name triangles in front of the eye, across the
  * near plane, behind it, degenerate, or beside the pixel; of the sky; of mirrors, or without any; in full light or in
  * part of it; of samples of pixels; with display values and without. */
-#include "scribble.h"
+#include "tests/backends/c/raster/scribble.h"
 
 enum { N = 60, LIGHTS = 8 };
 

@@ -1,8 +1,8 @@
 /* Random off-screen views, and texels that two ways of drawing left in them. */
-#ifndef TS_TESTS_BACKENDS_OFFSCREEN_H
-#define TS_TESTS_BACKENDS_OFFSCREEN_H
-#include "triangles.h"
-#include "../../../../src/kernels/raster/offscreen.h"
+#ifndef TS_TESTS_BACKENDS_C_RASTER_OFFSCREEN_H
+#define TS_TESTS_BACKENDS_C_RASTER_OFFSCREEN_H
+#include "kernels/raster/offscreen.h"
+#include "tests/backends/c/raster/triangles.h"
 
 enum { VIEWS = 5, MOST = 100, TEXELS = VIEWS * MOST * MOST };
 

@@ -1,7 +1,7 @@
 /* The fast path of reflective shadow maps gives the kernel's bits: of random triangles, in views of any kind, by fewer
  * and by more threads than views. */
-#include "offscreen.h"
-#include "../../../../src/kernels/raster/rsm.h"
+#include "kernels/raster/rsm.h"
+#include "tests/backends/c/raster/offscreen.h"
 
 enum { N = 100 };
 

@@ -1,12 +1,12 @@
 /* A small scene with textures that a run has posed and drawn, and keys of an image of it scribbled over. */
-#ifndef TS_TESTS_BACKENDS_SCRIBBLE_H
-#define TS_TESTS_BACKENDS_SCRIBBLE_H
+#ifndef TS_TESTS_BACKENDS_C_RASTER_SCRIBBLE_H
+#define TS_TESTS_BACKENDS_C_RASTER_SCRIBBLE_H
 #include <string.h>
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
-#include "../../../../src/methods/stages.h"
-#include "../../../../src/scene/scene.h"
-#include "../../../kernels/seeded.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "methods/stages.h"
+#include "scene/scene.h"
+#include "tests/kernels/seeded.h"
 
 enum { WIDTH = 61, HEIGHT = 37, EYE_SAMPLES = 4, PIXELS = EYE_SAMPLES * WIDTH * HEIGHT };
 

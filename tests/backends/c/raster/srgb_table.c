@@ -1,7 +1,7 @@
 /* Display values by the table equal ts_srgb_byte: at each threshold and around it, at the ends of each place of the
  * table, at infinity, NaN and negative numbers, and of random bits. */
-#include "../../../../src/backends/c/raster/srgb_table.h"
-#include "../../../kernels/seeded.h"
+#include "backends/c/raster/srgb_table.h"
+#include "tests/kernels/seeded.h"
 
 static ts_srgb_table table;
 

@@ -2,9 +2,9 @@
  * the five textures, of any size, levels, wraps, transforms and sets; corners with and without normals and tangents,
  * with degenerate texture coordinates; flat and unlit materials, mirrors; lights of every kind, within range and
  * beyond, in part shadowed; footprints from none to huge; viewers on either side, or on the surface, and lights too. */
-#include "../../../../src/backends/c/raster/light_batch.h"
-#include "../../../../src/backends/c/raster/surface_bins.h"
-#include "../../../kernels/small.h"
+#include "backends/c/raster/light_batch.h"
+#include "backends/c/raster/surface_bins.h"
+#include "tests/kernels/small.h"
 
 enum { N = 1500, TRIANGLES = 24, SAMPLES = 200, LAMPS = 4, MOST = 8, MATERIALS = 2 * TS_SURFACE_BINS };
 

@@ -1,10 +1,10 @@
 /* Scenes of random triangles, biased to what rasterization decides differently: of any size, on planes and corners of
  * a grid, as slivers, degenerate, around the eye, far away; one- and two-sided, with and without an alpha mask. */
-#ifndef TS_TESTS_BACKENDS_TRIANGLES_H
-#define TS_TESTS_BACKENDS_TRIANGLES_H
-#include "../../../kernels/small.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
+#ifndef TS_TESTS_BACKENDS_C_RASTER_TRIANGLES_H
+#define TS_TESTS_BACKENDS_C_RASTER_TRIANGLES_H
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/small.h"
 
 static inline f32 power(f32 low, f32 high) { return exp2f(uniform(low, high)); }
 

@@ -1,8 +1,8 @@
 /* The fast visibility equals the plain kernel bit for bit: triangles in all places about many cubes, biased to the
  * extremes, or near one place; more of them than go side by side. */
-#include "../../../kernels/points/mesh.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/points/mesh.h"
 
 enum { N = 200, TRIANGLES = 300, CUBES = 40, WORDS = (CUBES * 6 + 63) / 64 };
 

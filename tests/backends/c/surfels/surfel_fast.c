@@ -1,10 +1,10 @@
 /* The fast paths of surfels give the kernels' bits and tallies, pass after pass: surfels of all sizes and shapes,
  * before, beside and around the eye, in images of several tiles and of parts of one, by all filters, of normals and
  * colours that sums saturate at. */
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/kernels.h"
-#include "../../../kernels/seeded.h"
 #include <stdlib.h>
+#include "backends/fast.h"
+#include "backends/kernels.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 240, SURFELS = 300, SIDE = 150, PIXELS = SIDE * SIDE, TALLIES = 4 };
 

@@ -1,10 +1,10 @@
 /* Lists of pairs at once have the entries of those that a traversal leaves, in order; and what is not done at once is
  * refused. */
-#include "../../../whole.h"
-#include "../../../kernels/views/tree.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/kernels/base/sort.h"
-#include "../../../../src/kernels/views/vpl_gather_pairs.h"
+#include "backends/fast.h"
+#include "kernels/base/sort.h"
+#include "kernels/views/vpl_gather_pairs.h"
+#include "tests/kernels/views/tree.h"
+#include "tests/whole.h"
 
 enum { LISTS = LEAVES + 2, FEW = 1500, MOST_PAIRS = FEW * FEW };
 

@@ -1,7 +1,7 @@
 /* Lists are sorted by the fast path as by the plain kernel: in order, nearly, with equal entries, in any order. */
-#include "../../../kernels/seeded.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/kernels/base/sort.h"
+#include "backends/fast.h"
+#include "kernels/base/sort.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 300, LISTS = 50, ENTRIES = LISTS * 40 };
 

@@ -1,11 +1,11 @@
 /* Maps at once have the texels and the counts of those whose pairs are in queues, by the kernels: of octrees of views
  * and of views alone, with and without a hierarchy of the scene, by the middles of texels and by points, on any number
  * of threads and by vectors of any width; and what is not done at once is refused. */
-#include "../../../whole.h"
-#include "../../../kernels/views/tree.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/backends/wide.h"
-#include "../../../../src/kernels/views/view_map.h"
+#include "backends/fast.h"
+#include "backends/wide.h"
+#include "kernels/views/view_map.h"
+#include "tests/kernels/views/tree.h"
+#include "tests/whole.h"
 
 enum { FEW = 120, ALONE = 60, MOST_PAIRS = 1 << 21, MOST_TEXELS = 1 << 22, REFLECTORS = 4 };
 

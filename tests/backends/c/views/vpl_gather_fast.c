@@ -1,9 +1,9 @@
 /* Pixels gather by the fast path what they gather by the plain kernel: of lists short and long, of all views, without
  * shadows and with them, by plane and by distance, of lights to one side and to all, and of one where the place is. */
-#include "../../../kernels/views/tree.h"
-#include "../../../../src/backends/backend.h"
-#include "../../../../src/backends/fast.h"
-#include "../../../../src/kernels/views/vpl_gather.h"
+#include "backends/backend.h"
+#include "backends/fast.h"
+#include "kernels/views/vpl_gather.h"
+#include "tests/kernels/views/tree.h"
 
 enum { N = 300, PIXELS = 64, LIGHTS = 300, VIEW_NODES = 40, MOST_PX = 128, MOST_LIST = 30 };
 

@@ -1,9 +1,9 @@
 /* Tables of SSAGH that are no rows of a paper: the curves of its integrals against quadrature in double precision, and
  * labels beside components, whose figures follow from each other. */
 #include <math.h>
-#include "../../../study/benched.h"
-#include "../../../../src/kernels/hulls/segment.h"
-#include "../../../../src/methods/hulls/tools/benches.h"
+#include "kernels/hulls/segment.h"
+#include "methods/hulls/tools/benches.h"
+#include "tests/study/benched.h"
 
 static ts_status curves(const ts_job *job, const void *user)
 {

@@ -1,7 +1,7 @@
 /* Seams of made-up images whose changes are known, and corners at known heights above a triangle of light. */
-#include "../../../../src/methods/hulls/tools/borders.h"
-#include "../../../model/test.h"
 #include <math.h>
+#include "methods/hulls/tools/borders.h"
+#include "tests/model/test.h"
 
 enum { SIDE = 64, PIXELS = SIDE * SIDE, HALF = SIDE / 2, INNER = HALF - 1 };
 

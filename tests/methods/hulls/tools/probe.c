@@ -1,7 +1,7 @@
 /* What the probe says of hulls and of direct gathering, against the buffers of the run that wrote the trace. */
-#include "../../../whole.h"
-#include "../../../../src/kernels/hulls/hull.h"
-#include "../../../probe/probed.h"
+#include "kernels/hulls/hull.h"
+#include "tests/probe/probed.h"
+#include "tests/whole.h"
 
 static u32 n_tries(void) { return whole_or(50, 30); }
 

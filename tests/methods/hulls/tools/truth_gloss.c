@@ -1,8 +1,8 @@
 /* Specular reflection in double precision: the BRDF is the renderer's, the integral over a triangle that by many small
  * parts, and directions as the BRDF wants them have the mean of the integral over all. */
-#include "../../../../src/kernels/base/shade.h"
-#include "../../../../src/methods/hulls/tools/truth_gloss.h"
-#include "../../../kernels/seeded.h"
+#include "kernels/base/shade.h"
+#include "methods/hulls/tools/truth_gloss.h"
+#include "tests/kernels/seeded.h"
 
 enum { N = 2000, STEPS = 400, SAMPLES = 4096 };
 

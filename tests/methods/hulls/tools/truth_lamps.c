@@ -1,9 +1,9 @@
 /* Truths of lamps: form factors in double precision, and what of them a cover leaves, against many places of each. */
-#include "../../../../src/kernels/hulls/direct.h"
-#include "../../../../src/kernels/hulls/polygon.h"
-#include "../../../../src/methods/hulls/tools/tools.h"
-#include "../../raster/tools/receivers.h"
-#include "../../../kernels/seeded.h"
+#include "kernels/hulls/direct.h"
+#include "kernels/hulls/polygon.h"
+#include "methods/hulls/tools/tools.h"
+#include "tests/kernels/seeded.h"
+#include "tests/methods/raster/tools/receivers.h"
 
 enum { SIDES = TS_LAMP_TRIANGLES, STEPS = 64 };
 

@@ -1,7 +1,7 @@
 /* Truths of indirect light: form factors of a square that a sun lights, and what stands in the way. */
-#include "../../../../src/kernels/hulls/direct.h"
-#include "../../../../src/methods/hulls/tools/tools.h"
-#include "../../raster/tools/receivers.h"
+#include "kernels/hulls/direct.h"
+#include "methods/hulls/tools/tools.h"
+#include "tests/methods/raster/tools/receivers.h"
 
 static void shine(world *w, u32 kind)
 {

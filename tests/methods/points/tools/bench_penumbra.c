@@ -1,13 +1,13 @@
 /* The penumbra that tables of soft shadows print: the shadow of an edge halfway from the lamp, from both ends of a
  * diameter of the lamp, projected into the lamp's depth map. */
-#include "../../small.h"
 #include <math.h>
-#include "../../../../src/kernels/raster/offscreen.h"
-#include "../../../../src/methods/points/tools/benches.h"
-#include "../../../../src/scene/lamp.h"
-#include "../../../../src/scene/view.h"
-#include "../../../../src/study/measure.h"
-#include "../../../../src/tools/tools.h"
+#include "kernels/raster/offscreen.h"
+#include "methods/points/tools/benches.h"
+#include "scene/lamp.h"
+#include "scene/view.h"
+#include "study/measure.h"
+#include "tests/methods/small.h"
+#include "tools/tools.h"
 
 typedef struct {
 	double found, spot, ball; /* texels */

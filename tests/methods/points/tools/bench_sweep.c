@@ -1,7 +1,7 @@
 /* Speed against accuracy: every mark has its row, its error is to the truth that is named, and relations hold where
  * their figures keep their bounds. */
-#include "../../../study/benched.h"
-#include "../../../../src/methods/points/tools/benches.h"
+#include "methods/points/tools/benches.h"
+#include "tests/study/benched.h"
 
 static ts_status sweep(const ts_job *job, const void *user)
 {

@@ -1,12 +1,8 @@
 /* The off-screen buffers of iVIR against rays: the watertight rate leaves no hole and no leak, a theorem (texels.c);
  * the paper's rate leaves both, which shows that this test can fail. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include "../../../../src/methods/pipeline.h"
-#include "../../../../src/methods/points/tools/tools.h"
+#include "methods/pipeline.h"
+#include "methods/points/tools/tools.h"
+#include "tests/model/test.h"
 
 typedef struct {
 	ts_truth *truth;

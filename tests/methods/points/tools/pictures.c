@@ -1,6 +1,6 @@
 /* The picture of splats shows those that mirrors' pixels see, and no other pixel. */
-#include "../../../../src/study/stage_pictures.h"
-#include "../../small.h"
+#include "study/stage_pictures.h"
+#include "tests/methods/small.h"
 
 extern const ts_stage_picture_rule ts_points_pictures[];
 

@@ -1,5 +1,5 @@
 /* What the probe says of reflections, against the buffers of the run that wrote the trace. */
-#include "../../../probe/probed.h"
+#include "tests/probe/probed.h"
 
 enum { N_TRIED = 50 };
 

@@ -1,7 +1,7 @@
 /* Who took which texels: keys offered to a buffer of depths, nearer and farther than what it holds by known steps,
  * against counts of their own. */
-#include "../../../probe/probed.h"
-#include "../../../../src/methods/points/tools/probe.h"
+#include "methods/points/tools/probe.h"
+#include "tests/probe/probed.h"
 
 #define FACE TS_B_cube_face_depth_triangle
 enum { MOST_RIVALS = 8 };

@@ -1,9 +1,9 @@
 /* Freedom of candidates in order of arrival: at a texel that is marked as a tie, another point that offers the same
  * distance, and nothing else. A wall of one triangle before one cube, with three points by hand. */
-#include "../../../trace/folder.h"
-#include "../../../../src/kernels/base/num.h"
-#include "../../../../src/kernels/points/splat.h"
-#include "../../../../src/methods/points/tools/tie.h"
+#include "kernels/base/num.h"
+#include "kernels/points/splat.h"
+#include "methods/points/tools/tie.h"
+#include "tests/trace/folder.h"
 
 enum { N = 16, TEXELS = 6 * N * N, POINTS = 4 };
 

@@ -1,16 +1,11 @@
 /* Truths A and B over reflectors made by hand: closed forms, what both must agree on, and where they must differ. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdlib.h>
-#include "../../../../src/kernels/raster/cube.h"
-#include "../../../../src/kernels/points/samples.h"
-#include "../../../../src/kernels/base/shade.h"
-#include "../../../../src/truth/query.h"
-#include "../../../../src/methods/points/tools/tools.h"
-#include "../../../truth/world.h"
+#include "kernels/base/shade.h"
+#include "kernels/points/samples.h"
+#include "kernels/raster/cube.h"
+#include "methods/points/tools/tools.h"
+#include "tests/model/test.h"
+#include "tests/truth/world.h"
+#include "truth/query.h"
 
 enum { N_PIXELS = 2000, SEED = 3, STREAM = 6 };
 

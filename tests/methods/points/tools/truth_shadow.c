@@ -1,17 +1,12 @@
 /* Truth of shadows: closed forms of a square and of a half plane between lamps and a floor, what stops light and what
  * does not, MVR, which tends to it as its depth maps grow, and more samples than an index holds. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdlib.h>
-#include "../../../../src/kernels/base/shade.h"
-#include "../../../../src/methods/pipeline.h"
-#include "../../../../src/methods/points/tools/tools.h"
-#include "../../../../src/scene/lamp.h"
-#include "../../../truth/world.h"
+#include "kernels/base/shade.h"
+#include "methods/pipeline.h"
+#include "methods/points/tools/tools.h"
+#include "scene/lamp.h"
+#include "tests/model/test.h"
+#include "tests/truth/world.h"
 
 enum { SIDE = 64, TOP = 4 }; /* pixels of the eye; height of the lamps */
 

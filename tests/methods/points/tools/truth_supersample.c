@@ -1,9 +1,9 @@
 /* Truth C: factor 1 is MVR itself, a greater one the means of a larger MVR, and what cannot be is refused. */
-#include "../../../../src/kernels/base/num.h"
-#include "../../../../src/methods/pipeline.h"
-#include "../../../../src/methods/points/tools/tools.h"
-#include "../../../truth/soup.h"
-#include "../../../status.h"
+#include "kernels/base/num.h"
+#include "methods/pipeline.h"
+#include "methods/points/tools/tools.h"
+#include "tests/status.h"
+#include "tests/truth/soup.h"
 
 enum { WIDTH = 64, HEIGHT = 48 };
 

@@ -1,15 +1,10 @@
 /* Texels against rays: a slanted floor whose depths are known, right, missing, too deep and too near, in each kind of
  * buffer. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdlib.h>
-#include "../../../../src/kernels/points/scatter.h"
-#include "../../../../src/methods/points/tools/tools.h"
-#include "../../../truth/world.h"
+#include "kernels/points/scatter.h"
+#include "methods/points/tools/tools.h"
+#include "tests/model/test.h"
+#include "tests/truth/world.h"
 
 enum { SIDE = 32 };
 

@@ -1,14 +1,10 @@
 /* A square, and receivers above it whose light truths gather. */
-#ifndef TS_TESTS_RECEIVERS_H
-#define TS_TESTS_RECEIVERS_H
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#ifndef TS_TESTS_METHODS_RASTER_TOOLS_RECEIVERS_H
+#define TS_TESTS_METHODS_RASTER_TOOLS_RECEIVERS_H
 #include <math.h>
-#include <stdlib.h>
-#include "../../../truth/world.h"
+#include "tests/model/test.h"
+#include "tests/truth/world.h"
+#include "truth/sampling.h"
 
 enum { N_RECEIVERS = 64, N_RAYS = 4096 };
 

@@ -1,10 +1,10 @@
 /* Copies for viewers: the eye as EXR, the image as EXR and PNG, which say what they show and hold what the run made. */
-#include "../../small.h"
 #include <sys/stat.h>
 #include <touchstone/image.h>
-#include "../../../scratch.h"
-#include "../../../../src/output/folder.h"
-#include "../../../../src/study/measure.h"
+#include "output/folder.h"
+#include "study/measure.h"
+#include "tests/methods/small.h"
+#include "tests/scratch.h"
 
 enum { WIDTH = 48, HEIGHT = 27, N = WIDTH * HEIGHT };
 

@@ -1,8 +1,8 @@
 /* The filters of surfels by the truth of the built-in checkerboard: where its squares are small the screen filter
  * halves the error at least, and its approximation is as good as exact EWA (FIGURES 12). The same geometry as there,
  * twice as large: 5 surfels a square. And of the truth itself: its few rays make noise there, and no moire. */
-#include "../surfels.h"
-#include "../../../../src/methods/surfels/tools/tools.h"
+#include "methods/surfels/tools/tools.h"
+#include "tests/methods/surfels/surfels.h"
 
 enum { WIDTH = 320, HEIGHT = 180 };
 /* The pixel's middle shows the board, far from its sides, in the band between these distances. */

@@ -1,6 +1,6 @@
 /* Checks of surfels: faults in what their stages read, planted in buffers of a run. */
-#include "../../../../src/kernels/base/shade.h"
-#include "../../../replay/loaded.h"
+#include "kernels/base/shade.h"
+#include "tests/replay/loaded.h"
 
 static int begin(void **state)
 {

@@ -1,8 +1,8 @@
 /* Rays into surfels: all of them tried by Cramer's rule in double; and their truths against closed forms: what a surfel
  * covers, what two blend to, where one throws its shadow, and what a mesh and the checkerboard look like. */
-#include "../surfels.h"
-#include "../../../../src/methods/surfels/tools/discs.h"
-#include "../../../../src/methods/surfels/tools/tools.h"
+#include "methods/surfels/tools/discs.h"
+#include "methods/surfels/tools/tools.h"
+#include "tests/methods/surfels/surfels.h"
 
 enum { WIDTH = 64, HEIGHT = 48, N_RANDOM = 300, N_RAYS = 4000 };
 #define NEAR_ENOUGH 1e-5

@@ -1,9 +1,9 @@
 /* Surfels against rays through the middles of pixels: no pixel whose ray meets a surfel shows the sky, and nothing is
  * blended that lies farther behind the nearest than epsilon. Of balls, and of the dragon in $TS_SCENES at full size. */
-#include "../../../../src/kernels/raster/gbuffer.h"
-#include "../surfels.h"
-#include "../../../scene/folder.h"
-#include "../../../../src/methods/surfels/tools/discs.h"
+#include "kernels/raster/gbuffer.h"
+#include "methods/surfels/tools/discs.h"
+#include "tests/methods/surfels/surfels.h"
+#include "tests/scene/folder.h"
 
 #define ROUNDING 0x1p-20 /* of the distance: the kernels' depths are 32-bit floats */
 

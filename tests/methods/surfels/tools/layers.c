@@ -1,8 +1,8 @@
 /* Layers that epsilon blends: a carpet over a floor, by the pixels that it covers and its height; and none where a
  * surface is one, however it slants, bends, is rough or is seen. */
-#include "../surfels.h"
-#include "../../../scene/folder.h"
-#include "../../../../src/methods/surfels/tools/tools.h"
+#include "methods/surfels/tools/tools.h"
+#include "tests/methods/surfels/surfels.h"
+#include "tests/scene/folder.h"
 
 /* HALF * 2 surfels a side of the floor; of so many pixels each third along and across is measured. */
 enum { WIDTH = 320, HEIGHT = 240, HALF = 60, STEP = 3 };

@@ -1,5 +1,5 @@
 /* Checks of reflections by MegaViews: reflectors of nodes are indices of views, and every cube has a map. */
-#include "../../../replay/loaded.h"
+#include "tests/replay/loaded.h"
 
 enum { MIRRORS = 1 }; /* one batch: what a run leaves is all of it */
 

@@ -1,7 +1,7 @@
 /* Checks of MegaViews, of its octrees and pairs: faults in what its stages read, planted in buffers of a run. */
-#include "../../../../src/kernels/views/mask.h"
-#include "../../../replay/loaded.h"
-#include "../../../../src/methods/views/pipelines.h"
+#include "kernels/views/mask.h"
+#include "methods/views/pipelines.h"
+#include "tests/replay/loaded.h"
 
 static const ts_step steps[] = {
 	{.stage = "eye.view"},

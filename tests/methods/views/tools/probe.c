@@ -1,6 +1,6 @@
 /* What the probe says of virtual point lights and particles, against the buffers of the run that wrote the trace. */
-#include "../../../whole.h"
-#include "../../../probe/probed.h"
+#include "tests/probe/probed.h"
+#include "tests/whole.h"
 
 static u32 n_tries(void) { return whole_or(50, 30); }
 

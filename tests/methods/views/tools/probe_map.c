@@ -1,9 +1,9 @@
 /* Texels of maps of views, as the probe tells of them, against the buffers of the run and the same in double
  * precision. */
-#include "../../../whole.h"
-#include "../../../probe/probed.h"
-#include "../../../../src/kernels/views/view_map.h"
-#include "../../../../src/methods/views/views.h"
+#include "kernels/views/view_map.h"
+#include "methods/views/views.h"
+#include "tests/probe/probed.h"
+#include "tests/whole.h"
 
 static u32 n_tries(void) { return whole_or(250, 100); }
 

@@ -1,8 +1,8 @@
 /* Maps of virtual point lights against rays: by points coarse ones stop and let through more light wrongly than fine
  * ones, by the middles of texels they stop less of it than by points, and by distance they let more through than by the
  * plane; emptied or filled maps are found to be. */
-#include "../../small.h"
-#include "../../../../src/methods/views/tools/tools.h"
+#include "methods/views/tools/tools.h"
+#include "tests/methods/small.h"
 
 static ts_params params_of(u32 px)
 {

@@ -1,6 +1,6 @@
 /* Truth of particles: their light, and what stands in the way. */
-#include "../../../../src/methods/views/tools/tools.h"
-#include "../../raster/tools/receivers.h"
+#include "methods/views/tools/tools.h"
+#include "tests/methods/raster/tools/receivers.h"
 
 #define COVER 1.75f /* height of a cover above all receivers, among the particles */
 

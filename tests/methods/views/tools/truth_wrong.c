@@ -2,11 +2,11 @@
  * in double precision gives; reasons of a whole run add up to its wrong answers, and light that is said to go through
  * cut-outs meets a triangle with alpha. */
 #include <math.h>
-#include "../../small.h"
-#include "../../../../src/kernels/views/vpl_gather.h"
-#include "../../../../src/methods/views/tools/tools.h"
-#include "../../../../src/methods/views/views.h"
-#include "../../../../src/truth/query.h"
+#include "kernels/views/vpl_gather.h"
+#include "methods/views/tools/tools.h"
+#include "methods/views/views.h"
+#include "tests/methods/small.h"
+#include "truth/query.h"
 
 typedef struct {
 	double x, y, z;
