@@ -19,7 +19,6 @@ typedef bool ts_at_once(const void *source, const void *args, u64 n, u32 threads
 #include "families.def"
 #undef AT_ONCE
 #undef FAST
-#undef FAMILY
 
 /* Whether the kernel was edited, so that it runs by itself alone: nothing that has its bits stands in for it. Says so
  * once. */

@@ -6,6 +6,5 @@
 
 #define FAMILY(name) FAMILY_FILE(kernels, name, kernels.h)
 #include "families.def"
-#undef FAMILY
 
 #endif

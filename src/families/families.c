@@ -4,47 +4,32 @@
 #include "methods/registry.h"
 #include "vectors/vectors.h"
 
-/* VECTORS(name): ts_<name>_vectors, the primitives of a family that has some. */
-#define FAMILY(name) FAMILY_FILE(methods, name, vectors.def)
 #define VECTORS(name) extern const ts_vector_set ts_##name##_vectors;
 #include "families.def"
-#undef VECTORS
 
 #define VECTORS(name) &ts_##name##_vectors,
 static const ts_vector_set *const vectors[] = {
 #include "families.def"
 	NULL,
 };
-#undef VECTORS
-#undef FAMILY
 
-/* STAGE(name): ts_stage_<name>; the file of its code declares its launches and buffers. */
-#define FAMILY(name) FAMILY_FILE(methods, name, stages.def)
 #define STAGE(name) extern const ts_stage ts_stage_##name;
 #include "families.def"
-#undef STAGE
 
 #define STAGE(name) &ts_stage_##name,
 static const ts_stage *const stages[] = {
 #include "families.def"
 	NULL,
 };
-#undef STAGE
-#undef FAMILY
 
-/* PIPELINE(name): ts_pipeline_<name>, in the file of its steps. */
-#define FAMILY(name) FAMILY_FILE(methods, name, pipelines.def)
 #define PIPELINE(name) extern const ts_pipeline ts_pipeline_##name;
 #include "families.def"
-#undef PIPELINE
 
 #define PIPELINE(name) &ts_pipeline_##name,
 static const ts_pipeline *const pipelines[] = {
 #include "families.def"
 	NULL,
 };
-#undef PIPELINE
-#undef FAMILY
 
 /* Sizes that are computed: ts_size_<name>. */
 #define SIZE_fixed(id, computed)

@@ -4,12 +4,11 @@
 #include <string.h>
 #include "kernels/base/num.h"
 
-#define FAMILY(name) FAMILY_FILE(methods, name, plan.def)
 #define ALONE(member) {"", #member, offsetof(ts_plan, member)},
 #define PART(name, members) members
 #define MEMBER(part, name) {#part, #name, offsetof(ts_plan, part.name)},
 const ts_plan_row ts_plan_table[] = {ALONE(units) ALONE(batch)
-#include "families.def"
+#include "model/params.def"
 };
 static_assert(sizeof ts_plan_table / sizeof *ts_plan_table == TS_PLAN_ROWS, "every member has a row");
 

@@ -18,7 +18,6 @@ typedef struct {
 
 /* Every member is a u32, so that ts_plan_row can read it. A family has parts, PART(name, members), whose members are
  * MEMBER(part, name). */
-#define FAMILY(name) FAMILY_FILE(methods, name, plan.def)
 #define PART(name, members) \
 	struct { \
 		members \
@@ -27,11 +26,9 @@ typedef struct {
 typedef struct {
 	u32 units; /* number of the things in batches: cubes, depth maps, or lights */
 	u32 batch; /* units per batch */
-#include "families.def"
+#include "model/params.def"
 } ts_plan;
 #undef MEMBER
-#undef PART
-#undef FAMILY
 
 /* A member of the plan as text. */
 typedef struct {

@@ -2,17 +2,13 @@
 #include "tools/tools.h"
 #include "methods/tools/family.h"
 
-#define FAMILY(name) FAMILY_FILE(methods, name, tools.def)
-
 #define TOOLS(name) extern const ts_family_tools ts_##name##_tools;
 #include "families.def"
-#undef TOOLS
 
 #define TOOLS(name) &ts_##name##_tools,
 static const ts_family_tools *const families[] = {
 #include "families.def"
 };
-#undef TOOLS
 
 enum { N_FAMILIES = sizeof families / sizeof *families };
 

@@ -60,7 +60,7 @@ def takers_of(param):
 	families = re.findall(r"^#include FAMILY\((\w+)\)", open("src/families.def").read(), re.M)[2:]
 	for folder in ("src/methods/" + family for family in families):
 		if param not in takers and f'"{param}"' in open(folder + "/params.def").read():
-			own = set(re.findall(r"^STAGE\((\w+)\)", open(folder + "/stages.def").read(), re.M))
+			own = set(re.findall(r"^STAGE\((\w+)\)", open(folder + "/family.def").read(), re.M))
 			return [m for m in methods if own & {step.replace(".", "_") for step in steps_of[m]}]
 	return takers.get(param, [("reflections", "epr")])
 missing = []

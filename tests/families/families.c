@@ -4,16 +4,12 @@
 #include "tests/model/test.h"
 #include "vectors/vectors.h"
 
-#define FAMILY(name) FAMILY_FILE(methods, name, pipelines.def)
 #define PIPELINE(name) extern const ts_pipeline ts_pipeline_##name;
 #include "families.def"
-#undef PIPELINE
 #define PIPELINE(name) &ts_pipeline_##name,
 static const ts_pipeline *const pipelines[] = {
 #include "families.def"
 };
-#undef PIPELINE
-#undef FAMILY
 enum { N = sizeof pipelines / sizeof *pipelines };
 
 static u32 place_of(const char *effect)

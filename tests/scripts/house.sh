@@ -106,7 +106,7 @@ gives 1 "lookup            kernels  methods  -        lookup.second" "a noun wit
 gives 0 "1 of 1 are in all" "a noun with kernel, body and test of its name" "$house" nouns
 
 mkdir -p src/methods/points tests/methods/points
-echo 'STAGE(align)' > src/methods/points/stages.def
+echo 'STAGE(align)' > src/methods/points/family.def
 gives 1 "+align: reads " "a stage whose sets no file has" "$house" sets
 "$house" --write sets > "$folder/out"
 gives 0 "sets: 0 families" "sets that were written" "$house" sets

@@ -69,7 +69,7 @@ jobs:
 ```
 PAGE
 echo 'half = 0.5;' > src/kernels/points/splat_box.h
-echo 'PIPELINE(mvr_reflections)' > src/methods/points/pipelines.def
+echo 'PIPELINE(mvr_reflections)' > src/methods/points/family.def
 echo trilinear > src/methods/points/mvr.c
 echo 'SCENE(atrium)' > src/scene/builtin/scenes.def
 printf 'build\nout\nsaid\n' > .gitignore
