@@ -64,13 +64,13 @@ static void reflections_plan_by_their_method(void **state)
 	ts_params p = params;
 	ts_plan epr = plan_of("reflections", "epr", &p, NULL, NULL), mvr = plan_of("reflections", "mvr", &p, NULL, NULL);
 	assert_true(n > 1 && epr.units == n && mvr.units == n && epr.batch == 1 && mvr.batch == 1);
-	assert_true(epr.offscreen.side == 0 && !epr.offscreen.all && epr.points.rate == TS_RATE_IS_EYE);
+	assert_true(epr.offscreen.side == 0 && !epr.offscreen.all && epr.points.rate == TS_RATE_EYE);
 	assert_true(mvr.offscreen.side == p.cube_max_px && mvr.offscreen.all);
 	p.cube_px = 48;
-	p.density_rate = TS_RATE_PAPER;
+	p.density_rate = TS_DENSITY_RATE_PAPER;
 	ts_plan ivir = plan_of("reflections", "ivir", &p, NULL, NULL), vir = plan_of("reflections", "vir", &p, NULL, NULL);
-	assert_true(ivir.points.rate == TS_RATE_IS_PAPER && ivir.offscreen.side == 0 && !ivir.offscreen.all);
-	assert_true(vir.points.rate == TS_RATE_IS_VIR && vir.offscreen.side == 48 && vir.offscreen.all);
+	assert_true(ivir.points.rate == TS_RATE_PAPER && ivir.offscreen.side == 0 && !ivir.offscreen.all);
+	assert_true(vir.points.rate == TS_RATE_VIR && vir.offscreen.side == 48 && vir.offscreen.all);
 	p.mvr_faces = TS_MVR_FACES_ADAPTIVE;
 	mvr = plan_of("reflections", "mvr", &p, NULL, NULL);
 	assert_true(mvr.offscreen.side == 0 && !mvr.offscreen.all);
@@ -88,7 +88,7 @@ static void shadows_plan_their_samples_and_maps(void **state)
 			omni = plan_of("omni-shadows", "epr", &p, NULL, NULL);
 	assert_true(soft.units == 40 && soft.lights.samples == 40 && soft.batch == 20 && soft.offscreen.side == 96);
 	assert_true(omni.units == 7 && omni.lights.samples == 7 && omni.batch == 3 && omni.offscreen.side == 96);
-	assert_true(soft.lights.taps == 0 && !soft.lights.own && soft.points.rate == TS_RATE_IS_VIR);
+	assert_true(soft.lights.taps == 0 && !soft.lights.own && soft.points.rate == TS_RATE_VIR);
 	p.lamp_source = TS_LAMP_SCENE;
 	ts_plan pcss = plan_of("soft-shadows", "pcss", &p, NULL, NULL);
 	assert_true(pcss.units == scene->n_lights && pcss.lights.own && pcss.lights.taps > 1 && pcss.batch == 20);

@@ -6,10 +6,10 @@
 #define TS_KERNELS_HULLS_GAUSSIAN_H
 #include "kernels/hulls/gaussian_quadrature.h"
 
-#define TS_COSINE_IS_OURS 0u       /* eqs 15 to 18 */
-#define TS_COSINE_IS_CONSTANT 1u   /* eq 7 */
-#define TS_COSINE_IS_SG 2u         /* eq 8 */
-#define TS_COSINE_IS_QUADRATURE 3u /* eq 12 */
+#define TS_COSINE_OURS 0u       /* eqs 15 to 18 */
+#define TS_COSINE_CONSTANT 1u   /* eq 7 */
+#define TS_COSINE_SG 2u         /* eq 8 */
+#define TS_COSINE_QUADRATURE 3u /* eq 12 */
 
 typedef struct {
 	ts_v3 phi;
@@ -151,14 +151,14 @@ TS_FN f32 ts_k_sg_as_sg(f32 lambda, f32 cos_beta)
 	return both.mu * ts_k_sg_integral(both.lambda);
 }
 
-/* A_h, the integral of G(1, lambda, phi) with the clamped cosine to n, cos_beta = n.phi, by one of TS_COSINE_IS_*.
+/* A_h, the integral of G(1, lambda, phi) with the clamped cosine to n, cos_beta = n.phi, by one of TS_COSINE_*.
  * printed: not 0 for eqs 9 and 10 as printed. */
 TS_FN f32 ts_k_sg_cosine(f32 lambda, f32 cos_beta, u32 method, u32 printed)
 {
 	f32 c = ts_clamp(cos_beta, -1.0f, 1.0f);
-	if (method == TS_COSINE_IS_CONSTANT) return ts_max(0.0f, c) * ts_k_sg_integral(lambda);
-	if (method == TS_COSINE_IS_SG) return ts_k_sg_as_sg(lambda, c);
-	if (method == TS_COSINE_IS_QUADRATURE) return ts_k_sg_quadrature(lambda, c);
+	if (method == TS_COSINE_CONSTANT) return ts_max(0.0f, c) * ts_k_sg_integral(lambda);
+	if (method == TS_COSINE_SG) return ts_k_sg_as_sg(lambda, c);
+	if (method == TS_COSINE_QUADRATURE) return ts_k_sg_quadrature(lambda, c);
 	return ts_k_sg_ours(lambda, c, printed);
 }
 

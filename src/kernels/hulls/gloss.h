@@ -113,7 +113,7 @@ TS_FN void ts_k_gloss_hull_item(const ts_gloss_hull_args *args, u64 i)
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, ts_gloss, gloss, gloss_pixel) \
 	ARG(OUT, f32, specular, indirect_specular) \
-	ARG(VALUE, u32, cosine, none)  /* TS_COSINE_IS_* */ \
+	ARG(VALUE, u32, cosine, none)  /* TS_COSINE_* */ \
 	ARG(VALUE, u32, vmf, none)     /* hull.sharpness=vmf */ \
 	ARG(VALUE, u32, printed, none) /* hull.integrals=printed */
 TS_ARGS(ts_gloss_direct_args);

@@ -23,7 +23,7 @@
 	ARG(TALLY, i64, n_unlit, 0) /* pixels without a box, except the sky */ \
 	ARG(VALUE, u32, width, none) \
 	ARG(VALUE, u32, height, none) \
-	ARG(VALUE, u32, cosine, none)     /* TS_COSINE_IS_* */ \
+	ARG(VALUE, u32, cosine, none)     /* TS_COSINE_* */ \
 	ARG(VALUE, u32, by_moments, none) /* hull.interpolation=moments */ \
 	ARG(VALUE, u32, vmf, none)        /* hull.sharpness=vmf */ \
 	ARG(VALUE, u32, printed, none)    /* hull.integrals=printed */ \

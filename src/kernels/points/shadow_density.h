@@ -12,10 +12,10 @@
 #include "kernels/base/closest.h"
 #include "kernels/points/view_density.h"
 
-#define TS_SHADOW_IS_NONE 0u
-#define TS_SHADOW_IS_SAFE 1u
-#define TS_SHADOW_IS_UNIT 2u
-#define TS_SHADOW_IS_PAPER 3u
+#define TS_SHADOW_NONE 0u
+#define TS_SHADOW_SAFE 1u
+#define TS_SHADOW_UNIT 2u
+#define TS_SHADOW_PAPER 3u
 
 #define TS_FAR_OF_NEAR 4096.0f /* shadows end beyond every receiver: four times half the scene's diagonal */
 
@@ -73,15 +73,15 @@ TS_FN f32 ts_k_shadow_need(const ts_density_args *args, u32 l, f32 most, ts_v3 a
 	ts_v3 eye = ts_load3(args->view->eye);
 	f32 focal = args->view->focal;
 	f32 to_light = ts_max(ts_length(ts_sub(ts_k_closest_on_triangle(light, a, b, c), light)), view->near);
-	if (args->shadow == TS_SHADOW_IS_SAFE && focal / to_light >= most) return most;
+	if (args->shadow == TS_SHADOW_SAFE && focal / to_light >= most) return most;
 	f32 times = ts_max((view->near * TS_FAR_OF_NEAR) / to_light, 1.0f);
 	f32 to_eye = ts_k_shadow_distance(eye, light, a, b, c, times);
-	if (args->shadow == TS_SHADOW_IS_SAFE) {
+	if (args->shadow == TS_SHADOW_SAFE) {
 		f32 farther = ts_length(ts_sub(light, eye)) / ts_max(to_eye, view->near);
 		return ts_min((focal / to_light) * (1.0f + farther), most);
 	}
 	to_eye = ts_max(to_eye, view->near);
-	if (args->shadow == TS_SHADOW_IS_UNIT) return ts_min(focal / to_eye, view->focal / to_light);
+	if (args->shadow == TS_SHADOW_UNIT) return ts_min(focal / to_eye, view->focal / to_light);
 	return most * ts_min(1.0f, to_light / to_eye);
 }
 
@@ -90,15 +90,15 @@ TS_CALL ts_need ts_k_shadow_density(const ts_density_args *args, TS_GLOBAL const
 	ts_need all;
 	all.s = 0.0f;
 	all.uneven = 1.0f;
-	if (args->shadow == TS_SHADOW_IS_PAPER) all = ts_k_view_density(args, words, a, b, c);
+	if (args->shadow == TS_SHADOW_PAPER) all = ts_k_view_density(args, words, a, b, c);
 	ts_need r;
 	r.s = 0.0f;
 	r.uneven = 1.0f;
 	for (u32 l = 0u; l * 6u < args->n_views; l++) {
 		if (ts_k_cube_bits(words, l) == 0u) continue;
 		ts_need most = all;
-		if (args->shadow == TS_SHADOW_IS_SAFE) most = ts_k_views_density(args, words, l * 6u, l * 6u + 6u, a, b, c);
-		if (args->shadow != TS_SHADOW_IS_UNIT && most.s <= r.s) continue;
+		if (args->shadow == TS_SHADOW_SAFE) most = ts_k_views_density(args, words, l * 6u, l * 6u + 6u, a, b, c);
+		if (args->shadow != TS_SHADOW_UNIT && most.s <= r.s) continue;
 		f32 s = ts_k_shadow_need(args, l, most.s, a, b, c);
 		if (s <= r.s) continue;
 		r.s = s;

@@ -13,7 +13,7 @@
 
 TS_CALL ts_need ts_k_need(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {
-	if (args->shadow != TS_SHADOW_IS_NONE) return ts_k_shadow_density(args, words, a, b, c);
+	if (args->shadow != TS_SHADOW_NONE) return ts_k_shadow_density(args, words, a, b, c);
 	if (args->views != NULL) return ts_k_view_density(args, words, a, b, c);
 	ts_need r;
 	r.s = ts_k_density(args, words, a, b, c).s;
@@ -27,7 +27,7 @@ TS_FN ts_need ts_k_part_need(const ts_density_args *args, TS_GLOBAL const u64 *w
 	ts_need r;
 	r.s = args->whole[triangle];
 	r.uneven = 1.0f;
-	bool known = part->path == 1u && (args->views == NULL || args->rate != TS_RATE_IS_WATERTIGHT);
+	bool known = part->path == 1u && (args->views == NULL || args->rate != TS_RATE_WATERTIGHT);
 	return known ? r : ts_k_need(args, words, part->v[0], part->v[1], part->v[2]);
 }
 

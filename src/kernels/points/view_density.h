@@ -9,11 +9,12 @@
 #include "kernels/raster/offscreen.h"
 
 /* Rates: by which each texel whose centre sees the triangle gets a sample (watertight); at the least depth of the part
- * in the frustum (exact, which is 2); at the point closest to the view (the paper); VIR's worst case. */
-#define TS_RATE_IS_EYE 0u /* EPR: see density.h */
-#define TS_RATE_IS_WATERTIGHT 1u
-#define TS_RATE_IS_PAPER 3u
-#define TS_RATE_IS_VIR 4u
+ * in the frustum (exact); at the point closest to the view (the paper); VIR's worst case. */
+#define TS_RATE_EYE 0u /* EPR: see density.h */
+#define TS_RATE_WATERTIGHT 1u
+#define TS_RATE_EXACT 2u
+#define TS_RATE_PAPER 3u
+#define TS_RATE_VIR 4u
 
 #define TS_LEAST_COSINE 0.001000000047497451305389404296875f /* between the normal and the way to the view */
 
@@ -33,7 +34,7 @@ TS_FN f32 ts_k_pixel_rate(const ts_camera_k *view, ts_v3 n, ts_v3 p, f32 z)
 /* sqrt(1 / A_P) of an orthographic view: A_P = 1 / (f^2 |cos|). */
 TS_FN f32 ts_k_parallel_rate(const ts_camera_k *view, ts_v3 n, u32 rate)
 {
-	if (rate == TS_RATE_IS_VIR) return view->focal;
+	if (rate == TS_RATE_VIR) return view->focal;
 	f32 cosine = ts_max(ts_abs(ts_dot(n, view->back)), TS_LEAST_COSINE);
 	return view->focal * ts_sqrt(cosine);
 }
@@ -96,7 +97,7 @@ TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3
 	r.s = 0.0f;
 	r.uneven = 1.0f;
 	if (polygon.n == 0u) return r;
-	if (rate == TS_RATE_IS_WATERTIGHT) return ts_k_watertight(view, &polygon, a, b, c);
+	if (rate == TS_RATE_WATERTIGHT) return ts_k_watertight(view, &polygon, a, b, c);
 	f32 z = polygon.corner[0].z;
 	u32 nearest = 0u;
 	for (u32 k = 1u; k < polygon.n; k++) {
@@ -115,7 +116,7 @@ TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n
 {
 	f32 corner = 1.0f + (reach[0] * reach[0] + reach[1] * reach[1]); /* 1 / cos^2 */
 	f32 distance = ts_max(ts_length(ts_sub(q, view->eye)), view->near);
-	if (rate == TS_RATE_IS_VIR) {
+	if (rate == TS_RATE_VIR) {
 		f32 farther = ts_max(reach[0], reach[1]);
 		return (view->focal * ts_sqrt(1.0f + farther * farther)) / distance;
 	}
@@ -130,9 +131,9 @@ TS_CALL ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 
 	ts_need r;
 	r.uneven = 1.0f;
 	if (view.orthographic != 0u) {
-		bool watertight = args->rate == TS_RATE_IS_WATERTIGHT;
+		bool watertight = args->rate == TS_RATE_WATERTIGHT;
 		r.s = watertight ? ts_k_watertight_rate(&view, view.focal, a, b, c) : ts_k_parallel_rate(&view, n, args->rate);
-	} else if (args->rate < TS_RATE_IS_PAPER) {
+	} else if (args->rate < TS_RATE_PAPER) {
 		r = ts_k_clipped_rate(&view, n, a, b, c, args->rate);
 	} else {
 		f32 reach[2];

@@ -10,9 +10,6 @@
 #include "kernels/raster/gpixel.h"
 #include "kernels/raster/shadow_map.h"
 
-#define TS_SHADER_IS_PHONG 0u
-#define TS_SHADER_IS_NPR 1u
-
 #define TS_HIGHLIGHT 0.25f /* relative to the radiance of a diffuse white surface */
 #define TS_TONES 3.0f
 #define TS_OUTLINE_STEP 0.03125f   /* relative to the depth */
@@ -29,7 +26,7 @@
 	ARG(OUT, u8, srgb, image_srgb) \
 	ARG(TALLY, i64, tally, 0) /* [0] shading operations: pixels with a surface */ \
 	ARG(VALUE, u32, n_lights, none) \
-	ARG(VALUE, u32, shader, none) \
+	ARG(VALUE, u32, npr, none) /* not 0: tones and outlines, not Phong's shading */ \
 	ARG(VALUE, f32, ambient, none) \
 	ARG(VALUE, f32, exposure, none)
 TS_ARGS(ts_deferred_args);
@@ -45,16 +42,14 @@ TS_FN f32 ts_k_highlight(ts_v3 n, ts_v3 v, ts_v3 l)
 }
 
 /* The radiance that a share of one light adds, by Lambert's law and the highlight. */
-TS_FN ts_v3 ts_k_shade_by(TS_GLOBAL const ts_light *light, f32 share, u32 shader, ts_v3 p, ts_v3 n, ts_v3 v,
-                          ts_v3 albedo)
+TS_FN ts_v3 ts_k_shade_by(TS_GLOBAL const ts_light *light, f32 share, u32 npr, ts_v3 p, ts_v3 n, ts_v3 v, ts_v3 albedo)
 {
 	ts_v3 l;
 	f32 arrives = ts_k_light(light, p, &l) * share;
 	f32 cosine = ts_flush(ts_dot(n, l));
 	if (!(cosine > 0.0f) || !(arrives > 0.0f)) return ts_v3_make(0.0f, 0.0f, 0.0f);
-	bool phong = shader == TS_SHADER_IS_PHONG;
-	ts_v3 paint = ts_scale(albedo, phong ? cosine : ts_k_tone(cosine));
-	f32 shine = phong ? ts_k_highlight(n, v, l) : 0.0f;
+	ts_v3 paint = ts_scale(albedo, npr != 0u ? ts_k_tone(cosine) : cosine);
+	f32 shine = npr != 0u ? 0.0f : ts_k_highlight(n, v, l);
 	ts_v3 all = ts_add(paint, ts_v3_make(shine, shine, shine));
 	return ts_mul(all, ts_scale(ts_load3(light->intensity), arrives * TS_PER_PI));
 }
@@ -63,7 +58,7 @@ TS_FN ts_v3 ts_k_shade_by(TS_GLOBAL const ts_light *light, f32 share, u32 shader
 TS_FN ts_v3 ts_k_deferred_light(const ts_deferred_args *args, u64 i, u32 k, ts_v3 p, ts_v3 n, ts_v3 v, ts_v3 albedo)
 {
 	TS_GLOBAL const u32 *lit = args->lit != NULL ? args->lit + i * args->n_lights : NULL;
-	return ts_k_shade_by(&args->lights[k], ts_k_share(lit, args->lamps, k), args->shader, p, n, v, albedo);
+	return ts_k_shade_by(&args->lights[k], ts_k_share(lit, args->lamps, k), args->npr, p, n, v, albedo);
 }
 
 /* A pixel and a neighbour: how much farther the neighbour is (1 - zn is proportional to 1 / z); how far it lies below
@@ -117,7 +112,7 @@ TS_FN ts_v3 ts_k_deferred(const ts_deferred_args *args, u64 i)
 	ts_v3 n = ts_load3(pixel->normal);
 	ts_v3 albedo = ts_load3(pixel->albedo);
 	ts_v3 v = ts_normalize(ts_sub(ts_load3(args->view->eye), p));
-	if (args->shader == TS_SHADER_IS_NPR && ts_k_is_outline(args, i)) return ts_v3_make(0.0f, 0.0f, 0.0f);
+	if (args->npr != 0u && ts_k_is_outline(args, i)) return ts_v3_make(0.0f, 0.0f, 0.0f);
 	ts_v3 sum = ts_scale(albedo, args->ambient);
 	for (u32 k = 0u; k < args->n_lights; k++) sum = ts_add(sum, ts_k_deferred_light(args, i, k, p, n, v, albedo));
 	return sum;

@@ -42,7 +42,7 @@ TS_FN f32 ts_k_outline_margin(const ts_deferred_args *args, u64 i, bool outline)
 
 /* The margin of the cosine against 0, where highlights and the first tone begin; for NPR also against the other tones;
  * in steps of the cosine. */
-TS_FN f32 ts_k_cosine_margin(TS_GLOBAL const ts_light *light, f32 share, u32 shader, ts_v3 p, ts_v3 n, f32 step)
+TS_FN f32 ts_k_cosine_margin(TS_GLOBAL const ts_light *light, f32 share, u32 npr, ts_v3 p, ts_v3 n, f32 step)
 {
 	ts_v3 l;
 	f32 arrives = ts_k_light(light, p, &l) * share;
@@ -50,7 +50,7 @@ TS_FN f32 ts_k_cosine_margin(TS_GLOBAL const ts_light *light, f32 share, u32 sha
 	if (!(arrives > 0.0f)) return TS_MARGIN_NOWHERE;
 	f32 tones = cosine * TS_TONES;
 	f32 nearest = ts_clamp(ts_floor(tones + 0.5f), 0.0f, TS_TONES - 1.0f);
-	f32 apart = shader == TS_SHADER_IS_NPR ? ts_abs(tones - nearest) / TS_TONES : ts_abs(cosine);
+	f32 apart = npr != 0u ? ts_abs(tones - nearest) / TS_TONES : ts_abs(cosine);
 	return apart / step;
 }
 
@@ -59,8 +59,8 @@ TS_FN f32 ts_k_deferred_light_margin(const ts_deferred_args *args, u64 i, u32 k)
 {
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];
 	TS_GLOBAL const u32 *lit = args->lit != NULL ? args->lit + i * args->n_lights : NULL;
-	return ts_k_cosine_margin(&args->lights[k], ts_k_share(lit, args->lamps, k), args->shader,
-	                          ts_load3(pixel->position), ts_load3(pixel->normal), TS_MARGIN_ROUNDING);
+	return ts_k_cosine_margin(&args->lights[k], ts_k_share(lit, args->lamps, k), args->npr, ts_load3(pixel->position),
+	                          ts_load3(pixel->normal), TS_MARGIN_ROUNDING);
 }
 
 /* map over pixels */
@@ -68,7 +68,7 @@ TS_FN void ts_k_deferred_margin_item(const ts_deferred_margin_args *args, u64 i)
 {
 	const ts_deferred_args *of = &args->of;
 	bool sky = of->pixels[i].depth == TS_SKY;
-	bool npr = of->shader == TS_SHADER_IS_NPR && !sky;
+	bool npr = of->npr != 0u && !sky;
 	bool outline = npr && ts_k_is_outline(of, i);
 	f32 least = npr ? ts_k_outline_margin(of, i, outline) : TS_MARGIN_NOWHERE;
 	for (u32 k = 0u; k < of->n_lights && !sky && !outline; k++)

@@ -57,14 +57,14 @@ TS_FN void ts_k_fragment_gaussian(ts_surfel_fragment *r, const ts_disc *disc, ts
 TS_FN bool ts_k_has_screen(const ts_disc *disc, const ts_filter *filter)
 {
 	bool crosses = (disc->flags & TS_DISC_CROSSES) != 0u;
-	return filter->per_sigma2 > 0.0f && filter->filter != TS_FILTER_IS_OBJECT && !crosses;
+	return filter->per_sigma2 > 0.0f && filter->filter != TS_FILTER_OBJECT && !crosses;
 }
 
 /* The fragment of approximate EWA, or of one of its two filters. */
 TS_FN void ts_k_fragment_radius(ts_surfel_fragment *r, const ts_disc *disc, const ts_filter *filter,
                                 const ts_disc_hit *hit, ts_v2 d)
 {
-	bool object = hit->inside && filter->filter != TS_FILTER_IS_SCREEN;
+	bool object = hit->inside && filter->filter != TS_FILTER_SCREEN;
 	f32 screen2 = (d.x * d.x + d.y * d.y) * filter->per_sigma2;
 	bool screen = ts_k_has_screen(disc, filter) && screen2 <= 1.0f;
 	f32 r2 = object ? hit->r2 : screen2;
@@ -79,7 +79,7 @@ TS_FN ts_surfel_fragment ts_k_surfel_fragment(const ts_disc *disc, const ts_filt
 	ts_surfel_fragment r;
 	ts_v2 d = ts_k_disc_offset(disc, x, y);
 	ts_disc_hit hit = ts_k_disc_hit(disc, near, d.x, d.y);
-	if (filter->filter == TS_FILTER_IS_EWA) {
+	if (filter->filter == TS_FILTER_EWA) {
 		ts_k_fragment_gaussian(&r, disc, d);
 	} else {
 		ts_k_fragment_radius(&r, disc, filter, &hit, d);

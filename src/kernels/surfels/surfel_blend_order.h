@@ -13,8 +13,10 @@
 #include "kernels/base/half.h"
 #include "kernels/surfels/surfel_blend.h"
 
-#define TS_ACCUMULATION_IS_HALF 2u
-#define TS_ACCUMULATION_IS_8BIT 3u
+#define TS_ACCUMULATION_FIXED 0u
+#define TS_ACCUMULATION_FLOAT32 1u
+#define TS_ACCUMULATION_HALF 2u
+#define TS_ACCUMULATION_8BIT 3u
 
 #define TS_BLEND_NORMAL 3u /* index of the normal in a pixel's sums */
 
@@ -27,14 +29,14 @@
 	ARG(SUM, i64, sums, surfel_blend_sum) \
 	ARG(MIN, u64, heaviest, surfel_blend_heaviest) \
 	ARG(VALUE, ts_filter, filter, none) \
-	ARG(VALUE, u32, accumulation, none) /* TS_ACCUMULATION_IS_* */
+	ARG(VALUE, u32, accumulation, none) /* TS_ACCUMULATION_* */
 TS_ARGS(ts_surfel_blend_order_args);
 
 /* A partial sum plus one term, in the format. */
 TS_FN f32 ts_k_blended(u32 accumulation, f32 sum, f32 term)
 {
-	bool short_float = accumulation == TS_ACCUMULATION_IS_HALF;
-	if (accumulation == TS_ACCUMULATION_IS_8BIT) {
+	bool short_float = accumulation == TS_ACCUMULATION_HALF;
+	if (accumulation == TS_ACCUMULATION_8BIT) {
 		f32 level = 255.0f * ts_clamp(term, 0.0f, 1.0f);
 		return ts_min(sum + ts_rint(level), 255.0f);
 	}
@@ -56,7 +58,7 @@ TS_FN i64 ts_k_blend_units(f32 x)
 TS_FN f32 ts_k_blend_number(u32 accumulation, u32 k, f32 sum, f32 weight)
 {
 	bool normal = k >= TS_BLEND_NORMAL && k < TS_BLEND_WEIGHT;
-	if (accumulation != TS_ACCUMULATION_IS_8BIT) return sum;
+	if (accumulation != TS_ACCUMULATION_8BIT) return sum;
 	f32 level = normal ? 2.0f * sum - weight : sum;
 	return level / 255.0f;
 }
@@ -76,7 +78,7 @@ TS_FN ts_blend_target ts_k_blend_none(void)
 /* Blends one more fragment into the target. */
 TS_FN void ts_k_blend_next(u32 accumulation, ts_blend_target *target, const ts_attributes *attributes, f32 weight)
 {
-	bool moved = accumulation == TS_ACCUMULATION_IS_8BIT;
+	bool moved = accumulation == TS_ACCUMULATION_8BIT;
 	for (u32 k = 0u; k < TS_BLEND_WEIGHT; k++) {
 		f32 value = attributes->value[k];
 		f32 stored = moved && k >= TS_BLEND_NORMAL ? 0.5f * value + 0.5f : value;

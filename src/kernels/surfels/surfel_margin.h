@@ -44,7 +44,7 @@ TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const
 	f32 centre = frame->c.z - (frame->a * frame->u.z + frame->b * frame->v.z);
 	f32 crossing = frame->crosses ? ts_abs(centre - view->near) / deep : TS_MARGIN_NOWHERE;
 	f32 before = ts_abs(frame->c.z - view->near) / deep;
-	bool close = filter->filter == TS_FILTER_IS_EWA && view->orthographic == 0u && frame->c.z > 0.0f;
+	bool close = filter->filter == TS_FILTER_EWA && view->orthographic == 0u && frame->c.z > 0.0f;
 	f32 room = close ? 1.0f - ts_k_disc_closeness(frame, filter) : 1.0f;
 	f32 closing = close ? ts_abs(room) / (4.0f * TS_MARGIN_ROUNDING) : TS_MARGIN_NOWHERE;
 	bool faces = slant > 0.0f;
@@ -126,7 +126,7 @@ TS_FN void ts_k_nearly_radius(ts_nearly_there *r, const ts_filter *filter, const
 	f32 far = 2.0f * (ts_abs(d.x) + ts_abs(d.y));
 	r->flat = square * filter->per_sigma2;
 	r->flat_step = (far * surfel->off) * filter->per_sigma2 + TS_MARGIN_ROUNDING * r->flat;
-	bool object = r->hit.inside && filter->filter != TS_FILTER_IS_SCREEN;
+	bool object = r->hit.inside && filter->filter != TS_FILTER_SCREEN;
 	bool lesser = !ts_k_has_screen(&surfel->disc, filter) || r->hit.r2 < r->flat;
 	f32 r2_step = object && lesser ? r->r2_step : r->flat_step;
 	r->weight_step = r2_step * filter->fall + TS_MARGIN_ROUNDING;
@@ -141,7 +141,7 @@ TS_FN ts_nearly_there ts_k_nearly_there(const ts_surfel_margin_args *args, const
 	r.is = ts_k_surfel_fragment(&surfel->disc, &args->filter, view->near, x, y);
 	r.hit = ts_k_disc_hit(&surfel->disc, view->near, d.x, d.y);
 	ts_k_nearly_hit(&r, surfel, d);
-	if (args->filter.filter == TS_FILTER_IS_EWA) {
+	if (args->filter.filter == TS_FILTER_EWA) {
 		ts_k_nearly_gaussian(&r, &args->filter, surfel, d);
 	} else {
 		ts_k_nearly_radius(&r, &args->filter, surfel, d);
@@ -230,7 +230,7 @@ TS_FN ts_blend_tests ts_k_blend_tests(const ts_surfel_margin_args *args, const t
 {
 	ts_blend_tests r;
 	u64 key = args->keys[(u64)y * (u64)view->width + (u64)x];
-	bool ewa = args->filter.filter == TS_FILTER_IS_EWA;
+	bool ewa = args->filter.filter == TS_FILTER_EWA;
 	bool filtered = ewa ? surfel->disc.peak > 0.0f : ts_k_has_screen(&surfel->disc, &args->filter);
 	bool within = there->flat <= 1.0f;
 	f32 of_flat = there->flat_step > 0.0f ? ts_abs(there->flat - 1.0f) / there->flat_step : TS_MARGIN_NOWHERE;
@@ -254,11 +254,11 @@ TS_FN bool ts_k_is_blended(const ts_filter *filter, const ts_blend_tests *tests,
 	bool flat = tests->covers != ((turned & 2u) != 0u);
 	u32 k = inside ? 1u : 0u;
 	bool before = tests->before[k] != ((turned & 4u) != 0u);
-	bool of_object = filter->filter == TS_FILTER_IS_MIN || filter->filter == TS_FILTER_IS_OBJECT;
+	bool of_object = filter->filter == TS_FILTER_MIN || filter->filter == TS_FILTER_OBJECT;
 	f32 most = (turned & 1u) != 0u ? tests->inside_margin : 0.0f;
 	most = ts_max(most, (turned & 2u) != 0u ? tests->covers_margin : 0.0f);
 	*margin = ts_max(most, (turned & 4u) != 0u ? tests->before_margin[k] : 0.0f);
-	return before && ((inside && of_object) || (flat && filter->filter != TS_FILTER_IS_OBJECT));
+	return before && ((inside && of_object) || (flat && filter->filter != TS_FILTER_OBJECT));
 }
 
 /* The least margin by which the surfel is blended or not. */

@@ -20,10 +20,10 @@
 #include "kernels/base/args.h"
 #include "kernels/raster/view.h"
 
-#define TS_FILTER_IS_MIN 0u    /* r = min(r3D, r2D) */
-#define TS_FILTER_IS_OBJECT 1u /* r3D */
-#define TS_FILTER_IS_SCREEN 2u /* r2D */
-#define TS_FILTER_IS_EWA 3u    /* exact */
+#define TS_FILTER_MIN 0u    /* r = min(r3D, r2D) */
+#define TS_FILTER_OBJECT 1u /* r3D */
+#define TS_FILTER_SCREEN 2u /* r2D */
+#define TS_FILTER_EWA 3u    /* exact */
 
 #define TS_DISC_FLAT 1u     /* seen from the side: no footprint of its own */
 #define TS_DISC_PARALLEL 2u /* of an orthographic view */
@@ -34,7 +34,7 @@
 #define TS_A_LITTLE_MORE 1.0009765625f
 
 typedef struct {
-	u32 filter;     /* TS_FILTER_IS_* */
+	u32 filter;     /* TS_FILTER_* */
 	u32 botsch;     /* not 0: bounds are a square of half side r f / z */
 	u32 opens;      /* ewa.outline=filter */
 	f32 per_sigma2; /* 1 / sigma^2, sigma the radius of the screen filter in pixels; 0: there is none */
@@ -137,7 +137,7 @@ TS_FN void ts_k_disc_slopes(ts_disc_frame *r, const ts_camera_k *view)
 TS_FN void ts_k_disc_cross(ts_disc_frame *r, const ts_filter *filter)
 {
 	f32 deeper = ts_sqrt(ts_flush(r->u.z * r->u.z + r->v.z * r->v.z));
-	r->crosses = filter->filter < TS_FILTER_IS_SCREEN && deeper > 0.0f;
+	r->crosses = filter->filter < TS_FILTER_SCREEN && deeper > 0.0f;
 	if (!r->crosses) return;
 	r->a = r->u.z / deeper;
 	r->b = r->v.z / deeper;
@@ -203,7 +203,7 @@ TS_FN void ts_k_disc_gaussian(ts_disc *disc, const ts_filter *filter, const ts_d
 	f32 xy = filter->object2 * (f->xa * f->ya + f->xb * f->yb);
 	f32 yy = filter->object2 * (f->ya * f->ya + f->yb * f->yb) + filter->screen2;
 	f32 det = ts_flush(ts_diff_of_products(xx, yy, xy, xy));
-	bool none = filter->filter != TS_FILTER_IS_EWA || !(det > 0.0f);
+	bool none = filter->filter != TS_FILTER_EWA || !(det > 0.0f);
 	f32 d = none ? 1.0f : det;
 	f32 area = filter->object2 * ts_abs(ts_diff_of_products(f->xa, f->yb, f->xb, f->ya));
 	disc->conic[0] = none ? 0.0f : ts_put(yy / d);
@@ -272,7 +272,7 @@ TS_FN void ts_k_disc_box(ts_disc *disc, const ts_camera_k *view, const ts_filter
 		y = ts_k_crossing(view, f, -f->c.y, -f->u.y, -f->v.y);
 	}
 	if (flat) x = y = ts_v2_make(0.0f, 0.0f);
-	if (filter->filter == TS_FILTER_IS_EWA) {
+	if (filter->filter == TS_FILTER_EWA) {
 		x = ts_k_blurred(filter, x, f->xa, f->xb, uz, vz);
 		y = ts_k_blurred(filter, y, f->ya, f->yb, uz, vz);
 	}
@@ -340,7 +340,7 @@ TS_FN u32 ts_k_disc(ts_disc *disc, const ts_camera_k *view, const ts_filter *fil
 	ts_disc_frame frame = ts_k_disc_frame(view, filter, surfel);
 	if (!(frame.c.z >= view->near)) return TS_DISC_BEFORE;
 	bool parallel = view->orthographic != 0u;
-	bool affine = parallel || filter->filter != TS_FILTER_IS_EWA || ts_k_disc_closeness(&frame, filter) < 1.0f;
+	bool affine = parallel || filter->filter != TS_FILTER_EWA || ts_k_disc_closeness(&frame, filter) < 1.0f;
 	if (!affine) return TS_DISC_BEFORE;
 	return ts_k_disc_make(disc, view, filter, &frame, n, slant);
 }

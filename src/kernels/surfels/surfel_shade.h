@@ -14,9 +14,9 @@
 #include "kernels/surfels/normal_field.h"
 #include "kernels/surfels/surfel_blend.h"
 
-#define TS_SHADING_IS_FLAT 1u
-#define TS_SHADING_IS_GOURAUD 2u
-#define TS_SHADING_IS_PHONG 3u
+#define TS_SHADING_FLAT 1u
+#define TS_SHADING_GOURAUD 2u
+#define TS_SHADING_PHONG 3u
 
 #define TS_ROWS_ts_surfel_shade_args(ARG) \
 	ARG(INNER, ts_surfel_blend_args, of, none) \
@@ -24,8 +24,8 @@
 	ARG(IN_OPT, f32, slopes, normal_field_slope) /* of phong */ \
 	ARG(TALLY, i64, shaded, 2)                   /* shading operations */ \
 	ARG(VALUE, u32, n_lights, none) \
-	ARG(VALUE, u32, shading, none) /* TS_SHADING_IS_* */ \
-	ARG(VALUE, u32, shader, none)  /* TS_SHADER_IS_* */ \
+	ARG(VALUE, u32, shading, none) /* TS_SHADING_* */ \
+	ARG(VALUE, u32, npr, none)     /* see ts_deferred_args */ \
 	ARG(VALUE, f32, ambient, none) \
 	ARG(VALUE, f32, exposure, none)
 TS_ARGS(ts_surfel_shade_args);
@@ -70,7 +70,7 @@ TS_FN ts_attributes ts_k_shaded_colour(const ts_surfel_shade_args *args, const t
 	ts_v3 v = ts_normalize(ts_sub(view->eye, at->p));
 	ts_v3 sum = ts_scale(albedo, args->ambient);
 	for (u32 k = 0u; k < args->n_lights; k++) {
-		sum = ts_add(sum, ts_k_shade_by(&args->lights[k], 1.0f, args->shader, at->p, at->n, v, albedo));
+		sum = ts_add(sum, ts_k_shade_by(&args->lights[k], 1.0f, args->npr, at->p, at->n, v, albedo));
 	}
 	r.value[0] = ts_clamp(sum.x * args->exposure, 0.0f, 1.0f);
 	r.value[1] = ts_clamp(sum.y * args->exposure, 0.0f, 1.0f);
@@ -84,7 +84,7 @@ TS_FN ts_attributes ts_k_shaded_colour(const ts_surfel_shade_args *args, const t
 /* Whether a visible fragment counts: for flat only that of the nearest surfel. */
 TS_FN bool ts_k_shows(u32 shading, u64 key, u32 surfel)
 {
-	return shading != TS_SHADING_IS_FLAT || key == TS_EMPTY || (u32)key == surfel;
+	return shading != TS_SHADING_FLAT || key == TS_EMPTY || (u32)key == surfel;
 }
 
 /* scatter over surfels */
@@ -94,7 +94,7 @@ TS_FN void ts_k_surfel_shade_item(const ts_surfel_shade_args *args, u64 i)
 	ts_camera_k view = ts_k_view(of->view);
 	ts_disc disc = of->discs[i];
 	if (disc.high[0] < disc.low[0]) return;
-	bool phong = args->shading == TS_SHADING_IS_PHONG;
+	bool phong = args->shading == TS_SHADING_PHONG;
 	ts_shading_place at = ts_k_centre_place(&of->surfels[i], &disc);
 	ts_attributes colour = ts_k_shaded_colour(args, &view, i, &at);
 	i64 n = 0;

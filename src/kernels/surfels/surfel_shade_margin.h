@@ -18,7 +18,7 @@ TS_FN f32 ts_k_shading_margin(const ts_surfel_shade_args *args, const ts_shading
 {
 	f32 least = TS_MARGIN_NOWHERE;
 	for (u32 k = 0u; k < args->n_lights; k++) {
-		least = ts_min(least, ts_k_cosine_margin(&args->lights[k], 1.0f, args->shader, at->p, at->n, step));
+		least = ts_min(least, ts_k_cosine_margin(&args->lights[k], 1.0f, args->npr, at->p, at->n, step));
 	}
 	return least;
 }
@@ -43,7 +43,7 @@ TS_FN void ts_k_surfel_shade_margin_item(const ts_surfel_shade_margin_args *args
 	ts_nearly surfel = ts_k_nearly(&args->by, &view, (u32)i);
 	if (!surfel.drawn) return;
 	ts_shading_place centre = ts_k_centre_place(&args->of.of.surfels[i], &surfel.disc);
-	bool phong = args->of.shading == TS_SHADING_IS_PHONG;
+	bool phong = args->of.shading == TS_SHADING_PHONG;
 	f32 margin = ts_k_shading_margin(&args->of, &centre, TS_MARGIN_ROUNDING);
 	for (i32 y = surfel.disc.low[1]; y <= surfel.disc.high[1]; y++) {
 		for (i32 x = surfel.disc.low[0]; x <= surfel.disc.high[0]; x++) {

@@ -84,7 +84,7 @@ static const ts_vector gathered[] = {
 	{ PRIMITIVE(lobe_irradiance), "ts_k_lobe_irradiance",
 	  "irradiance of a surface with normal n by a lobe; method and printed as in sg_cosine",
 	  { LENGTH("mu", 1), SHARP("lambda", 1), UNIT("phi"), UNIT("n"),
-	    UNSIGNED("method", 1, TS_COSINE_IS_OURS, TS_COSINE_IS_QUADRATURE), FLAG("printed") }, GIVES(F32, 1),
+	    UNSIGNED("method", 1, TS_COSINE_OURS, TS_COSINE_QUADRATURE), FLAG("printed") }, GIVES(F32, 1),
 	  .relate = relate_irradiance },
 	{ PRIMITIVE(lamp_triangle), "ts_k_polygon_disc, ts_k_polygon_ball", "triangle k of a disc or of a ball of radius r",
 	  { NEAR("p", 3), UNIT("n"), LENGTH("r", 1), UNSIGNED("k", 1, 0, 7), FLAG("ball") },

@@ -61,7 +61,7 @@ static const ts_vector light[] = {
 	{ PRIMITIVE(sg_cosine), "ts_k_sg_cosine",
 	  "integral of a spherical Gaussian and the cosine; method 0 SSAGH's, 1 constant, 2 a Gaussian, 3 quadrature",
 	  { POSITIVE("lambda", 1, 107, 143), { "cos_beta", TS_VECTOR_F32, 1, 97, 127, true },
-	    UNSIGNED("method", 1, TS_COSINE_IS_OURS, TS_COSINE_IS_QUADRATURE), UNSIGNED("printed", 1, 0, 1) },
+	    UNSIGNED("method", 1, TS_COSINE_OURS, TS_COSINE_QUADRATURE), UNSIGNED("printed", 1, 0, 1) },
 	  GIVES(F32, 1) },
 	{ PRIMITIVE(sg_sharpness), "ts_k_sg_sharpness", "of the length of a mean; vmf 0 Toksvig's, 1 of a von Mises-Fisher",
 	  { POSITIVE("r", 1, 97, 127), UNSIGNED("vmf", 1, 0, 1) }, GIVES(F32, 1), EDGES(sharpness_edges) },

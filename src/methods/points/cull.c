@@ -21,7 +21,7 @@ f32 ts_cull_unit(const ts_params *params)
 /* The pixels of iVIR and VIR are samples. */
 static f32 unit_of(const ts_run *run)
 {
-	return run->plan.points.rate == TS_RATE_IS_EYE ? ts_cull_unit(&run->params) : 1.0f;
+	return run->plan.points.rate == TS_RATE_EYE ? ts_cull_unit(&run->params) : 1.0f;
 }
 
 static ts_cull_args values(const ts_run *run)

@@ -69,7 +69,10 @@ const ts_step ts_ivir_omni_steps[] = {
 
 static void set_rate(ts_plan *plan, const ts_params *params)
 {
-	plan->points.rate = TS_RATE_IS_WATERTIGHT + TS_PARAM(params, density_rate);
+	static const u32 rates[] = {[TS_DENSITY_RATE_WATERTIGHT] = TS_RATE_WATERTIGHT,
+	                            [TS_DENSITY_RATE_EXACT] = TS_RATE_EXACT,
+	                            [TS_DENSITY_RATE_PAPER] = TS_RATE_PAPER};
+	plan->points.rate = rates[TS_PARAM(params, density_rate)];
 }
 
 static void ivir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)

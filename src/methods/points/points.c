@@ -14,7 +14,7 @@ ts_points_args ts_points_values(const ts_run *run)
 		.scene = ts_run_scene(run),
 		.half_size = half_sizes[TS_PARAM(&run->params, points_conservative)],
 		.paper_splat = TS_PARAM(&run->params, splat_size) == TS_SPLAT_PAPER,
-		.snap = run->plan.points.rate != TS_RATE_IS_EYE && TS_PARAM(&run->params, points_snap),
+		.snap = run->plan.points.rate != TS_RATE_EYE && TS_PARAM(&run->params, points_snap),
 	};
 }
 

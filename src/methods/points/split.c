@@ -45,7 +45,7 @@ static ts_status split(ts_run *run)
 		.greatest = ts_greatest_side(&run->params),
 		.ball = TS_PARAM(&run->params, density_mirror) == TS_MIRROR_BALL,
 		.offaxis = TS_PARAM(&run->params, density_off_axis),
-		.rate = TS_RATE_IS_EYE,
+		.rate = TS_RATE_EYE,
 	};
 	return divide(run, &of_eye, args);
 }
@@ -61,11 +61,14 @@ static ts_status divide_for_views(ts_run *run, u32 shadow)
 	return divide(run, &of_views, args);
 }
 
-static ts_status split_views(ts_run *run) { return divide_for_views(run, TS_SHADOW_IS_NONE); }
+static ts_status split_views(ts_run *run) { return divide_for_views(run, TS_SHADOW_NONE); }
 
 static ts_status split_shadow(ts_run *run)
 {
-	return divide_for_views(run, TS_SHADOW_IS_SAFE + TS_PARAM(&run->params, shadow_splat_rate));
+	static const u32 rates[] = {[TS_SHADOW_RATE_SAFE] = TS_SHADOW_SAFE,
+	                            [TS_SHADOW_RATE_UNIT] = TS_SHADOW_UNIT,
+	                            [TS_SHADOW_RATE_PAPER] = TS_SHADOW_PAPER};
+	return divide_for_views(run, rates[TS_PARAM(&run->params, shadow_splat_rate)]);
 }
 
 const ts_stage ts_stage_split = {

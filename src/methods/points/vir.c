@@ -12,19 +12,19 @@
 static void vir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)counts, (void)request;
-	plan->points.rate = TS_RATE_IS_VIR;
+	plan->points.rate = TS_RATE_VIR;
 	ts_plan_largest(plan, params);
 }
 
 static void vir_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	plan->points.rate = TS_RATE_IS_VIR;
+	plan->points.rate = TS_RATE_VIR;
 	ts_soft_plan(plan, params, counts, request);
 }
 
 static void vir_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	plan->points.rate = TS_RATE_IS_VIR;
+	plan->points.rate = TS_RATE_VIR;
 	ts_omni_plan(plan, params, counts, request);
 }
 

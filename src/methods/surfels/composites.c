@@ -55,7 +55,7 @@ static void relate_fragment(u32 *in, u32 random)
 		in[AT + k] = (u32)(ts_row_i32(in, k) + (i32)((ts_more(&random) >> 8) % 9) - 4);
 	}
 	f32 most = ts_sqrt(ts_abs(ts_row_f32(in, CONIC)) * ts_abs(ts_row_f32(in, CONIC + 2)));
-	if (in[FRAGMENT_FILTER] >= TS_FILTER_IS_SCREEN) in[DISC_FLAGS] &= ~TS_DISC_CROSSES;
+	if (in[FRAGMENT_FILTER] >= TS_FILTER_SCREEN) in[DISC_FLAGS] &= ~TS_DISC_CROSSES;
 	bool crosses = (in[DISC_FLAGS] & TS_DISC_CROSSES) != 0;
 	ts_relate_f32(in + CONIC, ts_abs(ts_row_f32(in, CONIC)));
 	ts_relate_f32(in + CONIC + 1, crosses ? 0.5f : (ts_uniform(ts_more(&random)) - 0.5f) * most);
@@ -82,7 +82,7 @@ static void relate_light(u32 *in, u32 random)
 }
 
 /* clang-format off */
-#define FILTER UNSIGNED("filter", 1, TS_FILTER_IS_MIN, TS_FILTER_IS_EWA), FLAG("botsch"), LENGTH("per_sigma2", 1), \
+#define FILTER UNSIGNED("filter", 1, TS_FILTER_MIN, TS_FILTER_EWA), FLAG("botsch"), LENGTH("per_sigma2", 1), \
 	LENGTH("reach", 1), LENGTH("fall", 1), SHARE("object2", 1), SHARE("screen2", 1)
 #define SCREEN(name) { name, TS_VECTOR_F32, 2, 102, 126, true }
 

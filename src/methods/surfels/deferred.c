@@ -19,10 +19,10 @@ bool ts_shader_has_shadows(const ts_params *params)
 	       TS_PARAM(params, deferred_shader) == TS_SHADER_NPR_SHADOW;
 }
 
-u32 ts_shader_of(const ts_params *params)
+bool ts_shader_is_npr(const ts_params *params)
 {
-	u32 shader = TS_PARAM(params, deferred_shader);
-	return shader == TS_SHADER_NPR || shader == TS_SHADER_NPR_SHADOW ? TS_SHADER_IS_NPR : TS_SHADER_IS_PHONG;
+	return TS_PARAM(params, deferred_shader) == TS_SHADER_NPR ||
+	       TS_PARAM(params, deferred_shader) == TS_SHADER_NPR_SHADOW;
 }
 
 static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
@@ -56,7 +56,7 @@ static ts_deferred_args values(const ts_run *run)
 {
 	return (ts_deferred_args){
 		.n_lights = (u32)ts_run_size(run, TS_DIM_lamps),
-		.shader = ts_shader_of(&run->params),
+		.npr = ts_shader_is_npr(&run->params),
 		.ambient = ts_run_info(run)->ambient,
 		.exposure = TS_PARAM(&run->params, image_exposure),
 	};

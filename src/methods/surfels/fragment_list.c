@@ -1,6 +1,7 @@
 /* Lists of fragments, for sums in their order. */
 #include "kernels/base/sort.h"
 #include "kernels/surfels/fragment_list.h"
+#include "kernels/surfels/surfel_blend_order.h"
 #include "methods/surfels/surfel.h"
 
 /* Until it is written, the start of a pixel's list stands in the entry after its own. */

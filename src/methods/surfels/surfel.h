@@ -11,8 +11,8 @@ ts_filter ts_surfel_filter(const ts_run *run);
 bool ts_accumulates_in_order(const ts_params *params);
 /* Whether `deferred.shader` asks for shadows (deferred.c). */
 bool ts_shader_has_shadows(const ts_params *params);
-/* The TS_SHADER_IS_* of `deferred.shader` (deferred.c). */
-u32 ts_shader_of(const ts_params *params);
+/* Whether it asks for tones and outlines. */
+bool ts_shader_is_npr(const ts_params *params);
 /* Arguments for callers that evaluate the shading of stage `deferred` (deferred.c). */
 ts_status ts_deferred_ask(const ts_run *run, ts_deferred_args *args);
 /* The shading of surfels that are shaded before they are blended, for arguments of kernels (surfel_shade.c). */

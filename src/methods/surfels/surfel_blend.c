@@ -21,7 +21,7 @@ static ts_status blend_in_order(ts_run *run)
 static ts_status blend_shaded(ts_run *run, u64 n)
 {
 	ts_surfel_shade_args args = ts_surfel_shading(run);
-	bool each = args.shading == TS_SHADING_IS_PHONG;
+	bool each = args.shading == TS_SHADING_PHONG;
 	if (TS_RUN(run, each ? &shaded_each : &shaded_once, &args, n) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "shading operations", ts_frame_tally(&run->frame, 2));
 	return TS_OK;

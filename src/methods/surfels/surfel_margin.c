@@ -24,7 +24,7 @@ static ts_status surfel_depth_margin(ts_run *run) { return measure(run, &of_dept
 static ts_status surfel_blend_margin(ts_run *run)
 {
 	ts_surfel_shade_margin_args args = {.of = ts_surfel_shading(run), .by = {.filter = ts_surfel_filter(run)}};
-	const ts_launch *launch = args.of.shading == TS_SHADING_IS_PHONG ? &of_phong : &of_shading;
+	const ts_launch *launch = args.of.shading == TS_SHADING_PHONG ? &of_phong : &of_shading;
 	if (measure(run, &of_fragments) != TS_OK) return TS_ERROR;
 	return args.of.shading != 0 ? TS_RUN(run, launch, &args, ts_run_size(run, TS_DIM_surfels)) : TS_OK;
 }

@@ -14,7 +14,7 @@ ts_filter ts_surfel_filter(const ts_run *run)
 		TS_PARAM(params, ewa_sigma_h) != 0.0f ? TS_PARAM(params, ewa_sigma_h) : sigma * TS_PARAM(params, ewa_sigma_k);
 	bool screen = sigma > 0.0f && TS_PARAM(params, ewa_filter) != TS_FILTER_OBJECT;
 	return (ts_filter){
-		.filter = run->plan.surfels.exact ? TS_FILTER_IS_EWA : TS_PARAM(params, ewa_filter),
+		.filter = run->plan.surfels.exact ? TS_FILTER_EWA : TS_PARAM(params, ewa_filter),
 		.botsch = TS_PARAM(params, surfel_setup_bounds) == TS_BOUNDS_BOTSCH,
 		.opens = TS_PARAM(params, ewa_outline) == TS_OUTLINE_FILTER,
 		.per_sigma2 = screen ? 1.0f / (sigma * sigma) : 0.0f,

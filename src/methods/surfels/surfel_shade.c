@@ -9,7 +9,7 @@ ts_surfel_shade_args ts_surfel_shading(const ts_run *run)
 		.of = {.filter = ts_surfel_filter(run)},
 		.n_lights = (u32)ts_run_size(run, TS_DIM_lamps),
 		.shading = run->plan.surfels.shading,
-		.shader = ts_shader_of(&run->params),
+		.npr = ts_shader_is_npr(&run->params),
 		.ambient = ts_run_info(run)->ambient,
 		.exposure = TS_PARAM(&run->params, image_exposure),
 	};

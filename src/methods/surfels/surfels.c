@@ -86,19 +86,19 @@ static void ewa_plan(ts_plan *plan, const ts_params *params, const ts_counts *co
 static void flat_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	deferred_plan(plan, params, counts, request);
-	plan->surfels.shading = TS_SHADING_IS_FLAT;
+	plan->surfels.shading = TS_SHADING_FLAT;
 }
 
 static void gouraud_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	deferred_plan(plan, params, counts, request);
-	plan->surfels.shading = TS_SHADING_IS_GOURAUD;
+	plan->surfels.shading = TS_SHADING_GOURAUD;
 }
 
 static void phong_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	deferred_plan(plan, params, counts, request);
-	plan->surfels.shading = TS_SHADING_IS_PHONG;
+	plan->surfels.shading = TS_SHADING_PHONG;
 }
 
 static void surfels_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)

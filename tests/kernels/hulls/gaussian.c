@@ -24,7 +24,7 @@ static void integrals_are_those_of_the_figures(void **state)
 	for (u32 i = 0; i < 3; i++) {
 		double c = cos(slanted[i][1]);
 		assert_near(sg_truth(slanted[i][0], c), slanted[i][2], 1e-10);
-		f32 found = ts_k_sg_cosine((f32)slanted[i][0], (f32)c, TS_COSINE_IS_QUADRATURE, 0);
+		f32 found = ts_k_sg_cosine((f32)slanted[i][0], (f32)c, TS_COSINE_QUADRATURE, 0);
 		assert_true(relative(found, slanted[i][2]) < 3e-6);
 	}
 }
@@ -103,14 +103,14 @@ static void nodes_suffice_at_every_sharpness(void **state)
 	(void)state;
 	for (u32 i = 0; i < N_LAMBDA; i++) {
 		f32 lambda = sharpness(i, 1e5);
-		assert_true(errors_of(lambda, TS_COSINE_IS_QUADRATURE).most < 1.2e-6 * sg_up(lambda));
+		assert_true(errors_of(lambda, TS_COSINE_QUADRATURE).most < 1.2e-6 * sg_up(lambda));
 	}
 	for (u32 i = 0; i < 5000; i++) {
 		f32 lambda = sharpness(below(N_LAMBDA), 1e5), c = uniform(-1, 1);
-		f32 found = ts_k_sg_cosine(lambda, c, TS_COSINE_IS_QUADRATURE, 0);
+		f32 found = ts_k_sg_cosine(lambda, c, TS_COSINE_QUADRATURE, 0);
 		assert_near(found, sg_truth(lambda, c), 1.2e-6 * sg_up(lambda));
 	}
-	assert_near(ts_k_sg_cosine(0, 0.3f, TS_COSINE_IS_QUADRATURE, 0), sg_pi, 4e-6);
+	assert_near(ts_k_sg_cosine(0, 0.3f, TS_COSINE_QUADRATURE, 0), sg_pi, 4e-6);
 }
 
 /* Eqs 15 to 18: as near as FIGURES 9 says, and nearer than the rivals. */
@@ -121,18 +121,18 @@ static void our_cosine_is_nearer_than_its_rivals(void **state)
 	for (u32 i = 0; i < N_LAMBDA; i++) {
 		f32 lambda = sharpness(i, 700);
 		double up = sg_up(lambda);
-		errors e = errors_of(lambda, TS_COSINE_IS_OURS);
+		errors e = errors_of(lambda, TS_COSINE_OURS);
 		most = fmax(most, e.most / up);
 		rmse = fmax(rmse, e.rmse);
 		relative_rmse = fmax(relative_rmse, e.rmse / up);
-		assert_true(e.rmse < errors_of(lambda, TS_COSINE_IS_CONSTANT).rmse);
-		assert_true(e.rmse < errors_of(lambda, TS_COSINE_IS_SG).rmse);
+		assert_true(e.rmse < errors_of(lambda, TS_COSINE_CONSTANT).rmse);
+		assert_true(e.rmse < errors_of(lambda, TS_COSINE_SG).rmse);
 	}
 	assert_true(most > 0.008 && most < 0.009);
 	assert_true(rmse > 4.7e-3 * 0.98 && rmse < 4.7e-3 * 1.02);
 	assert_true(relative_rmse > 0.0034 && relative_rmse < 0.0036);
 	for (f32 lambda = 700; lambda < 1e5f; lambda *= 3) {
-		assert_true(errors_of(lambda, TS_COSINE_IS_OURS).most < 2.5e-4 * sg_up(lambda));
+		assert_true(errors_of(lambda, TS_COSINE_OURS).most < 2.5e-4 * sg_up(lambda));
 	}
 }
 
@@ -144,17 +144,17 @@ static void the_closed_form_stays_within_its_ends(void **state)
 	for (u32 i = 0; i < N_LAMBDA; i++) {
 		f32 lambda = sharpness(i, 1e5), up = ts_k_sg_upper(lambda, 0), down = ts_k_sg_lower(lambda, 0);
 		double right_up = sg_up(lambda), right_down = sg_down(lambda);
-		assert_true(same_bits(ts_k_sg_cosine(lambda, 1, TS_COSINE_IS_OURS, 0), up));
-		assert_true(same_bits(ts_k_sg_cosine(lambda, -1, TS_COSINE_IS_OURS, 0), down));
-		assert_true(same_bits(ts_k_sg_cosine(lambda, 2, TS_COSINE_IS_OURS, 0), up));
+		assert_true(same_bits(ts_k_sg_cosine(lambda, 1, TS_COSINE_OURS, 0), up));
+		assert_true(same_bits(ts_k_sg_cosine(lambda, -1, TS_COSINE_OURS, 0), down));
+		assert_true(same_bits(ts_k_sg_cosine(lambda, 2, TS_COSINE_OURS, 0), up));
 		for (u32 k = 0; k < N_BETA; k++) {
-			f32 found = ts_k_sg_cosine(lambda, cosine(k), TS_COSINE_IS_OURS, 0);
+			f32 found = ts_k_sg_cosine(lambda, cosine(k), TS_COSINE_OURS, 0);
 			double share = sg_share(lambda, cosine(k));
 			assert_near(found, share * right_up + (1 - share) * right_down, 1.2e-6 * up);
 			assert_true(found >= down * (1 - 1e-6f) && found <= up * (1 + 1e-6f));
 		}
 	}
-	assert_near(ts_k_sg_cosine(0, 0.5f, TS_COSINE_IS_OURS, 0), sg_pi, 1e-6);
+	assert_near(ts_k_sg_cosine(0, 0.5f, TS_COSINE_OURS, 0), sg_pi, 1e-6);
 	assert_near(ts_k_sg_s(0, 0.5f), 0.5 / 0.5033, 1e-6);
 }
 
@@ -169,14 +169,14 @@ static void rivals_match_their_definitions(void **state)
 	};
 	for (u32 i = 0; i < sizeof rows / sizeof rows[0]; i++) {
 		f32 lambda = (f32)rows[i][0];
-		assert_true(relative(errors_of(lambda, TS_COSINE_IS_CONSTANT).rmse, rows[i][1]) < 0.04);
-		assert_true(relative(errors_of(lambda, TS_COSINE_IS_SG).rmse, rows[i][2]) < 0.02);
+		assert_true(relative(errors_of(lambda, TS_COSINE_CONSTANT).rmse, rows[i][1]) < 0.04);
+		assert_true(relative(errors_of(lambda, TS_COSINE_SG).rmse, rows[i][2]) < 0.02);
 	}
 	for (u32 i = 0; i < 20000; i++) {
 		f32 lambda = sharpness(below(N_LAMBDA), 1e5), c = uniform(-1, 1);
-		assert_true(relative(ts_k_sg_cosine(lambda, c, TS_COSINE_IS_SG, 0), sg_as_sg(lambda, c)) < 4e-6);
-		assert_true(relative(ts_k_sg_cosine(lambda, 0.5f, TS_COSINE_IS_CONSTANT, 0), 0.5 * sg_sphere(lambda)) < 4e-7);
-		assert_true(ts_k_sg_cosine(lambda, -ts_abs(c), TS_COSINE_IS_CONSTANT, 0) == 0);
+		assert_true(relative(ts_k_sg_cosine(lambda, c, TS_COSINE_SG, 0), sg_as_sg(lambda, c)) < 4e-6);
+		assert_true(relative(ts_k_sg_cosine(lambda, 0.5f, TS_COSINE_CONSTANT, 0), 0.5 * sg_sphere(lambda)) < 4e-7);
+		assert_true(ts_k_sg_cosine(lambda, -ts_abs(c), TS_COSINE_CONSTANT, 0) == 0);
 	}
 }
 
@@ -235,11 +235,11 @@ static void sharp_lobes_act_as_directions(void **state)
 	for (f32 lambda = 1e6f; lambda < 2e8f; lambda *= 10) {
 		for (f32 c = 0.1f; c < 1; c += 0.1f) {
 			double right = 2 * sg_pi * (double)c / (double)lambda;
-			assert_near(ts_k_sg_cosine(lambda, c, TS_COSINE_IS_OURS, 0), right, 1e-4 * right);
-			assert_near(ts_k_sg_cosine(lambda, c, TS_COSINE_IS_QUADRATURE, 0), right, 1e-4 * right);
-			assert_near(ts_k_sg_cosine(lambda, c, TS_COSINE_IS_CONSTANT, 0), right, 1e-4 * right);
+			assert_near(ts_k_sg_cosine(lambda, c, TS_COSINE_OURS, 0), right, 1e-4 * right);
+			assert_near(ts_k_sg_cosine(lambda, c, TS_COSINE_QUADRATURE, 0), right, 1e-4 * right);
+			assert_near(ts_k_sg_cosine(lambda, c, TS_COSINE_CONSTANT, 0), right, 1e-4 * right);
 		}
-		assert_near(ts_k_sg_cosine(lambda, -0.1f, TS_COSINE_IS_OURS, 0), 0, 1e-15);
+		assert_near(ts_k_sg_cosine(lambda, -0.1f, TS_COSINE_OURS, 0), 0, 1e-15);
 	}
 }
 

@@ -15,7 +15,7 @@ static ts_glossy glossy_of(ts_v3 n, ts_v3 v, ts_v3 f0, f32 a2)
 	ts_gloss gloss = {.alpha_squared = a2};
 	ts_store3(gloss.f0, f0);
 	ts_k_gpixel_store(&pixel, ts_v3_make(0, 0, 0), 0.5f, n, f0);
-	return ts_k_glossy(&pixel, &gloss, v, TS_COSINE_IS_QUADRATURE, 0);
+	return ts_k_glossy(&pixel, &gloss, v, TS_COSINE_QUADRATURE, 0);
 }
 
 static ts_v3 about(ts_v3 n, f32 cosine)
@@ -170,7 +170,7 @@ static void gloss_adds_triangles_in_their_order(void **state)
 		                             .view = &eye,
 		                             .gloss = &gloss,
 		                             .specular = sent,
-		                             .cosine = TS_COSINE_IS_OURS};
+		                             .cosine = TS_COSINE_OURS};
 		ts_k_gloss_direct_item(&args, 0);
 		ts_glossy at = ts_k_glossy(&pixel, &gloss, ts_load3(eye.eye), args.cosine, 0);
 		ts_v3 sum = {0, 0, 0};

@@ -260,7 +260,7 @@ static void one_far_light_is_as_direct(void **state)
 		ts_direct_args whole = {.pixels = &pixel, .patches = &patch, .irradiance = direct, .n_patches = 1};
 		ts_k_direct_item(&whole, 0);
 		ts_sg g = ts_k_fit(sum.w.x, sum.red, i % 2);
-		static const u32 ways[] = {TS_COSINE_IS_OURS, TS_COSINE_IS_CONSTANT, TS_COSINE_IS_QUADRATURE};
+		static const u32 ways[] = {TS_COSINE_OURS, TS_COSINE_CONSTANT, TS_COSINE_QUADRATURE};
 		ts_hull_args args = {.cosine = ways[i % 3]};
 		f32 e = ts_k_lobe_irradiance(&args, &g, n);
 		if (cosine > 0.1f) assert_near(e, direct[0], 0.02 * direct[0]);

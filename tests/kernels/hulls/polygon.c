@@ -236,7 +236,7 @@ static void without_extent_a_light_is_one_direction(void **state)
 		assert_true(d3_distance(d3_scale(d3_of(ts_load3(m.direction + 6)), 1 / (4 * ff_pi * intensity)), way) < 1e-5);
 		ts_sg g = ts_k_fit(m.sum[0], ts_load3(m.direction), 0);
 		assert_true(g.lambda > 9e4f);
-		double lit = g.mu * ts_k_sg_cosine(g.lambda, ts_dot(n, g.phi), TS_COSINE_IS_OURS, 0) / ff_pi;
+		double lit = g.mu * ts_k_sg_cosine(g.lambda, ts_dot(n, g.phi), TS_COSINE_OURS, 0) / ff_pi;
 		if (fabs(cosine) > 0.05) assert_near(lit, fmax(0, cosine) * intensity, 1e-3 * intensity);
 	}
 }

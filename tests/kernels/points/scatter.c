@@ -120,7 +120,7 @@ static void random_mesh(mesh *m, ts_offscreen *views, i64 *n_capped)
 			for (u32 c = 0; c < 3; c++) m->vertices[t * 3 + v].colour[c] = uniform(0, 1);
 		}
 	}
-	mesh_split(m, views_density(m, views, N_VIEWS, TS_RATE_IS_PAPER, n_capped));
+	mesh_split(m, views_density(m, views, N_VIEWS, TS_RATE_PAPER, n_capped));
 	/* Enough for many to meet, and quick. */
 	for (u32 i = 0; i < m->n_pieces; i++) m->scale[i] = ts_min(m->scale[i] * 0.25f, 12);
 }
@@ -340,7 +340,7 @@ static void the_nearer_colour_stays(void **state)
 		                     .reach = {1, 1},
 		                     .object = TS_NONE};
 		i64 n_capped = 0, tally[3] = {0};
-		mesh_split(&m, views_density(&m, &view, 1, TS_RATE_IS_WATERTIGHT, &n_capped));
+		mesh_split(&m, views_density(&m, &view, 1, TS_RATE_WATERTIGHT, &n_capped));
 		mesh_align(&m);
 		ts_scatter_args args = views_scatter(&m, &view, 1, (ts_points_args){.half_size = 129, .snap = 1}, tally);
 		args.colours = texels[0];
@@ -374,7 +374,7 @@ static void a_tiny_triangle_makes_one_point(void **state)
 			mesh_triangle(&m, corner[0], corner[1], corner[2], 1, 0);
 			m.bits[k * 2] = 1;
 		}
-		mesh_split(&m, views_density(&m, &view, 1, TS_RATE_IS_WATERTIGHT, &n_capped));
+		mesh_split(&m, views_density(&m, &view, 1, TS_RATE_WATERTIGHT, &n_capped));
 		mesh_points(&m, 129, 0);
 		assert_int_equal(m.n_pieces, MESH_TRIANGLES);
 		points += m.n_points;

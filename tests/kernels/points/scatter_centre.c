@@ -98,7 +98,7 @@ static void covered_centres_have_the_planes_depth(void **state)
 		i64 tally[3] = {0};
 		if (!begin_one(&m, corner, 1, 0.1f, 4)) continue;
 		mesh_triangle(&m, corner[0], corner[1], corner[2], 1, 0);
-		ts_scatter_args args = make(&m, TS_RATE_IS_WATERTIGHT, tally);
+		ts_scatter_args args = make(&m, TS_RATE_WATERTIGHT, tally);
 		scatter(args, m.n_pieces, texels[0], false);
 		args.centre = 1;
 		scatter(args, m.n_pieces, texels[1], false);
@@ -148,7 +148,7 @@ static void scattered_centres_are_what_mvr_draws(void **state)
 		mesh m;
 		i64 tally[3] = {0};
 		random_mesh(&m, 0.01f, 4);
-		ts_scatter_args args = make(&m, TS_RATE_IS_WATERTIGHT, tally);
+		ts_scatter_args args = make(&m, TS_RATE_WATERTIGHT, tally);
 		args.centre = 1;
 		scatter(args, m.n_pieces, texels[0], false);
 		draw(&m, texels[1]);
@@ -179,7 +179,7 @@ static void a_wall_fills_all_texels(void **state)
 		}
 		ts_v3 u = ts_normalize(ts_cross(back, uniform3(-1, 1))), w = ts_cross(back, u);
 		mesh_triangle(&m, ts_mad(ts_scale(u, -16), w, -12), ts_mad(ts_scale(u, 16), w, -12), ts_scale(w, 16), 1, 0);
-		ts_scatter_args args = make(&m, TS_RATE_IS_WATERTIGHT, tally);
+		ts_scatter_args args = make(&m, TS_RATE_WATERTIGHT, tally);
 		args.centre = 1;
 		scatter(args, m.n_pieces, texels[0], false);
 		draw(&m, texels[1]);
@@ -215,7 +215,7 @@ static void centres_have_the_least_colour_drawn(void **state)
 		mesh m;
 		i64 tally[3] = {0};
 		random_mesh(&m, 0.01f, 4);
-		ts_scatter_args args = make(&m, TS_RATE_IS_WATERTIGHT, tally);
+		ts_scatter_args args = make(&m, TS_RATE_WATERTIGHT, tally);
 		args.centre = 1;
 		scatter(args, m.n_pieces, texels[0], true);
 		for (u32 k = 0; k < N_VIEWS * N_TEXELS; k++) {
@@ -241,7 +241,7 @@ static void masks_cut_at_the_centre(void **state)
 		if (!begin_one(&m, corner, 0.5f, 1, 3)) continue;
 		u32 t = mesh_triangle(&m, corner[0], corner[1], corner[2], 4, 0);
 		m.materials[4].flags |= TS_DOUBLE_SIDED;
-		ts_scatter_args args = make(&m, TS_RATE_IS_WATERTIGHT, tally);
+		ts_scatter_args args = make(&m, TS_RATE_WATERTIGHT, tally);
 		for (u32 centre = 0; centre < 2; centre++) {
 			args.centre = centre;
 			scatter(args, m.n_pieces, texels[centre], false);
@@ -270,7 +270,7 @@ static void triangles_that_culling_thins_stay(void **state)
 		i64 tally[3] = {0};
 		static u32 own[N_VIEWS * N_TEXELS];
 		random_mesh(&m, 0.0005f, 0.001f);
-		ts_scatter_args args = make(&m, TS_RATE_IS_WATERTIGHT, tally);
+		ts_scatter_args args = make(&m, TS_RATE_WATERTIGHT, tally);
 		scatter(args, m.n_pieces, own, false);
 		args.centre = args.culled = 1;
 		scatter(args, m.n_pieces, texels[0], false);

@@ -161,7 +161,7 @@ static void rates_fall_short_as_figured(void **state)
 		ts_v3 b = ts_mad(middle, u, 0.0009765625f), c = ts_mad(middle, v, 0.0009765625f);
 		double cap = 512 / ts_length(middle);
 		double need = need_behind((d3){0, 0, 0}, d3_of(middle), d3_of(e), eye.focal);
-		for (u32 shadow = TS_SHADOW_IS_SAFE; shadow <= TS_SHADOW_IS_PAPER; shadow++) {
+		for (u32 shadow = TS_SHADOW_SAFE; shadow <= TS_SHADOW_PAPER; shadow++) {
 			ts_density_args args = arguments(views, 1, &eye, RATE_IS_EXACT, shadow);
 			double s = ts_k_shadow_density(&args, words, middle, b, c).s;
 			assert_true(s <= cap * 1.001);
@@ -169,10 +169,10 @@ static void rates_fall_short_as_figured(void **state)
 			share[shadow] += s / cap / N_RATES;
 		}
 	}
-	assert_int_equal(below[TS_SHADOW_IS_SAFE], 0);
-	assert_true(fabs(below[TS_SHADOW_IS_PAPER] / (double)N_RATES - 0.858) < 0.02);
-	assert_true(fabs(below[TS_SHADOW_IS_UNIT] / (double)N_RATES - 0.536) < 0.03);
-	assert_true(fabs(share[TS_SHADOW_IS_PAPER] - 0.559) < 0.02 && fabs(share[TS_SHADOW_IS_UNIT] - 0.795) < 0.02);
+	assert_int_equal(below[TS_SHADOW_SAFE], 0);
+	assert_true(fabs(below[TS_SHADOW_PAPER] / (double)N_RATES - 0.858) < 0.02);
+	assert_true(fabs(below[TS_SHADOW_UNIT] / (double)N_RATES - 0.536) < 0.03);
+	assert_true(fabs(share[TS_SHADOW_PAPER] - 0.559) < 0.02 && fabs(share[TS_SHADOW_UNIT] - 0.795) < 0.02);
 }
 
 /* Of triangles of any size and two lights, of whose views they see any: no detail of an occluder that a receiver shows
@@ -191,7 +191,7 @@ static void no_detail_exceeds_the_safe_rate(void **state)
 		random_corners(corner, 4, 0.01f, 2);
 		u64 words[2] = {0};
 		words[0] = i % 3 == 0 ? 1 : i % 3 == 1 ? 1 << 6 : 65;
-		ts_density_args args = arguments(views, 2, &eye, TS_RATE_IS_WATERTIGHT, TS_SHADOW_IS_SAFE);
+		ts_density_args args = arguments(views, 2, &eye, TS_RATE_WATERTIGHT, TS_SHADOW_SAFE);
 		double most = ts_k_view_density(&args, words, corner[0], corner[1], corner[2]).s;
 		double s = ts_k_shadow_density(&args, words, corner[0], corner[1], corner[2]).s;
 		for (u32 k = 0; k < N_RECEIVERS; k++) {
@@ -208,7 +208,7 @@ static void no_detail_exceeds_the_safe_rate(void **state)
 		}
 		assert_true(s <= most);
 		n_less += s < most * 0.999;
-		args.shadow = TS_SHADOW_IS_PAPER;
+		args.shadow = TS_SHADOW_PAPER;
 		assert_true(ts_k_shadow_density(&args, words, corner[0], corner[1], corner[2]).s <= most);
 	}
 	assert_true(n_less > N_TRIANGLES / 20);
@@ -227,11 +227,11 @@ static void a_sharp_eye_needs_what_ivir_gives(void **state)
 		aim(views, uniform3(-2, 2), corner[0]);
 		ts_store3(eye.eye, uniform3(-6, 6));
 		const u64 words[2] = {077, 0}, none[2] = {0, 0};
-		ts_density_args args = arguments(views, 1, &eye, TS_RATE_IS_WATERTIGHT, TS_SHADOW_IS_NONE);
+		ts_density_args args = arguments(views, 1, &eye, TS_RATE_WATERTIGHT, TS_SHADOW_NONE);
 		f32 ivir = ts_k_need(&args, words, corner[0], corner[1], corner[2]).s;
-		args.shadow = TS_SHADOW_IS_SAFE;
+		args.shadow = TS_SHADOW_SAFE;
 		assert_true(ts_k_need(&args, words, corner[0], corner[1], corner[2]).s == ivir);
-		for (; args.shadow <= TS_SHADOW_IS_PAPER; args.shadow++) {
+		for (; args.shadow <= TS_SHADOW_PAPER; args.shadow++) {
 			assert_true(ts_k_need(&args, none, corner[0], corner[1], corner[2]).s == 0);
 		}
 	}

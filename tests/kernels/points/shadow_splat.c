@@ -113,7 +113,7 @@ static f32 make_single(single *w)
 	} while (is_degenerate(w->corner));
 	u32 t = mesh_triangle(&w->m, w->corner[0], w->corner[1], w->corner[2], 1, 0);
 	w->m.bits[t * 2] = 1;
-	ts_density_args args = {.views = &w->view, .n_views = 1, .n_words = 2, .rate = TS_RATE_IS_WATERTIGHT};
+	ts_density_args args = {.views = &w->view, .n_views = 1, .n_words = 2, .rate = TS_RATE_WATERTIGHT};
 	return ts_k_view_density(&args, w->m.bits, w->corner[0], w->corner[1], w->corner[2]).s;
 }
 

@@ -41,7 +41,7 @@ static void watertight_pieces_are_even_enough(void **state)
 	n_random = 0;
 	u32 n_split[5] = {0}, n_last = 0; /* the last ones: watertight */
 	for (u32 i = 0; i < N; i++) {
-		u32 rate = TS_RATE_IS_WATERTIGHT + i % 4;
+		u32 rate = TS_RATE_WATERTIGHT + i % 4;
 		mesh m;
 		i64 n_capped = 0, n_lower = 0;
 		random_pair(&m);
@@ -54,18 +54,18 @@ static void watertight_pieces_are_even_enough(void **state)
 			bool last = piece->path >= 1u << TS_MAX_SPLITS;
 			assert_true(m.scale[p] <= need.s);
 			n_lower += m.scale[p] < need.s;
-			n_last += last && rate == TS_RATE_IS_WATERTIGHT;
+			n_last += last && rate == TS_RATE_WATERTIGHT;
 			if (!last) assert_true(m.scale[p] == need.s && area * s * s <= 65536.1);
-			if (rate == TS_RATE_IS_WATERTIGHT && !last) assert_true(need.uneven <= 1.5f || area * s * s <= 64.1);
-			if (rate != TS_RATE_IS_WATERTIGHT) assert_true(need.uneven == 1);
-			if (rate == TS_RATE_IS_WATERTIGHT) assert_true(need.uneven >= 0.9999f);
+			if (rate == TS_RATE_WATERTIGHT && !last) assert_true(need.uneven <= 1.5f || area * s * s <= 64.1);
+			if (rate != TS_RATE_WATERTIGHT) assert_true(need.uneven == 1);
+			if (rate == TS_RATE_WATERTIGHT) assert_true(need.uneven >= 0.9999f);
 			n_split[rate] += piece->path != 1;
 		}
 		assert_true(n_lower == n_capped);
 		mesh_clear(&m);
 	}
-	assert_true(n_split[TS_RATE_IS_WATERTIGHT] > 2 * n_split[RATE_IS_EXACT] && n_split[RATE_IS_EXACT] > 100);
-	assert_true(n_split[TS_RATE_IS_WATERTIGHT] > n_last + 1000);
+	assert_true(n_split[TS_RATE_WATERTIGHT] > 2 * n_split[RATE_IS_EXACT] && n_split[RATE_IS_EXACT] > 100);
+	assert_true(n_split[TS_RATE_WATERTIGHT] > n_last + 1000);
 }
 
 /* The children keep two corners each and share the middle of the longest edge: together they are the parent. */
@@ -112,7 +112,7 @@ static void shared_edges_split_at_the_same_bits(void **state)
 		mesh m;
 		i64 n_capped = 0;
 		random_pair(&m);
-		mesh_split(&m, views_density(&m, views, N_VIEWS, TS_RATE_IS_WATERTIGHT, &n_capped));
+		mesh_split(&m, views_density(&m, views, N_VIEWS, TS_RATE_WATERTIGHT, &n_capped));
 		ts_v3 from = ts_load3(m.vertices[0].position), to = ts_load3(m.vertices[1].position);
 		double length = d3_length(d3_sub(d3_of(to), d3_of(from)));
 		for (u32 k = 0; k < 3 * m.n_pieces; k++) {
@@ -138,7 +138,7 @@ static void pieces_hold_every_point_of_their_triangle(void **state)
 		mesh m;
 		i64 n_capped = 0;
 		random_pair(&m);
-		mesh_split(&m, views_density(&m, views, N_VIEWS, TS_RATE_IS_WATERTIGHT, &n_capped));
+		mesh_split(&m, views_density(&m, views, N_VIEWS, TS_RATE_WATERTIGHT, &n_capped));
 		d3 a = d3_load(m.vertices[0].position), b = d3_load(m.vertices[1].position),
 		   c = d3_load(m.vertices[2].position);
 		double size = d3_length(d3_sub(b, a)) + d3_length(d3_sub(c, a));

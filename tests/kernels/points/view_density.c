@@ -5,7 +5,7 @@
 
 enum { N = 20000, SIZE = 96, FULL = 128 };
 
-static const u32 rates[] = {TS_RATE_IS_WATERTIGHT, RATE_IS_EXACT, TS_RATE_IS_PAPER, TS_RATE_IS_VIR};
+static const u32 rates[] = {TS_RATE_WATERTIGHT, RATE_IS_EXACT, TS_RATE_PAPER, TS_RATE_VIR};
 
 /* A two-sided triangle alone, seen by the first `n_views` views. */
 static void begin(mesh *m, const ts_v3 corner[3], u32 n_views)
@@ -70,7 +70,7 @@ static void densities_follow_the_areas_of_texels(void **state)
 		ts_camera_k camera = ts_k_offscreen(&view);
 		ts_v3 unit = ts_v3_make((f32)n.x, (f32)n.y, (f32)n.z);
 		f32 z = ts_k_to_view(&camera, corner[0]).z;
-		double s = view.orthographic != 0 ? ts_k_parallel_rate(&camera, unit, TS_RATE_IS_PAPER)
+		double s = view.orthographic != 0 ? ts_k_parallel_rate(&camera, unit, TS_RATE_PAPER)
 		                                  : ts_k_pixel_rate(&camera, unit, corner[0], z);
 		assert_true(fabs(s * s * reprojected(&view, p, n) - 1) <= (view.orthographic != 0 ? 1e-4 : 4e-3));
 	}
@@ -112,8 +112,8 @@ static void each_rate_follows_its_formula(void **state)
 		double least = INFINITY, z = fmax(fmax(at, farthest), view.near);
 		for (int k = 0; k < seen.n; k++) least = fmin(least, fmax(view_place(&view, seen.p[k]).z, view.near));
 		if (h < 0.02 * d || h < 0.01 * (double)view.near || seen.n == 0) continue;
-		double paper = need(&m, &view, 1, TS_RATE_IS_PAPER).s, exact = need(&m, &view, 1, RATE_IS_EXACT).s;
-		double vir = need(&m, &view, 1, TS_RATE_IS_VIR).s;
+		double paper = need(&m, &view, 1, TS_RATE_PAPER).s, exact = need(&m, &view, 1, RATE_IS_EXACT).s;
+		double vir = need(&m, &view, 1, TS_RATE_VIR).s;
 		n_clipped += seen.n > 3;
 		n_denser += exact > paper * 1.01;
 		n_beside += at < farthest;
@@ -153,7 +153,7 @@ static void the_watertight_rate_exceeds_every_stretch(void **state)
 		if (is_degenerate(corner)) continue;
 		mesh m;
 		begin(&m, corner, 1);
-		double s = need(&m, &view, 1, TS_RATE_IS_WATERTIGHT).s;
+		double s = need(&m, &view, 1, TS_RATE_WATERTIGHT).s;
 		d3_polygon seen = in_frustum(&view, corner);
 		for (int k = 0; k < seen.n; k++) {
 			d3 p = d3_mad(seen.p[k], d3_sub(seen.p[(k + 1) % seen.n], seen.p[k]), uniform(0, 1));
@@ -307,7 +307,7 @@ static void the_watertight_rate_leaves_no_hole(void **state)
 			ts_v3 corner[3];
 			ts_offscreen view = hard_case(corner, sort);
 			if (is_degenerate(corner)) continue;
-			tally one = count_holes(&view, corner, TS_RATE_IS_WATERTIGHT);
+			tally one = count_holes(&view, corner, TS_RATE_WATERTIGHT);
 			if (one.holes != 0) print_error("sort %u, case %u: %d holes\n", sort, i, (int)one.holes);
 			sum.seen += one.seen;
 			sum.holes += one.holes;
@@ -432,7 +432,7 @@ static void holes_in_perspective_match_the_figures(void **state)
 	n_random = 0;
 	tally whole = holes_of_perspective(RATE_IS_EXACT, false, 120, &error[0]);
 	tally clipped = holes_of_perspective(RATE_IS_EXACT, true, 120, &error[1]);
-	tally tight = holes_of_perspective(TS_RATE_IS_WATERTIGHT, true, 40, &error[2]);
+	tally tight = holes_of_perspective(TS_RATE_WATERTIGHT, true, 40, &error[2]);
 	double share = (double)whole.holes / (double)whole.seen, more = (double)clipped.holes / (double)clipped.seen;
 	print_message("exact: %.2f %% +- %.2f, clipped %.2f %% +- %.2f\n", 100 * share, 100 * error[0], 100 * more,
 	              100 * error[1]);

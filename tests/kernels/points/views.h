@@ -6,7 +6,7 @@
 #include "tests/kernels/points/mesh.h"
 
 /* Of the rates, the one that no kernel asks for by name. */
-enum { RATE_IS_EXACT = TS_RATE_IS_WATERTIGHT + 1 };
+enum { RATE_IS_EXACT = TS_RATE_WATERTIGHT + 1 };
 
 static inline ts_v3 unit3(void)
 {

@@ -81,7 +81,6 @@ static void check(sums *r, bool npr, const faults *how)
 	static f32 radiance[3 * N], margin[N];
 	static u8 srgb[3 * N];
 	i64 tally = 0;
-	u32 shader = npr ? TS_SHADER_IS_NPR : TS_SHADER_IS_PHONG;
 	ts_deferred_args args = {.view = &view,
 	                         .pixels = pixels,
 	                         .lights = &sun,
@@ -89,7 +88,7 @@ static void check(sums *r, bool npr, const faults *how)
 	                         .srgb = srgb,
 	                         .tally = &tally,
 	                         .n_lights = 1,
-	                         .shader = shader,
+	                         .npr = npr,
 	                         .ambient = 0.25f,
 	                         .exposure = 1};
 	ts_deferred_margin_args margins = {.of = args, .margin = margin};
@@ -155,7 +154,6 @@ static ts_v3 lit_by(const ts_light *light, u32 n, f32 ambient, u32 i)
 	                         .srgb = srgb,
 	                         .tally = &tally,
 	                         .n_lights = n,
-	                         .shader = TS_SHADER_IS_PHONG,
 	                         .ambient = ambient,
 	                         .exposure = 1};
 	ts_k_deferred_item(&args, i);
@@ -165,12 +163,8 @@ static ts_v3 lit_by(const ts_light *light, u32 n, f32 ambient, u32 i)
 static ts_v3 surfel_lit_by(const ts_light *light, u32 n, f32 ambient, u32 i)
 {
 	ts_surfel surfel = {.colour = {1, 1, 1}};
-	ts_surfel_shade_args args = {.of = {.surfels = &surfel},
-	                             .lights = light,
-	                             .n_lights = n,
-	                             .shader = TS_SHADER_IS_PHONG,
-	                             .ambient = ambient,
-	                             .exposure = 1};
+	ts_surfel_shade_args args = {
+		.of = {.surfels = &surfel}, .lights = light, .n_lights = n, .ambient = ambient, .exposure = 1};
 	const ts_camera_k at_origin = ts_k_view(&view);
 	ts_shading_place at = {ts_load3(pixels[i].position), ts_load3(pixels[i].normal)};
 	ts_attributes r = ts_k_shaded_colour(&args, &at_origin, 0, &at);

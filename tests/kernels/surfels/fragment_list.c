@@ -3,6 +3,7 @@
 #include <string.h>
 #include "kernels/base/sort.h"
 #include "kernels/surfels/fragment_list.h"
+#include "kernels/surfels/surfel_setup.h"
 #include "tests/kernels/seeded.h"
 
 enum { WIDTH = 48, HEIGHT = 32, PIXELS = WIDTH * HEIGHT, N = 37, N_WORLDS = 60 };
@@ -115,7 +116,7 @@ static verdict judge(const world *w, u32 surfel, u32 pixel)
 	double dx = x + focal * c.x / c.z, dy = y + focal * c.y / c.z;
 	verdict object = z > 0 ? at_most(a * a + b * b, 1, rounding) : OUT;
 	verdict screen = at_most(dx * dx + dy * dy, SIGMA * SIGMA, 1e-5);
-	const verdict covers[] = {either(object, screen), object, screen}; /* TS_FILTER_IS_MIN, _OBJECT, _SCREEN */
+	const verdict covers[] = {either(object, screen), object, screen}; /* TS_FILTER_MIN, _OBJECT, _SCREEN */
 	verdict seen = w->filter.opens != 0 ? IN : OUT;
 	if (w->keys[pixel] != TS_EMPTY) {
 		double depth = ts_u2f((u32)(w->keys[pixel] >> 32));
@@ -211,7 +212,7 @@ static void fragments_as_deep_as_keys_are_listed(void **state)
 	(void)state;
 	static world w;
 	static lists l;
-	random_world(&w, TS_FILTER_IS_OBJECT);
+	random_world(&w, TS_FILTER_OBJECT);
 	for (u32 i = 1; i < N; i++) ts_k_disc_clear(&w.discs[i]);
 	w.surfels[0] = (ts_surfel){.centre = {0, 0, -2}, .u = {0.5f, 0, 0}, .v = {0, 0.5f, 0}};
 	i64 fates[4] = {0};

@@ -2,6 +2,7 @@
  * these still have room; more surfels are refused. */
 #include <inttypes.h>
 #include "kernels/surfels/surfel_blend.h"
+#include "kernels/surfels/surfel_setup.h"
 #include "methods/stages.h"
 #include "tests/methods/small.h"
 
@@ -33,7 +34,7 @@ static void no_term_is_above_its_bound(void **state)
 	                     .height = 64,
 	                     .back = {0, 0, 1},
 	                     .near = 0.001f};
-	const ts_filter filter = {.filter = TS_FILTER_IS_MIN, .per_sigma2 = 1, .reach = 1, .fall = 2, .object2 = 0.25f};
+	const ts_filter filter = {.filter = TS_FILTER_MIN, .per_sigma2 = 1, .reach = 1, .fall = 2, .object2 = 0.25f};
 	ts_camera_k view = ts_k_view(&eye);
 	for (u32 i = 0; i < N; i++) {
 		ts_disc disc;

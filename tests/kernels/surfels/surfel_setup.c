@@ -1,6 +1,7 @@
 /* Surfels in a view against rays cast into their planes in double precision: plane coordinates, depth, bounds that
  * hold every covered pixel where those of point sprites do not, and what is not drawn at all. */
 #include "kernels/surfels/fragment.h"
+#include "kernels/surfels/surfel_setup.h"
 #include "tests/kernels/seeded.h"
 
 enum { WIDTH = 96, HEIGHT = 54 };
@@ -168,7 +169,7 @@ typedef struct {
 static void check_crossing(crossings *n, const ts_camera_k *view, const ts_filter *filter, const ts_surfel *surfel)
 {
 	ts_disc disc;
-	ts_filter unmoved = {.filter = TS_FILTER_IS_SCREEN};
+	ts_filter unmoved = {.filter = TS_FILTER_SCREEN};
 	ts_disc_frame frame = ts_k_disc_frame(view, &unmoved, surfel);
 	u32 fate = ts_k_disc(&disc, view, filter, surfel);
 	if (fate == TS_DISC_TURNED || frame.c.z >= view->near) return;
@@ -200,7 +201,7 @@ static void surfels_across_the_near_plane_are_clipped(void **state)
 	for (u32 i = 0; i < SURFELS; i++) {
 		ts_camera_k view = camera(i % 4 == 0);
 		ts_filter filter = filter_of(1, i % 8 == 1);
-		filter.filter = i % 3 == 0 ? TS_FILTER_IS_OBJECT : TS_FILTER_IS_MIN;
+		filter.filter = i % 3 == 0 ? TS_FILTER_OBJECT : TS_FILTER_MIN;
 		view.near = i % 5 == 0 ? 0.5f : 0.01f;
 		ts_surfel surfel = surfel_of(&view, 16);
 		ts_v3 beside = ts_mad(ts_scale(view.right, uniform(-2, 2)), view.up, uniform(-2, 2));
@@ -240,9 +241,9 @@ static void floors_are_as_deep_as_their_rows(void **state)
 	}
 	print_message("# %u pixels of a floor\n", n);
 	assert_true(disc.high[1] == HEIGHT - 1 && disc.low[0] == 0 && disc.high[0] == WIDTH - 1 && n > WIDTH * HEIGHT / 8);
-	filter.filter = TS_FILTER_IS_SCREEN;
+	filter.filter = TS_FILTER_SCREEN;
 	assert_int_equal(ts_k_disc(&disc, &view, &filter, &surfel), TS_DISC_BEFORE);
-	filter.filter = TS_FILTER_IS_EWA;
+	filter.filter = TS_FILTER_EWA;
 	assert_int_equal(ts_k_disc(&disc, &view, &filter, &surfel), TS_DISC_BEFORE);
 }
 

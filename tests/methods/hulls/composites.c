@@ -62,10 +62,10 @@ static judgement lobe_irradiance(const u32 *in, const u32 *out)
 	double c = fmin(fmax(d3_dot(d3_row(in, 2), d3_row(in, 5)), -1), 1), e = ts_row_f32(out, 0);
 	if (e < 0) return WRONG;
 	if (in[9] != 0 && (lambda < 2 || lambda > 30)) return NOT_JUDGED;
-	double right = in[8] == TS_COSINE_IS_OURS       ? sg_closed(lambda, c)
-	               : in[8] == TS_COSINE_IS_SG       ? sg_as_sg(lambda, c)
-	               : in[8] == TS_COSINE_IS_CONSTANT ? fmax(0, c) * sg_sphere(lambda)
-	                                                : sg_truth(lambda, c);
+	double right = in[8] == TS_COSINE_OURS       ? sg_closed(lambda, c)
+	               : in[8] == TS_COSINE_SG       ? sg_as_sg(lambda, c)
+	               : in[8] == TS_COSINE_CONSTANT ? fmax(0, c) * sg_sphere(lambda)
+	                                             : sg_truth(lambda, c);
 	return right_if(is_near(e, mu * right / pi, 1e-5 * mu * sg_up(lambda) / pi));
 }
 

@@ -11,11 +11,11 @@ static _Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 /* Of the printed forms, where they neither cancel nor overflow. */
 static double cosine_error(f32 ours, double lambda, double c, u32 method, bool printed)
 {
-	if (method == TS_COSINE_IS_OURS && printed && (lambda < 2 || lambda > 30)) return 0;
-	double right = method == TS_COSINE_IS_OURS       ? sg_closed(lambda, c)
-	               : method == TS_COSINE_IS_SG       ? sg_as_sg(lambda, c)
-	               : method == TS_COSINE_IS_CONSTANT ? fmax(0, c) * sg_sphere(lambda)
-	                                                 : sg_truth(lambda, c);
+	if (method == TS_COSINE_OURS && printed && (lambda < 2 || lambda > 30)) return 0;
+	double right = method == TS_COSINE_OURS       ? sg_closed(lambda, c)
+	               : method == TS_COSINE_SG       ? sg_as_sg(lambda, c)
+	               : method == TS_COSINE_CONSTANT ? fmax(0, c) * sg_sphere(lambda)
+	                                              : sg_truth(lambda, c);
 	return fabs(ours - right) / sg_up(lambda);
 }
 

@@ -52,14 +52,14 @@ static judgement view_density(const u32 *in, const u32 *out)
 	double3 n = d3_cross(d3_sub(b, a), d3_sub(c, a));
 	u32 rate = in[26];
 	if (in[24] == 0) return right_if(s == 0);
-	if (in[20] != 0 && rate == TS_RATE_IS_VIR) return right_if(s == focal);
+	if (in[20] != 0 && rate == TS_RATE_VIR) return right_if(s == focal);
 	if (fatness(a, b, c) < 0.1) return NOT_JUDGED;
-	if (in[20] != 0 && rate == TS_RATE_IS_WATERTIGHT) return right_if(s >= focal * sqrt(2) && s <= focal * 3);
+	if (in[20] != 0 && rate == TS_RATE_WATERTIGHT) return right_if(s >= focal * sqrt(2) && s <= focal * 3);
 	if (in[20] != 0) {
 		double right = focal * sqrt(fmax(fabs(d3_dot(d3_unit(n), d3_row(in, 12))), 0.001));
 		return right_if(is_near(s, right, 1e-3 * right));
 	}
-	if (rate != TS_RATE_IS_VIR) return right_if(s >= 0);
+	if (rate != TS_RATE_VIR) return right_if(s >= 0);
 	double d = fmax(d3_distance(on_triangle(eye, a, b, c), eye), ts_row_f32(in, 15));
 	double right = focal * sqrt(1 + fmax(x, y) * fmax(x, y)) / d;
 	return d < 0.1 ? NOT_JUDGED : right_if(is_near(s, right, 1e-2 * right));

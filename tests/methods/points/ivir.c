@@ -185,7 +185,7 @@ static void the_papers_rate_makes_fewer_points(void **state)
 	(void)state;
 	static const char *const effects[] = {"soft-shadows", "omni-shadows", "reflections"};
 	ts_params params = tiny_params();
-	params.density_rate = TS_RATE_PAPER;
+	params.density_rate = TS_DENSITY_RATE_PAPER;
 	params.cube_max_px = 64;
 	ts_scene *scene = small_scene(&params);
 	for (u32 e = 0; e < 3; e++) {

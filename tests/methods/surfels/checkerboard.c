@@ -1,5 +1,6 @@
 /* The receding checkerboard of surfels, with each filter, against its supersampled pattern (FIGURES 12): what the
  * screen filter is for, how near its approximation comes to exact EWA, and how many fragments that takes. */
+#include "kernels/surfels/surfel_setup.h"
 #include "tests/methods/surfels/surfels.h"
 
 /* The image of FIGURES 12 is the lower part of this: the horizon 20 rows above row TOP, its first four rows left

@@ -1,5 +1,6 @@
 /* The composites of surfels against rays and planes in double precision. */
 #include "kernels/surfels/composites.h"
+#include "kernels/surfels/surfel_setup.h"
 #include "tests/vectors/composites.h"
 
 /* Where the ray through the middle of a pixel near the centre meets the ellipse's plane, in its axes; and its depth. */
@@ -46,13 +47,13 @@ static judgement surfel_fragment(const u32 *in, const u32 *out)
 	double r2 = a * a + b * b, z = d[10] * (parallel ? 1 - tilt : 1 / divisor), exponent, peak = 1;
 	if (is_near(r2, 1, 1e-4) || is_near(screen2, 1, 1e-4) || is_near(z, d[31], 1e-4 * (1 + z))) return NOT_JUDGED;
 	bool inside = meets && r2 <= 1 && z >= d[31], covers;
-	if (in[24] == TS_FILTER_IS_EWA) {
+	if (in[24] == TS_FILTER_EWA) {
 		double q = d[16] * dx * dx + 2 * d[17] * dx * dy + d[18] * dy * dy;
 		if (is_near(q, 4, 1e-3)) return NOT_JUDGED;
 		covers = q <= 4 && d[19] > 0, exponent = q / 2, peak = d[19];
 	} else {
-		bool object = inside && in[24] != TS_FILTER_IS_SCREEN;
-		bool screen = d[26] > 0 && in[24] != TS_FILTER_IS_OBJECT && !crosses && screen2 <= 1;
+		bool object = inside && in[24] != TS_FILTER_SCREEN;
+		bool screen = d[26] > 0 && in[24] != TS_FILTER_OBJECT && !crosses && screen2 <= 1;
 		covers = object || screen;
 		exponent = (object && screen ? fmin(r2, screen2) : object ? r2 : screen2) * d[28];
 	}

@@ -2,6 +2,7 @@
  * there, by a ball of two-sided triangles. Most are backs of surfels, which surfels.sides=front leaves out. */
 #include <touchstone/image.h>
 #include "kernels/base/scene.h"
+#include "kernels/surfels/surfel_setup.h"
 #include "methods/surfels/tools/tools.h"
 #include "tests/methods/surfels/surfels.h"
 

@@ -2,6 +2,7 @@
  * by some ulps, each its own way. Pixels that show another nearest surfel or blend others are undecided; few are;
  * and a port whose thresholds are off by more than rounding differs in pixels that are decided. */
 #include "kernels/surfels/surfel_margin.h"
+#include "kernels/surfels/surfel_setup.h"
 #include "methods/stages.h"
 #include "methods/surfels/surfel.h"
 #include "tests/methods/surfels/surfels.h"
@@ -72,7 +73,7 @@ static splat splat_of(const port *p, const ts_surfel *surfel, const ts_filter *f
 	s.x = view->width / 2.0 + f * s.c.x / s.c.z;
 	s.y = view->height / 2.0 - f * s.c.y / s.c.z;
 	s.ahead = s.c.z >= (double)view->near;
-	bool crosses = filter->filter < TS_FILTER_IS_SCREEN && s.c.z + hypot(s.u.z, s.v.z) >= (double)view->near;
+	bool crosses = filter->filter < TS_FILTER_SCREEN && s.c.z + hypot(s.u.z, s.v.z) >= (double)view->near;
 	s.drawn = slant > p->faults.turned && (s.ahead || crosses);
 	s.flat = slant < 1e-6;
 	if (p->ewa && s.drawn) blur(p, &s, filter, f);
@@ -103,9 +104,8 @@ static hit hit_at(const port *p, const splat *s, const ts_filter *filter, u32 x,
 		h.weight = s->peak * exp(-0.5 * q);
 		return h;
 	}
-	bool object = h.inside && filter->filter != TS_FILTER_IS_SCREEN;
-	bool screen =
-		s->ahead && filter->per_sigma2 > 0 && filter->filter != TS_FILTER_IS_OBJECT && h.flat <= p->faults.flat;
+	bool object = h.inside && filter->filter != TS_FILTER_SCREEN;
+	bool screen = s->ahead && filter->per_sigma2 > 0 && filter->filter != TS_FILTER_OBJECT && h.flat <= p->faults.flat;
 	h.covers = object || screen;
 	h.weight = exp(-(double)filter->fall * (object && screen ? fmin(h.r2, h.flat) : object ? h.r2 : h.flat));
 	return h;

@@ -13,7 +13,7 @@ typedef struct {
 	u32 count;
 } lobes;
 
-static const ts_hull_args stable = {.cosine = TS_COSINE_IS_OURS, .printed = 0};
+static const ts_hull_args stable = {.cosine = TS_COSINE_OURS, .printed = 0};
 
 static void add(lobes *l, u64 at, ts_sg g, ts_v3 n)
 {
@@ -52,7 +52,7 @@ TS_WIDE(void, integrate, (lobes * l), (l))
 bool ts_c_fast_hull(const void *of, u64 n, u32 threads)
 {
 	const ts_hull_args *args = of;
-	if (args->cosine != TS_COSINE_IS_OURS || args->printed != 0 || args->by_moments != 0) return false;
+	if (args->cosine != TS_COSINE_OURS || args->printed != 0 || args->by_moments != 0) return false;
 	ts_stop *stop = ts_stop_here();
 #pragma omp parallel num_threads(threads)
 	{

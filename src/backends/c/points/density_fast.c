@@ -70,7 +70,7 @@ static void count(const ts_density_args *args, const lanes *of, f32 *s, u32 tria
 /* Only where all views have the same rate and perspective, and the rate ignores clipping. */
 static bool applies(const ts_density_args *args)
 {
-	bool good = args->shadow == TS_SHADOW_IS_NONE && args->rate >= TS_RATE_IS_PAPER;
+	bool good = args->shadow == TS_SHADOW_NONE && args->rate >= TS_RATE_PAPER;
 	for (u32 v = 0; good && v < args->n_views; v++) good = args->views[v].orthographic == 0;
 	return good;
 }

@@ -157,7 +157,7 @@ static void blend_add(const ts_surfel_blend_args *args, u64 pixel, u32 surfel, c
 static void radius_block(block *b, const ts_disc *disc, ts_filter filter)
 {
 	f32 depth = disc->depth;
-	i32 objects = filter.filter != TS_FILTER_IS_SCREEN ? 1 : 0;
+	i32 objects = filter.filter != TS_FILTER_SCREEN ? 1 : 0;
 	i32 screens = ts_k_has_screen(disc, &filter) ? 1 : 0;
 	for (u32 i = 0; i < padded(b->n); i++) {
 		f32 object2 = b->r2[i], z = b->z[i];
@@ -230,7 +230,7 @@ TS_WIDE(void, blend_tile, (const ts_surfel_blend_args *args, const ts_surfel_bin
 /* How far from a centre the screen filter may cover a pixel. */
 static double screen_reach(const ts_filter *filter)
 {
-	bool none = !(filter->per_sigma2 > 0.0f) || filter->filter == TS_FILTER_IS_OBJECT;
+	bool none = !(filter->per_sigma2 > 0.0f) || filter->filter == TS_FILTER_OBJECT;
 	return none ? -(double)INFINITY : 1.0 + 1.001 / sqrt((double)filter->per_sigma2);
 }
 
@@ -238,7 +238,7 @@ bool ts_c_fast_surfel_blend(const void *of, u64 n, u32 threads)
 {
 	const ts_surfel_blend_args *args = of;
 	ts_surfel_bins b;
-	if (args->filter.filter == TS_FILTER_IS_EWA) return false;
+	if (args->filter.filter == TS_FILTER_EWA) return false;
 	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, screen_reach(&args->filter), threads);
 	ts_stop *stop = ts_stop_here();
 	if (made) {

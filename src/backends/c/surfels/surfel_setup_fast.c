@@ -55,7 +55,7 @@ static void keep_facing(lot *l, ts_camera_k view)
 /* ts_k_disc_make, by selects; not for surfels that may cross the near plane. */
 static void make(lot *l, ts_camera_k view, ts_filter filter)
 {
-	const ts_filter unmoved = {.filter = TS_FILTER_IS_SCREEN};
+	const ts_filter unmoved = {.filter = TS_FILTER_SCREEN};
 	u32 parallel = view.orthographic != 0 ? TS_DISC_PARALLEL : 0;
 	for (u32 i = 0; i < padded(l->n); i++) {
 		ts_surfel s = surfel(l, i);
@@ -132,7 +132,7 @@ bool ts_c_fast_surfel_setup(const void *of, u64 n, u32 threads)
 {
 	enum { LOTS = 16 };
 	const ts_surfel_setup_args *args = of;
-	if (args->filter.filter == TS_FILTER_IS_EWA) return false;
+	if (args->filter.filter == TS_FILTER_EWA) return false;
 #pragma omp parallel num_threads(threads)
 	{
 		i64 tally[FATES] = {0};

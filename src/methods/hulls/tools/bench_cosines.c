@@ -9,9 +9,9 @@ enum { N_SHARP = 61, N_ANGLES = 181, N_METHODS = 3, DOT_STEP = 3 };
 
 /* clang-format off */
 static const char *const methods[N_METHODS] = {
-	[TS_COSINE_IS_OURS] = "SSAGH (eqs 15 to 18)",
-	[TS_COSINE_IS_CONSTANT] = "constant cosine (eq 7)",
-	[TS_COSINE_IS_SG] = "cosine as a Gaussian (eq 8)",
+	[TS_COSINE_OURS] = "SSAGH (eqs 15 to 18)",
+	[TS_COSINE_CONSTANT] = "constant cosine (eq 7)",
+	[TS_COSINE_SG] = "cosine as a Gaussian (eq 8)",
 };
 /* clang-format on */
 
@@ -30,9 +30,9 @@ typedef struct {
 
 /* clang-format off */
 static const claim claims[] = {
-	{ TS_COSINE_IS_CONSTANT, true, 4.056, 4 },
-	{ TS_COSINE_IS_SG, false, 0.1319, NAN },
-	{ TS_COSINE_IS_OURS, false, 4.722e-3, NAN },
+	{ TS_COSINE_CONSTANT, true, 4.056, 4 },
+	{ TS_COSINE_SG, false, 0.1319, NAN },
+	{ TS_COSINE_OURS, false, 4.722e-3, NAN },
 };
 
 static const ts_column columns[] = { { "lambda", "lambda", true }, { "ssagh", "SSAGH", true },
@@ -48,7 +48,7 @@ static errors compare(f32 lambda)
 	double sines = 0;
 	for (u32 k = 0; k < N_ANGLES; k++) {
 		f32 turn = (f32)k / (2 * (N_ANGLES - 1)), c = ts_cos_turn(turn);
-		double right = ts_k_sg_cosine(lambda, c, TS_COSINE_IS_QUADRATURE, 0), sine = ts_sin_turn(turn);
+		double right = ts_k_sg_cosine(lambda, c, TS_COSINE_QUADRATURE, 0), sine = ts_sin_turn(turn);
 		for (u32 m = 0; m < N_METHODS; m++) {
 			double d = ts_k_sg_cosine(lambda, c, m, 0) - right;
 			r.alike[m] += d * d;

@@ -32,7 +32,7 @@ static void sample(figure *f, u32 sharp, u32 angle)
 {
 	f32 lambda = sharpness[sharp], cosine = ts_cos_turn((f32)angle / (2 * (N_ANGLES - 1)));
 	double upper = ts_k_sg_upper(lambda, 0), lower = ts_k_sg_lower(lambda, 0);
-	double found = (ts_k_sg_cosine(lambda, cosine, TS_COSINE_IS_QUADRATURE, 0) - lower) / (upper - lower);
+	double found = (ts_k_sg_cosine(lambda, cosine, TS_COSINE_QUADRATURE, 0) - lower) / (upper - lower);
 	f32 s = ts_k_sg_s(ts_k_sg_t(lambda), cosine);
 	double clamped = fmax(0, (double)cosine), apart = 0.5 * (double)cosine + 0.5 - clamped;
 	f->c[sharp][angle] = (value){found, ts_k_sg_c(s, cosine)};

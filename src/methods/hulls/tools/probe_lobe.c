@@ -35,8 +35,8 @@ json_t *ts_probe_lobe(ts_probe *p, const ts_hull_args *args, const ts_sg *g, ts_
 	ts_probe_put(p, o, "lambda", ts_probe_bits(g->lambda));
 	ts_probe_put(p, o, "phi", ts_probe_v3_bits(g->phi));
 	ts_probe_put(p, o, "cos_beta", ts_probe_bits(cos_beta));
-	if (args->cosine == TS_COSINE_IS_OURS) terms = put_ours(p, o, g->lambda, cos_beta, args->printed);
-	if (args->cosine == TS_COSINE_IS_CONSTANT) terms = put_constant(p, o, g->lambda, cos_beta);
+	if (args->cosine == TS_COSINE_OURS) terms = put_ours(p, o, g->lambda, cos_beta, args->printed);
+	if (args->cosine == TS_COSINE_CONSTANT) terms = put_constant(p, o, g->lambda, cos_beta);
 	ts_probe_put(p, o, "A_h", ts_probe_bits(integral));
 	ts_probe_put_sum(p, o, ts_v3_make(terms, 0.0f, 0.0f), ts_v3_make(integral, 0.0f, 0.0f));
 	ts_probe_put(p, o, "irradiance", ts_probe_bits(ts_k_lobe_irradiance(args, g, n)));

@@ -47,8 +47,8 @@ static ts_v3 put_light(ts_probe *p, json_t *list, const ts_deferred_args *args, 
 	ts_probe_put(p, o, "arrives", ts_probe_bits(arrives));
 	ts_probe_put(p, o, "reach", ts_probe_real(ts_k_share(lit, args->lamps, k)));
 	ts_probe_put(p, o, "cosine", ts_probe_bits(cosine));
-	if (cosine > 0.0f && args->shader == TS_SHADER_IS_NPR) ts_probe_put(p, o, "tone", ts_probe_bits(ts_k_tone(cosine)));
-	if (cosine > 0.0f && args->shader == TS_SHADER_IS_PHONG) {
+	if (cosine > 0.0f && args->npr != 0) ts_probe_put(p, o, "tone", ts_probe_bits(ts_k_tone(cosine)));
+	if (cosine > 0.0f && args->npr == 0) {
 		ts_probe_put(p, o, "highlight", ts_probe_bits(ts_k_highlight(n, v, l)));
 	}
 	ts_probe_put(p, o, "radiance", ts_probe_v3_bits(light));
@@ -59,7 +59,7 @@ static ts_v3 put_light(ts_probe *p, json_t *list, const ts_deferred_args *args, 
 static void put_shading(ts_probe *p, json_t *object, const ts_deferred_args *args, u64 pixel, ts_v3 *total)
 {
 	json_t *o = json_object(), *list = json_array();
-	bool npr = args->shader == TS_SHADER_IS_NPR;
+	bool npr = args->npr != 0;
 	ts_v3 sum = ts_scale(ts_load3(args->pixels[pixel].albedo), args->ambient);
 	ts_probe_put(p, o, "shader", json_string(npr ? "npr" : "phong"));
 	ts_probe_put(p, o, "ambient", ts_probe_v3_bits(sum));

@@ -44,7 +44,7 @@ static ts_surfel_shade_args shade_of(const ts_probe *p)
 	ts_surfel_shade_args shade = ts_surfel_shading(&p->load->run);
 	shade.of.surfels = ts_probe_loaded(p, TS_B_scene_surfel);
 	if (shade.shading != 0) shade.lights = ts_probe_loaded(p, TS_B_lamp_light);
-	if (shade.shading == TS_SHADING_IS_PHONG) shade.slopes = ts_probe_loaded(p, TS_B_normal_field_slope);
+	if (shade.shading == TS_SHADING_PHONG) shade.slopes = ts_probe_loaded(p, TS_B_normal_field_slope);
 	return shade;
 }
 
@@ -144,7 +144,7 @@ static ts_attributes attributes_of(const place *at, const ts_disc *disc, u32 sur
 	const ts_surfel *of = &shade->of.surfels[surfel];
 	if (shade->shading == 0) return ts_k_attributes(of, disc);
 	ts_shading_place where = ts_k_centre_place(of, disc);
-	if (shade->shading == TS_SHADING_IS_PHONG) {
+	if (shade->shading == TS_SHADING_PHONG) {
 		const f32 *slopes = shade->slopes + (u64)surfel * TS_FIELD_SLOPES;
 		where = ts_k_fragment_place(of, disc, slopes, at->view.near, at->x, at->y);
 	}
@@ -190,7 +190,7 @@ static void put_fragment(ts_probe *p, json_t *list, const fragment *f, const pla
 		ts_probe_put(p, o, "shaded", ts_probe_v3_bits(ts_load3(adds)));
 	}
 	put_hit(p, o, disc, at);
-	if (at->filter.filter == TS_FILTER_IS_EWA) {
+	if (at->filter.filter == TS_FILTER_EWA) {
 		ts_probe_put(p, o, "peak", ts_probe_real(f->is.peak));
 		ts_probe_put(p, o, "exponent", ts_probe_real(f->is.exponent));
 	}
@@ -289,7 +289,7 @@ static ts_status put_blend(ts_probe *p, json_t *o, const place *at)
 		sum_up(p, at, &of[BLENDED], sums, &heaviest);
 		put_fragments(p, o, "blended", &of[BLENDED], at, key);
 		put_fragments(p, o, "hidden_by_epsilon", &of[HIDDEN], at, key);
-		if (at->shade.shading == TS_SHADING_IS_FLAT) put_fragments(p, o, "not_the_nearest", &of[NOT_NEAREST], at, key);
+		if (at->shade.shading == TS_SHADING_FLAT) put_fragments(p, o, "not_the_nearest", &of[NOT_NEAREST], at, key);
 		put_sums(p, o, sums, (const i64 *)ts_probe_loaded(p, TS_B_surfel_blend_sum) + at->pixel * TS_BLEND_SUMS);
 		put_heaviest(p, o, heaviest, ((const u64 *)ts_probe_loaded(p, TS_B_surfel_blend_heaviest))[at->pixel]);
 	}

@@ -92,7 +92,7 @@ static ts_hull_args arguments(const world *w, result *r, u32 width)
 		.n_unlit = &r->n_unlit,
 		.width = width,
 		.height = 1 + MOST_PIXELS / width / 4, /* of four samples a pixel, or fewer */
-		.cosine = TS_COSINE_IS_OURS,
+		.cosine = TS_COSINE_OURS,
 		.rectangle = below(2),
 	};
 }

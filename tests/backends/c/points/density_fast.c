@@ -55,7 +55,7 @@ static void fast_densities_equal_the_kernel(void **state)
 		i64 none = 0;
 		u32 start = n_random, n_views = 1 + random_bits() % VIEWS, threads = 1 + random_bits() % 7;
 		random_scene(&m, views, n_views);
-		u32 rate = random_bits() % 2 == 0 ? TS_RATE_IS_PAPER : TS_RATE_IS_VIR;
+		u32 rate = random_bits() % 2 == 0 ? TS_RATE_PAPER : TS_RATE_VIR;
 		ts_density_args args = views_density(&m, views, n_views, rate, &none);
 		args.split = 0;
 		args.whole = plain;

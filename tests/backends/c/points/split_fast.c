@@ -26,7 +26,7 @@ static void random_mesh(mesh *m, ts_offscreen *views)
 /* How pieces are made: by the eye, or by views. */
 static ts_density_args random_args(mesh *m, const ts_offscreen *views, i64 *n_capped)
 {
-	static const u32 rates[] = {TS_RATE_IS_PAPER, TS_RATE_IS_VIR, TS_RATE_IS_WATERTIGHT};
+	static const u32 rates[] = {TS_RATE_PAPER, TS_RATE_VIR, TS_RATE_WATERTIGHT};
 	ts_density_args args = mesh_density(m, n_capped, uniform_power(-2, 4));
 	if (random_bits() % 2 == 0) args = views_density(m, views, VIEWS, rates[random_bits() % 3], n_capped);
 	args.split = random_bits() % 4 != 0;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include "backends/fast.h"
 #include "backends/kernels.h"
+#include "kernels/surfels/surfel_setup.h"
 #include "tests/kernels/seeded.h"
 
 enum { N = 240, SURFELS = 300, SIDE = 150, PIXELS = SIDE * SIDE, TALLIES = 4 };
@@ -22,7 +23,7 @@ typedef struct {
 	ts_view view;
 	ts_filter filter;
 	f32 epsilon;
-	u32 shader, threads;
+	u32 npr, threads;
 	ts_surfel surfel[SURFELS];
 } frame;
 
@@ -68,7 +69,7 @@ static void random_frame(frame *f)
 	f32 sigma = sigmas[below(5)];
 	f->view = random_view();
 	f->epsilon = exp2f(uniform(-10, 1));
-	f->shader = below(2);
+	f->npr = below(2);
 	f->threads = 1 + below(7);
 	f->filter = (ts_filter){.filter = below(3),
 	                        .botsch = below(4) == 0,
@@ -126,8 +127,8 @@ static void shade(const frame *f, passes *p, bool fast)
 	const ts_lamp lamp = {.samples = 1};
 	u64 n = (u64)f->view.width * (u64)f->view.height;
 	ts_surfel_blend_mean_args mean = {&f->view, p->disc, &f->epsilon, p->key, p->sum, p->heaviest, p->pixel};
-	ts_deferred_args deferred = {&f->view, p->pixel,    &sun, &lamp,     NULL, p->radiance,
-	                             p->srgb,  p->tally[2], 1,    f->shader, 0.3f, 1.5f};
+	ts_deferred_args deferred = {&f->view, p->pixel,    &sun, &lamp,  NULL, p->radiance,
+	                             p->srgb,  p->tally[2], 1,    f->npr, 0.3f, 1.5f};
 	if (fast) {
 		assert_true(ts_c_fast_surfel_blend_mean(&mean, n, f->threads));
 		assert_true(ts_c_fast_deferred(&deferred, n, f->threads));
@@ -140,9 +141,9 @@ static void shade(const frame *f, passes *p, bool fast)
 static void check_equal(const frame *f, const passes *a, const passes *b, const char *pass)
 {
 	if (memcmp(a, b, sizeof *a) == 0) return;
-	fail_msg("%s: %u x %u, filter %u, botsch %u, 1 / sigma^2 %a, fall %a, epsilon %a, shader %u, threads %u", pass,
+	fail_msg("%s: %u x %u, filter %u, botsch %u, 1 / sigma^2 %a, fall %a, epsilon %a, npr %u, threads %u", pass,
 	         f->view.width, f->view.height, f->filter.filter, f->filter.botsch, (double)f->filter.per_sigma2,
-	         (double)f->filter.fall, (double)f->epsilon, f->shader, f->threads);
+	         (double)f->filter.fall, (double)f->epsilon, f->npr, f->threads);
 }
 
 static frame one;
@@ -190,8 +191,8 @@ static void the_kernel_takes_ewa_and_large_boxes(void **state)
 		disc[i] = (ts_disc){.depth = 1, .low = {0, 0}, .high = {WIDE - 1, HIGH - 1}};
 	}
 	ts_surfel_depth_args args = {&view, disc, &epsilon, keys};
-	ts_surfel_blend_args ewa = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_IS_EWA}};
-	ts_surfel_setup_args ewa_setup = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_IS_EWA}};
+	ts_surfel_blend_args ewa = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_EWA}};
+	ts_surfel_setup_args ewa_setup = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_EWA}};
 	assert_false(ts_c_fast_surfel_depth(&args, SMALL, 2));
 	assert_memory_equal(keys, empty, sizeof keys);
 	assert_false(ts_c_fast_surfel_blend(&ewa, SMALL, 2));

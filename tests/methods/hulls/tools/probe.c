@@ -12,19 +12,19 @@ static const struct {
 	u32 facing, corners, gloss;
 } indirect_methods[] = {
 	{"indirect", "direct", 0, 0, 0, 0, 0, 0, 0, 0, 0},
-	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0, 0, 0, 0},
-	{"indirect", "hulls", TS_SURFACE_PAPER, TS_INTERPOLATION_MOMENTS, TS_SHARPNESS_VMF, TS_COSINE_IS_OURS,
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_OURS, 0, 0, 0, 0, 0},
+	{"indirect", "hulls", TS_SURFACE_PAPER, TS_INTERPOLATION_MOMENTS, TS_SHARPNESS_VMF, TS_COSINE_OURS,
      TS_INTEGRALS_PRINTED, 0, 0, 0, 0},
-	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_CONSTANT, 0, 0, TS_FACING_PAPER, 0, 0},
-	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_SG, 0, 0, 0, TS_CORNERS_RECTANGLE, 0},
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_CONSTANT, 0, 0, TS_FACING_PAPER, 0, 0},
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_SG, 0, 0, 0, TS_CORNERS_RECTANGLE, 0},
 	{"area-light", "direct", 0, 0, 0, 0, 0, 0.25f, 0, 0, 0},
-	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0.25f, 0, 0, 0},
+	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_OURS, 0, 0.25f, 0, 0, 0},
 	{"area-light", "direct", 0, 0, 0, 0, 0, 0, 0, 0, 0},
-	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0, 0, 0, 0},
+	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_OURS, 0, 0, 0, 0, 0},
 	{"indirect", "direct", 0, 0, 0, 0, 0, 0, 0, 0, 1},
-	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0, 0, TS_CORNERS_RECTANGLE, 1},
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_OURS, 0, 0, 0, TS_CORNERS_RECTANGLE, 1},
 	{"area-light", "direct", 0, 0, 0, 0, 0, 0, 0, 0, 1},
-	{"area-light", "hulls", TS_SURFACE_PAPER, TS_INTERPOLATION_MOMENTS, 0, TS_COSINE_IS_SG, 0, 0.25f, 0, 0, 1},
+	{"area-light", "hulls", TS_SURFACE_PAPER, TS_INTERPOLATION_MOMENTS, 0, TS_COSINE_SG, 0, 0.25f, 0, 0, 1},
 };
 enum { N_INDIRECT = sizeof indirect_methods / sizeof *indirect_methods };
 static traced indirect[N_INDIRECT];
@@ -75,7 +75,7 @@ static void try_lobe(const ts_params *params, const json_t *corners, const json_
 		assert_bits(shown(lobe, "mu", 0), mu);
 		assert_bits(shown(lobe, "lambda", 0), lit > 0 ? lambda / lit : 1);
 	}
-	if (params->hull_cosine == TS_COSINE_IS_OURS) {
+	if (params->hull_cosine == TS_COSINE_OURS) {
 		f32 t = ts_k_sg_t(shown(lobe, "lambda", 0)), s = ts_k_sg_s(t, shown(lobe, "cos_beta", 0));
 		assert_true(json_real_value(json_object_get(lobe, "t")) == (double)t);
 		assert_true(json_real_value(json_object_get(lobe, "s")) == (double)s);
@@ -83,7 +83,7 @@ static void try_lobe(const ts_params *params, const json_t *corners, const json_
 		f32 share = shown(lobe, "c", 0), up = share * shown(lobe, "A_u", 0), down = (1 - share) * shown(lobe, "A_b", 0);
 		assert_bits(integral, up + down);
 	}
-	if (params->hull_cosine == TS_COSINE_IS_CONSTANT) {
+	if (params->hull_cosine == TS_COSINE_CONSTANT) {
 		assert_bits(integral, fmaxf(0, shown(lobe, "cos_beta", 0)) * shown(lobe, "A", 0));
 	}
 	f32 product = shown(lobe, "mu", 0) * integral;

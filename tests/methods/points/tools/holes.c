@@ -64,14 +64,14 @@ static void check(const char *spec, u32 rate)
 	for (u32 e = 0; e < 3; e++) {
 		ts_texel_counts c = count(effects[e], scene, &params);
 		assert_true(c.covered > 10000 && c.apart >= c.leaks);
-		assert_true((c.holes == 0) == (rate == TS_RATE_WATERTIGHT));
-		assert_true((c.leaks == 0) == (rate == TS_RATE_WATERTIGHT));
+		assert_true((c.holes == 0) == (rate == TS_DENSITY_RATE_WATERTIGHT));
+		assert_true((c.leaks == 0) == (rate == TS_DENSITY_RATE_WATERTIGHT));
 	}
 	ts_scene_free(scene);
 }
 
-static void the_watertight_rate_leaves_no_hole(void **state) { check(*state, TS_RATE_WATERTIGHT); }
-static void the_papers_rate_leaves_holes_and_leaks(void **state) { check(*state, TS_RATE_PAPER); }
+static void the_watertight_rate_leaves_no_hole(void **state) { check(*state, TS_DENSITY_RATE_WATERTIGHT); }
+static void the_papers_rate_leaves_holes_and_leaks(void **state) { check(*state, TS_DENSITY_RATE_PAPER); }
 
 int main(void)
 {

@@ -1,6 +1,7 @@
 /* The filters of surfels by the truth of the built-in checkerboard: where its squares are small the screen filter
  * halves the error at least, and its approximation is as good as exact EWA (FIGURES 12). The same geometry as there,
  * twice as large: 5 surfels a square. And of the truth itself: its few rays make noise there, and no moire. */
+#include "kernels/surfels/surfel_setup.h"
 #include "methods/surfels/tools/tools.h"
 #include "tests/methods/surfels/surfels.h"
 

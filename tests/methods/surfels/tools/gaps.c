@@ -1,6 +1,7 @@
 /* Surfels against rays through the middles of pixels: no pixel whose ray meets a surfel shows the sky, and nothing is
  * blended that lies farther behind the nearest than epsilon. Of balls, and of the dragon in $TS_SCENES at full size. */
 #include "kernels/raster/gbuffer.h"
+#include "kernels/surfels/surfel_blend_order.h"
 #include "methods/surfels/tools/discs.h"
 #include "tests/methods/surfels/surfels.h"
 #include "tests/scene/folder.h"

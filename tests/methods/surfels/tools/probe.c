@@ -1,4 +1,5 @@
 /* What the probe says of surfels, against rays and the buffers of the run that wrote the trace. */
+#include "kernels/surfels/surfel_blend_order.h"
 #include "kernels/surfels/surfel_setup.h"
 #include "tests/probe/probed.h"
 #include "tests/whole.h"
