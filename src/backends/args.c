@@ -59,14 +59,12 @@ typedef struct ts_nothing ts_element_of_none;
 
 const ts_arg_list *ts_kernel_args(ts_kernel kernel)
 {
-	switch (kernel) {
-#define KERNEL(name, args) \
-	case TS_KERNEL_##name: \
-		return args##_list();
+	static const ts_arg_list *(*const lists[])(void) = {
+#define KERNEL(name, args) args##_list,
 #include "backends/kernels.def"
-#undef KERNEL
-	default: assert(false); return NULL;
-	}
+	};
+	assert(kernel < TS_N_KERNELS);
+	return lists[kernel]();
 }
 
 const char *ts_kernel_name(ts_kernel kernel)
@@ -74,7 +72,6 @@ const char *ts_kernel_name(ts_kernel kernel)
 	static const char *const names[] = {
 #define KERNEL(name, args) #name,
 #include "backends/kernels.def"
-#undef KERNEL
 	};
 	assert(kernel < TS_N_KERNELS);
 	return names[kernel];

@@ -9,7 +9,6 @@ typedef enum {
 #include "backends/kernels.def"
 	TS_N_KERNELS,
 } ts_kernel;
-#undef KERNEL
 
 /* Roles; see kernels/base/args.h. */
 typedef enum {

@@ -58,24 +58,43 @@ u64 ts_device_parts(const ts_store *store, u64 part_bytes, ts_frame *frame, cons
 	return part_bytes;
 }
 
-static bool is_by_pieces(const ts_launch *launch, const void *args)
-{
-	const ts_splat_args *splat = args;
-	return launch->kernel == TS_KERNEL_splat && splat->from.offset != NULL && splat->mark == 0;
-}
-
-/* The offset of the argument that holds the number of items sharing an item's rows, for kernels with bands. */
+/* The offset of the argument that holds the number of items sharing an item's rows; 0: the kernel has no bands. */
 static size_t others_at(ts_kernel kernel)
 {
-	switch (kernel) {
-	case TS_KERNEL_eye: return offsetof(ts_eye_args, others);
-	case TS_KERNEL_cube_face: return offsetof(ts_cube_face_args, others);
-	case TS_KERNEL_depth_map: return offsetof(ts_depth_map_args, others);
-	case TS_KERNEL_rsm: return offsetof(ts_rsm_args, others);
-	case TS_KERNEL_scatter_pieces: return offsetof(ts_scatter_args, others);
-	case TS_KERNEL_shadow_splat_pieces: return offsetof(ts_shadow_splat_args, of.others);
-	default: return 0;
-	}
+	static const size_t at[TS_N_KERNELS] = {
+#define BANDS(kernel, arguments, others) [TS_KERNEL_##kernel] = offsetof(arguments, others),
+#include "backends/kernels.def"
+	};
+	return at[kernel];
+}
+
+/* The kernel with an item for each piece that can take a launch's place, and where the arguments say so. */
+typedef struct {
+	bool is;
+	ts_kernel by;
+	size_t from, unless, n;
+} by_pieces;
+
+static const by_pieces pieces_of[TS_N_KERNELS] = {
+#define PIECES(kernel, by, arguments, from, unless, n) \
+	[TS_KERNEL_##kernel] = {true, TS_KERNEL_##by, offsetof(arguments, from), offsetof(arguments, unless), \
+	                        offsetof(arguments, n)},
+#include "backends/kernels.def"
+};
+
+static u32 number_at(const void *args, size_t offset)
+{
+	u32 number;
+	memcpy(&number, (const u8 *)args + offset, sizeof number);
+	return number;
+}
+
+static bool is_by_pieces(ts_kernel kernel, const void *args)
+{
+	const by_pieces *pieces = &pieces_of[kernel];
+	const void *from;
+	memcpy(&from, (const u8 *)args + pieces->from, sizeof from);
+	return pieces->is && from != NULL && number_at(args, pieces->unless) == 0;
 }
 
 /* Few items, which may be large, get many bands; many items get few. */
@@ -101,9 +120,9 @@ ts_status ts_device_launch(ts_backend *backend, ts_frame *frame, const ts_launch
                            ts_enqueue *enqueue)
 {
 	ts_launch taken = *launch;
-	if (!backend->ends_loops && is_by_pieces(launch, args) && !ts_fast_edited(launch->kernel)) {
-		taken.kernel = TS_KERNEL_splat_pieces;
-		n = ((const ts_splat_args *)args)->n_pieces;
+	if (!backend->ends_loops && is_by_pieces(launch->kernel, args) && !ts_fast_edited(launch->kernel)) {
+		taken.kernel = pieces_of[launch->kernel].by;
+		n = number_at(args, pieces_of[launch->kernel].n);
 	}
 	frame->residence = &ts_store_residence;
 	if (n == 0) return TS_OK;

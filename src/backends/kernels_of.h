@@ -8,6 +8,8 @@
 #define QUOTED(path) #path
 #define KERNELS_H TEXT(kernels/OF/kernels.h)
 #define KERNELS_DEF TEXT(kernels/OF/kernels.def)
+#define BANDS(kernel, arguments, others)
+#define PIECES(kernel, by, arguments, from, unless, n)
 /* clang-format on */
 #else
 #define KERNELS_H "backends/kernels.h"

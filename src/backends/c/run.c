@@ -20,13 +20,11 @@ typedef void kernel_items(const void *args, u64 begin, u64 end);
 
 #define KERNEL(name, args_type) kernel_items ts_c_items_##name;
 #include "backends/kernels.def"
-#undef KERNEL
 
 #define KERNEL(name, args_type) ts_c_items_##name,
 static kernel_items *const kernels[TS_N_KERNELS] = {
 #include "backends/kernels.def"
 };
-#undef KERNEL
 
 #define EDITED(kernel)
 #define AT_ONCE(kernel)
