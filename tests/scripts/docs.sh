@@ -43,7 +43,7 @@ planted() {
 whole() {
 	reasons=() files=()
 	cp -r reference/{CONTRACT,METHODS,TABLES,FIGURES,VERDICTS,PERFORMANCE,PICTURES,RENDERING}.md reference/methods \
-		README.md CONTRIBUTING.md "$folder/"
+		reference/trace.schema.json README.md CONTRIBUTING.md "$folder/"
 }
 whole
 plant "there is no ts_k_spalt_item" methods/points.md '/^### `eye`/s/$/ `ts_k_spalt_item`/'
@@ -70,6 +70,7 @@ plant "there is no table epr-4 of bench" RENDERING.md 's/bench epr-1 /bench epr-
 plant "1[0-9]* words, at most 1000" README.md "\$a $(yes word | head -n 200 | tr '\n' ' ')"
 plant "method vir is not named" README.md 's/, `vir`//'
 plant "there is no table epr-4 of bench" README.md '/^## Start/s/$/ `touchstone bench epr-4`/'
+plant "the methods are epr mvr " trace.schema.json 's/"epr", "mvr", /"mvr", /'
 plant ".ci/run does not run make test-long" CONTRIBUTING.md 's/, the second, `make test-devices`/, `make test-long`&/'
 plant ".ci/run runs make golden" CONTRIBUTING.md 's/`make faults-short`, `make golden`/`make faults-short`/'
 planted
