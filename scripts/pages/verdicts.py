@@ -1,8 +1,9 @@
-"""What `bench list` says of the papers' claims, in short for reference/VERDICTS.md, a row each, and at length for
-reference/FIGURES.md. A verdict is the text that scripts/verdicts wrote: counts of rows, and behind "times: " the same
-of times; behind "differs in n of m rows: " the relations that fail, the scenes, the class of the cause, and the
-cause."""
+"""The papers' claims of `bench list` with their verdicts in reference/verdicts.json, in short for
+reference/VERDICTS.md, a row each, and at length for reference/FIGURES.md. A verdict is the text that scripts/verdicts
+wrote: counts of rows, and behind "times: " the same of times; behind "differs in n of m rows: " the relations that
+fail, the scenes, the class of the cause, and the cause."""
 import collections
+import json
 import re
 
 # As src/study/bench.h explains them.
@@ -15,6 +16,18 @@ NOT_JUDGED = re.compile(r"(?:^|; )(\d+) rows? of times not judged.*")
 FAULT = re.compile(rf"(.*?)(?: in ([^ ]+(?:, [^ ]+)*))?: ({'|'.join(CLASSES)}): (.*?)(?:; see (.*))?")
 
 Fault = collections.namedtuple("Fault", "relation scenes group cause see")
+
+
+def asked(claims):
+	"""The claims, each with its verdict, and by which version and scenes these were found."""
+	with open("reference/verdicts.json", encoding="utf-8") as file:
+		stored = json.load(file)
+	found = {(row["paper"], row["place"]): "; ".join(filter(None, (row["counts"], row["times"])))
+	         for row in stored["verdicts"]}
+	for claim in claims:
+		verdict = found.get((claim["paper"], claim["place"]), "not asked yet")
+		claim["verdict"] = verdict if claim["bench"] else f"cannot be asked: {claim['cannot']}"
+	return claims, f"{stored['version']}, commit {stored['commit']}, scenes {', '.join(stored['scenes'])}"
 
 
 def parted(verdict):

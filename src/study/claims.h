@@ -1,5 +1,4 @@
-/* Claims: what the papers' tables, figures, algorithms and slides show, which table of `bench` tests it here, and the
- * result of the last test (verdicts.def). */
+/* Claims: what the papers' tables, figures, algorithms and slides show, which table of `bench` tests it here. */
 #ifndef TS_STUDY_CLAIMS_H
 #define TS_STUDY_CLAIMS_H
 #include "study/bench.h"
@@ -18,7 +17,7 @@ typedef struct {
 void ts_claims_use(const ts_claim *const *claims);
 /* All of them in that order. */
 const ts_claim *const *ts_claims(void);
-/* `bench list`: a row for each, with its verdict. */
+/* `bench list`: a row for each. */
 ts_status ts_bench_claims(const ts_job *job);
 
 #endif

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The verdicts of tables that take no scene are those of src/study/verdicts.def, and a report is summed up as its rows
+# The verdicts of tables that take no scene are those of reference/verdicts.json, and a report is summed up as its rows
 # say. Prints TAP.
 set -u
 folder=$(mktemp -d)
@@ -13,8 +13,8 @@ result() { # GOOD NAME
 
 scripts/verdicts --only ssagh-5,ssagh-6,ssagh-7 > "$folder/out" 2>&1
 result $? "verdicts of tables without a scene"
-sed 's/holds in 4 rows/holds in 5 rows/' src/study/verdicts.def > "$folder/verdicts.def"
-VERDICTS=$folder/verdicts.def scripts/verdicts --only ssagh-7 > "$folder/out" 2> /dev/null
+sed 's/holds in 4 rows/holds in 5 rows/' reference/verdicts.json > "$folder/verdicts.json"
+VERDICTS=$folder/verdicts.json scripts/verdicts --only ssagh-7 > "$folder/out" 2> /dev/null
 [ $? -eq 1 ] && grep -q '^SSAGH, figure 7: holds in 4 rows' "$folder/out"
 result $? "another verdict is seen"
 
@@ -42,18 +42,26 @@ cat > "$folder/report" <<'JSON'
 	{"relation": "total", "verdict": "holds"}]}
 JSON
 unjudged='1 row of times not judged, for others used the machine'
-cat > "$folder/wanted" <<DEF
-MEASURED("1.2", "abc", "x, y, z")
-VERDICT("P", "figure 1", "differs in 2 of 4 rows: a first in y, z: too \"few\"", "")
-VERDICT("P", "figure 2", "holds in 1 row", "times: holds in 1 row; $unjudged")
-DEF
-VERDICTS=$folder/verdicts.def TOUCHSTONE=$folder/command scripts/verdicts --write 2> /dev/null
-grep -v '^/\?[ *]' "$folder/verdicts.def" | diff "$folder/wanted" -
+first='{"paper": "P", "place": "figure 1", "counts": "differs in 2 of 4 rows: '
+first+='a first in y, z: too \"few\"", "times": ""}'
+cat > "$folder/wanted" <<JSON
+{
+	"version": "1.2",
+	"commit": "abc",
+	"scenes": ["x", "y", "z"],
+	"verdicts": [
+		$first,
+		{"paper": "P", "place": "figure 2", "counts": "holds in 1 row", "times": "times: holds in 1 row; $unjudged"}
+	]
+}
+JSON
+VERDICTS=$folder/verdicts.json TOUCHSTONE=$folder/command scripts/verdicts --write 2> /dev/null
+diff "$folder/wanted" "$folder/verdicts.json"
 result $? "rows are counted, by what differs where, and times apart"
-VERDICTS=$folder/verdicts.def TOUCHSTONE=$folder/command scripts/verdicts > "$folder/out" 2> /dev/null
+VERDICTS=$folder/verdicts.json TOUCHSTONE=$folder/command scripts/verdicts > "$folder/out" 2> /dev/null
 result $? "what was written is found again"
 sed -i 's/"total"/"sum"/; s/"time"/"clock"/g' "$folder/report"
-VERDICTS=$folder/verdicts.def TOUCHSTONE=$folder/command scripts/verdicts > "$folder/out" 2>&1
+VERDICTS=$folder/verdicts.json TOUCHSTONE=$folder/command scripts/verdicts > "$folder/out" 2>&1
 [ $? -eq 1 ] && grep -q 'P, figure 2: bench one has no row that begins with t$' "$folder/out"
 result $? "a claim that no row asks is refused"
 echo "1..$n"

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The verdicts on all that the papers show are those of src/study/verdicts.def, but for those on times. Prints TAP.
+# The verdicts on all that the papers show are those of reference/verdicts.json, but for those on times. Prints TAP.
 set -u
 if [ -z "${TS_SCENES:-}" ]; then
 	echo "1..0 # SKIP TS_SCENES names no models"
