@@ -2,7 +2,7 @@
  *   make config=fuzz build/fuzz/tests/fuzz/gltf
  *   build/fuzz/tests/fuzz/gltf -max_total_time=3600 build/fuzz/corpus/gltf build/fuzz/seeds/gltf
  * Each input becomes a file, .glb or .gltf by its first byte, which is opened with two mirrors and described. */
-#include <touchstone/scene.h>
+#include "scene/scene.h"
 #include "tests/fuzz/folder.h"
 
 static const char *text, *binary;
