@@ -18,9 +18,9 @@ FAULT = re.compile(rf"(.*?)(?: in ([^ ]+(?:, [^ ]+)*))?: ({'|'.join(CLASSES)}): 
 Fault = collections.namedtuple("Fault", "relation scenes group cause see")
 
 
-def asked(claims):
+def asked(claims, path):
 	"""The claims, each with its verdict, and by which version and scenes these were found."""
-	with open("reference/verdicts.json", encoding="utf-8") as file:
+	with open(path, encoding="utf-8") as file:
 		stored = json.load(file)
 	found = {(row["paper"], row["place"]): "; ".join(filter(None, (row["counts"], row["times"])))
 	         for row in stored["verdicts"]}

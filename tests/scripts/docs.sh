@@ -43,7 +43,7 @@ planted() {
 whole() {
 	reasons=() files=()
 	cp -r reference/{CONTRACT,METHODS,TABLES,FIGURES,VERDICTS,PERFORMANCE,PICTURES,RENDERING}.md reference/methods \
-		reference/trace.schema.json README.md CONTRIBUTING.md "$folder/"
+		reference/{trace.schema,verdicts}.json README.md CONTRIBUTING.md "$folder/"
 }
 whole
 plant "there is no ts_k_spalt_item" methods/points.md '/^### `eye`/s/$/ `ts_k_spalt_item`/'
@@ -114,11 +114,11 @@ planted
 
 rm -r "$folder"/*.md "$folder"/methods
 cp reference/VERDICTS.md "$folder/"
-sed -i "s/not in general: one Gaussian errs more/one Gaussian errs more/" "$folder/list.json"
+sed -i "s/not in general: one Gaussian errs more/one Gaussian errs more/" "$folder/verdicts.json"
 scripts/docs-check "$folder" > "$folder/out"
 grep -q "SSAGH, figure 3: a reason has no class" "$folder/out"
 result $? "the check sees: a reason that no class explains"
-sed -i "s/: one Gaussian errs more/: not in general&/" "$folder/list.json"
+sed -i "s/: one Gaussian errs more/: not in general&/" "$folder/verdicts.json"
 cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md "$folder/"
 sed -i 's/"EPR 3.3"/"NIL 3.3"/' "$folder/stages.json"
 scripts/docs-check "$folder" > "$folder/out"
