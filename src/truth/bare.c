@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include "kernels/raster/offscreen.h"
-#include "truth/query.h"
 #include "truth/tree.h"
+#include "truth/truth.h"
 
 enum {
 	SIDE = 4,

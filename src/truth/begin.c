@@ -1,6 +1,6 @@
 /* The start of truths: the first steps of a method of their effect. */
 #include "methods/pipeline.h"
-#include "truth/query.h"
+#include "truth/truth.h"
 
 static bool has_made(const ts_run *run, const ts_buffer_id *ids)
 {

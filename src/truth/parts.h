@@ -1,8 +1,8 @@
 /* Inside a truth: the scene's triangles of Embree's primitives, and the filters that let rays pass them. */
 #ifndef TS_TRUTH_PARTS_H
 #define TS_TRUTH_PARTS_H
-#include "truth/query.h"
 #include "truth/tree.h"
+#include "truth/truth.h"
 
 /* The facing of a triangle: n and a of ts_corners. */
 typedef struct {

@@ -4,7 +4,23 @@
  * so that two runs, by any number of threads, give the same. */
 #ifndef TS_TRUTH_SAMPLING_H
 #define TS_TRUTH_SAMPLING_H
+#include "kernels/base/compat.h"
 #include "methods/stage.h"
+
+/* Progress of work by rays that may take long, and once an estimate of its duration, by the time of the first rays. The
+ * clock has no effect on results. */
+
+typedef struct {
+	const char *label;
+	u64 rays; /* of the whole work; 0: it casts none */
+	double begin;
+	bool reported;
+} ts_work;
+
+ts_work ts_work_begin(const char *label, u64 rays);
+/* Notes that `done` of `all` is done. Prints on standard error an estimated duration of at least 10 s. */
+void ts_work_at(ts_work *work, u64 done, u64 all);
+void ts_work_end(const ts_work *work);
 
 /* The items that a pixel asks: all, or one at random of each of `asked` parts of nearly equal size. */
 typedef struct {

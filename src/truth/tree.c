@@ -1,6 +1,62 @@
-/* A tree of Embree. */
+/* A tree of Embree: the library, opened; the first of its failures; the tree. */
 #include "truth/tree.h"
+#include <dlfcn.h>
+#include <pthread.h>
 #include <stdio.h>
+#include "model/core.h"
+#include "model/library.h"
+
+#define TEXT_OF(number) #number
+#define TEXT(number) TEXT_OF(number)
+#define LIBRARY "libembree" TEXT(TS_EMBREE) ".so." TEXT(TS_EMBREE)
+#define NAME(name) "rtc" #name,
+
+ts_rtc_calls ts_rtc;
+static bool found;
+static char missing[512];
+
+static void find(void)
+{
+	static const char *const names[] = {TS_RTC_CALLS(NAME)};
+	void *library = dlopen(LIBRARY, RTLD_NOW | RTLD_LOCAL);
+	found = library != NULL && ts_library_find(&ts_rtc, names, sizeof names / sizeof *names, library);
+	const char *why = found ? NULL : dlerror();
+	snprintf(missing, sizeof missing, "%s", why != NULL ? why : LIBRARY ": not as it was built for");
+}
+
+ts_status ts_rtc_open(void)
+{
+	static pthread_once_t once = PTHREAD_ONCE_INIT;
+	pthread_once(&once, find);
+	if (found) return TS_OK;
+	return ts_fail_as(
+		TS_KIND_LIBRARY,
+		"truth: rays need Embree, in Debian the package libembree" TEXT(TS_EMBREE) "-" TEXT(TS_EMBREE) ": %s", missing);
+}
+
+void ts_first_error_begin(ts_first_error *error)
+{
+	pthread_mutex_init(&error->lock, NULL);
+	error->text[0] = 0;
+}
+
+void ts_first_error_end(ts_first_error *error) { pthread_mutex_destroy(&error->lock); }
+
+void ts_first_error_keep(ts_first_error *error, int code, const char *text)
+{
+	pthread_mutex_lock(&error->lock);
+	if (error->text[0] == 0)
+		snprintf(error->text, sizeof error->text, "error %d, %s", code, text != NULL ? text : "no text");
+	pthread_mutex_unlock(&error->lock);
+}
+
+const char *ts_first_error_text(ts_first_error *error)
+{
+	pthread_mutex_lock(&error->lock);
+	const char *text = error->text[0] != 0 ? error->text : NULL;
+	pthread_mutex_unlock(&error->lock);
+	return text;
+}
 
 #if TS_EMBREE == 4
 #define FILTER_OF_QUERY RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS

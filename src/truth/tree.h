@@ -1,9 +1,54 @@
-/* A device of Embree, version 3 or 4, and a scene in it, with their first error and their limit of memory. */
+/* Embree, version 3 or 4, opened with the first tree, so that a process without truths does not load its 40 MB; and a
+ * tree of it: a device and a scene, with their first error, which may come from several threads at once, and their
+ * limit of memory. */
 #ifndef TS_TRUTH_TREE_H
 #define TS_TRUTH_TREE_H
+#include <pthread.h>
+#include <touchstone/status.h>
+#include "kernels/base/num.h"
 #include "methods/stages.h"
-#include "truth/first_error.h"
-#include "truth/rtc.h"
+
+#if TS_EMBREE == 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+/* The functions of Embree that are called. */
+/* clang-format off */
+#define TS_RTC_CALLS(CALL) \
+	CALL(NewDevice) CALL(ReleaseDevice) CALL(GetDeviceError) CALL(SetDeviceErrorFunction) \
+	CALL(SetDeviceMemoryMonitorFunction) CALL(NewScene) CALL(ReleaseScene) CALL(SetSceneFlags) CALL(CommitScene) \
+	CALL(NewGeometry) CALL(ReleaseGeometry) CALL(CommitGeometry) CALL(AttachGeometry) CALL(AttachGeometryByID) \
+	CALL(SetSharedGeometryBuffer) CALL(SetNewGeometryBuffer) CALL(SetGeometryUserData) \
+	CALL(SetGeometryUserPrimitiveCount) CALL(SetGeometryBoundsFunction) CALL(SetGeometryIntersectFunction) \
+	CALL(SetGeometryIntersectFilterFunction) CALL(Intersect1) CALL(Intersect16)
+/* clang-format on */
+#define TS_RTC_CALL(name) __typeof__(&rtc##name) name;
+typedef struct {
+	TS_RTC_CALLS(TS_RTC_CALL)
+} ts_rtc_calls;
+#undef TS_RTC_CALL
+
+/* Valid once ts_rtc_open, from any thread, has found Embree. */
+extern ts_rtc_calls ts_rtc;
+ts_status ts_rtc_open(void);
+
+typedef struct {
+	pthread_mutex_t lock;
+	char text[160]; /* "" until there is one */
+} ts_first_error;
+
+/* Starts without an error. Released by ts_first_error_end. */
+void ts_first_error_begin(ts_first_error *error);
+void ts_first_error_end(ts_first_error *error);
+
+/* Keeps the code and the text (may be NULL), cut to what fits, unless there is an error already. From any thread. */
+void ts_first_error_keep(ts_first_error *error, int code, const char *text);
+
+/* The error as one text, or NULL if there is none. It stays as it is until ts_first_error_end. From any thread. */
+const char *ts_first_error_text(ts_first_error *error);
+
 #if TS_EMBREE == 4
 typedef struct RTCRayQueryContext ts_tree_context;
 #else

@@ -2,8 +2,8 @@
 #include <math.h>
 #include "tests/model/test.h"
 #include "tests/truth/world.h"
-#include "truth/query.h"
-#include "truth/rtc.h"
+#include "truth/tree.h"
+#include "truth/truth.h"
 
 enum { SEED = 7, STREAM = 6 };
 

@@ -1,5 +1,6 @@
-/* Shares of a truth's rays: which items, which pixels, and how many. */
+/* Of truths by some of their rays: what is asked; and what is said of long work, and that short work says nothing. */
 #include "kernels/base/num.h"
+#include "model/core.h"
 #include "tests/model/test.h"
 #include "truth/sampling.h"
 
@@ -160,6 +161,53 @@ static void rays_set_the_pace_of_progress(void **state)
 	}
 }
 
+static char said[256];
+static int lines;
+
+static void line(void *user, const char *text)
+{
+	(void)user;
+	lines++;
+	strncpy(said, text, sizeof said - 1);
+}
+
+/* As if it had begun a second ago. */
+static ts_work a_second_old(u64 rays)
+{
+	ts_work work = ts_work_begin("test", rays);
+	work.begin -= 1;
+	return work;
+}
+
+static void long_work_is_told_once(void **state)
+{
+	(void)state;
+	ts_listen(&(ts_listener){.line = line});
+	ts_work work = a_second_old(5000);
+	lines = 0;
+	ts_work_at(&work, 0, 100);
+	assert_int_equal(lines, 0);
+	ts_work_at(&work, 5, 100);
+	ts_work_at(&work, 6, 100);
+	assert_int_equal(lines, 1);
+	assert_non_null(strstr(said, "test: 5000 rays, about 2"));
+	work = a_second_old(0);
+	ts_work_at(&work, 1, 100);
+	assert_non_null(strstr(said, "test: about 1"));
+}
+
+static void short_work_says_nothing(void **state)
+{
+	(void)state;
+	ts_listen(&(ts_listener){.line = line});
+	lines = 0;
+	ts_work work = a_second_old(5000), young = ts_work_begin("test", 5000);
+	ts_work_at(&work, 50, 100);
+	ts_work_at(&young, 1, 1000000);
+	ts_work_end(&work);
+	assert_int_equal(lines, 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -169,6 +217,8 @@ int main(void)
 		cmocka_unit_test(a_smaller_chance_chooses_fewer_pixels),
 		cmocka_unit_test(only_asked_items_and_pixels_are_traced),
 		cmocka_unit_test(rays_set_the_pace_of_progress),
+		cmocka_unit_test(long_work_is_told_once),
+		cmocka_unit_test(short_work_says_nothing),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,7 +8,7 @@
 #include "methods/points/points.h"
 #include "methods/points/tools/tools.h"
 #include "tests/model/test.h"
-#include "truth/query.h"
+#include "truth/truth.h"
 
 /* The nearest point of a texel. */
 typedef struct {

@@ -8,7 +8,7 @@
 #include "methods/points/tools/tools.h"
 #include "tests/model/test.h"
 #include "tests/truth/soup.h"
-#include "truth/query.h"
+#include "truth/truth.h"
 
 static ts_params small_params(void)
 {

@@ -2,7 +2,7 @@
 #ifndef TS_METHODS_HULLS_TOOLS_TRUTH_GLOSS_H
 #define TS_METHODS_HULLS_TOOLS_TRUTH_GLOSS_H
 #include "methods/hulls/tools/double.h"
-#include "truth/query.h"
+#include "truth/truth.h"
 
 /* Makes gloss.pixel in a run that has its eye. *gloss: that of the pixels; *eye: its position. */
 ts_status ts_truth_gloss(ts_run *run, const ts_gloss **gloss, ts_v3 *eye);

@@ -6,8 +6,8 @@
 #include "kernels/points/samples.h"
 #include "methods/points/tools/tools.h"
 #include "methods/raster/eye.h"
-#include "truth/query.h"
 #include "truth/sampling.h"
+#include "truth/truth.h"
 
 typedef struct tracer tracer;
 

@@ -10,8 +10,8 @@
 #include "methods/pipeline.h"
 #include "methods/points/tools/tools.h"
 #include "methods/raster/eye.h"
-#include "truth/query.h"
 #include "truth/sampling.h"
+#include "truth/truth.h"
 
 enum { MOST_SAMPLES = 1 << 20, RAYS = 64 }; /* of all lights; rays that are cast at once */
 

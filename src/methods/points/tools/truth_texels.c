@@ -14,9 +14,8 @@
 #include "kernels/raster/shadow_map.h"
 #include "methods/points/tools/tools.h"
 #include "methods/stages.h"
-#include "truth/query.h"
 #include "truth/sampling.h"
-#include "truth/work.h"
+#include "truth/truth.h"
 
 #define ROUNDING 1.00001
 

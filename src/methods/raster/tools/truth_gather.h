@@ -1,8 +1,8 @@
 /* Code that truths of indirect light share (METHODS 17): light is gathered at every pixel of the G-buffer. */
 #ifndef TS_METHODS_RASTER_TOOLS_TRUTH_GATHER_H
 #define TS_METHODS_RASTER_TOOLS_TRUTH_GATHER_H
-#include "truth/query.h"
 #include "truth/sampling.h"
+#include "truth/truth.h"
 
 /* Runs, in a run that has just begun, the stages before the light of a method of indirect light: pose, lights, their
  * views, eye and G-buffer, which are the same for all methods. */

@@ -16,9 +16,8 @@
 #include "methods/surfels/tools/discs.h"
 #include "methods/surfels/tools/tools.h"
 #include "scene/checkerboard.h"
-#include "truth/query.h"
 #include "truth/sampling.h"
-#include "truth/work.h"
+#include "truth/truth.h"
 
 #define SKIP 0.000244140625f /* of the greatest coordinate */
 #define ONE 1073741824.0     /* sums are in 2^-30, so that the order of hits does not matter */

@@ -4,7 +4,7 @@
 #include "methods/views/tools/tools.h"
 #include "methods/views/traverse.h"
 #include "methods/views/views.h"
-#include "truth/query.h"
+#include "truth/truth.h"
 
 enum { MOST_VIEWS = 1024, PLACES = 64, WRONG_LEAVES = 3, FINER = 4 };
 

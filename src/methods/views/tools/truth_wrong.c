@@ -2,7 +2,7 @@
 #include "kernels/views/octree.h"
 #include "kernels/views/vpl_gather.h"
 #include "methods/views/tools/tools.h"
-#include "truth/query.h"
+#include "truth/truth.h"
 
 const char *const ts_wrong_names[] = {
 #define WRONG(id, counter, head) counter,

@@ -5,7 +5,7 @@
 #include "methods/points/tools/tools.h"
 #include "tests/model/test.h"
 #include "tests/truth/world.h"
-#include "truth/query.h"
+#include "truth/truth.h"
 
 enum { N_PIXELS = 2000, SEED = 3, STREAM = 6 };
 

@@ -6,7 +6,7 @@
 #include "methods/views/tools/tools.h"
 #include "methods/views/views.h"
 #include "tests/methods/small.h"
-#include "truth/query.h"
+#include "truth/truth.h"
 
 typedef struct {
 	double x, y, z;
