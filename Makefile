@@ -142,7 +142,7 @@ CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard $(patsubst %,src/%/*.c,\
 		model output backends/c backends/c/* methods methods/* families golden vectors)) \
 	$(patsubst %,src/backends/%.c,args fast find wide) src/truth/table.c \
-	$(wildcard $(patsubst %,src/trace/%.c,descr emit sums)) \
+	$(wildcard $(patsubst %,src/trace/%.c,emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,\
 		$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(if $(REPORTS),$(REPORTS:%=src/cli/%.c) $(patsubst %,src/study/%.c,folder folder_ours table) \

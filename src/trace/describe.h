@@ -2,8 +2,15 @@
 #ifndef TS_TRACE_DESCRIBE_H
 #define TS_TRACE_DESCRIBE_H
 #include <jansson.h>
+#include "methods/stage.h"
 #include "model/digest.h"
 #include "trace/emit.h"
+
+/* Name, version and commit of this program; name, device, compiler and flags of its backend. New references, or NULL
+ * without memory. */
+json_t *ts_producer(const ts_run *run);
+/* Rounding, contraction and denormals of the run's backend; for the C backend measured now in this process. */
+json_t *ts_arithmetic(const ts_run *run);
 
 /* Files of a trace of version 1 are plain .npy files of its folder. In version 2 they may also be compressed, or files
  * of the scene that the traces of one run share. */

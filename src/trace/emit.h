@@ -3,7 +3,13 @@
 #ifndef TS_TRACE_EMIT_H
 #define TS_TRACE_EMIT_H
 #include "methods/pipeline.h"
-#include "trace/descr.h"
+#include "model/frame.h"
+#include "output/npy.h"
+
+enum { TS_NPY_DESCR = 2048 };
+
+/* The dtype as numpy writes it: "'<u4'" or "[('centre', '<f4', (3,)), ('piece', '<u4'), ...]". */
+void ts_npy_descr(char descr[TS_NPY_DESCR], ts_buffer_id id);
 
 enum { TS_EMIT_NAME = 64 };
 

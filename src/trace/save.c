@@ -3,7 +3,6 @@
 #include "output/file.h"
 #include "scene/print.h"
 #include "trace/describe.h"
-#include "trace/producer.h"
 
 /* Writes the elements, as many at once as the reader holds. */
 static ts_status put_elements(ts_file *file, ts_digest *digest, const ts_trace_item *item, ts_buffer_id id)

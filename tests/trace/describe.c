@@ -1,7 +1,7 @@
 /* What a trace says of who made it: this program and its arithmetic, or a backend's that was measured. */
 #include "model/core.h"
 #include "tests/trace/folder.h"
-#include "trace/producer.h"
+#include "trace/describe.h"
 
 static void is(const json_t *root, const char *key, const char *text)
 {
