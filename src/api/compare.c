@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/verdicts.h"
-#include "compare/part.h"
+#include "compare/compare.h"
 #include "replay/forced.h"
 #include "replay/judge.h"
 #include "trace/emit.h"

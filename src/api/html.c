@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <touchstone/html.h>
 #include "api/verdicts.h"
-#include "compare/digests.h"
+#include "compare/compare.h"
 #include "image/flip.h"
 #include "model/json.h"
 #include "report/report.h"

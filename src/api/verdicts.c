@@ -2,7 +2,6 @@
 #include "api/verdicts.h"
 #include <stdlib.h>
 #include <string.h>
-#include "compare/json.h"
 #include "compare/line.h"
 #include "trace/emit.h"
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include "compare/compare.h"
 #include "compare/decided.h"
-#include "compare/gather.h"
+#include "compare/order.h"
 #include "compare/tie.h"
 #include "kernels/base/num.h"
 #include "kernels/raster/eye_sample.h"

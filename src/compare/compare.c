@@ -1,9 +1,42 @@
-/* Comparison of two traces. */
+/* Comparison of two traces: buffer by buffer, by digests where files were left out, and by the stages that were asked
+ * for. */
 #include "compare/compare.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "compare/digests.h"
+#include <string.h>
 #include "trace/emit.h"
+
+bool ts_digest_known(const ts_trace_item *item) { return item->path != NULL || item->sha256[0] != 0; }
+
+static bool is_exact(const ts_relaxations *r)
+{
+	return r->ulp == 0 && r->abs == 0 && r->rel == 0 && !r->decided && r->allow == 0 && r->ignore == NULL &&
+	       r->mask == NULL;
+}
+
+/* Judges a buffer that one side or both know by its digest alone. */
+static ts_status judge_digests(ts_verdict *v, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
+                               const ts_relaxations *relaxations)
+{
+	const ts_trace_item *sides[2] = {&reference->item[id], &candidate->item[id]};
+	char hex[2][TS_DIGEST_BYTES];
+	for (u32 s = 0; s < 2; s++) {
+		if (ts_trace_sha256(hex[s], sides[s], id) != TS_OK) return TS_ERROR;
+	}
+	*v = (ts_verdict){.judgement = TS_SAME, .n_ref = sides[0]->npy.n, .n_cand = sides[1]->npy.n, .by_digest = true};
+	if (strcmp(hex[0], hex[1]) == 0) return TS_OK;
+	const char *left = sides[1]->path == NULL ? candidate->dir : reference->dir;
+	if (sides[0]->path == NULL && sides[1]->path == NULL) left = "each side";
+	const char *why = candidate->arrival ? "points in the order of their arrival" : "a relaxed comparison";
+	v->judgement = !candidate->arrival && is_exact(relaxations) ? TS_UNLIKE : TS_UNABLE;
+	if (v->judgement == TS_UNABLE) {
+		snprintf(v->why, sizeof v->why, "%s needs its file, which %.400s leaves out", why, left);
+	} else {
+		snprintf(v->why, sizeof v->why, "SHA-256 ref %.16s... candidate %.16s..., as %.400s leaves its file out",
+		         hex[0], hex[1], left);
+	}
+	return TS_OK;
+}
 
 ts_comparison *ts_comparison_make(u32 most)
 {
@@ -73,7 +106,7 @@ static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *re
 	} else if (!ts_digest_known(cand)) {
 		v->judgement = TS_MISSING;
 	} else if (ref->path == NULL || cand->path == NULL) {
-		status = ts_compare_digests(v, id, reference, candidate, relaxations);
+		status = judge_digests(v, id, reference, candidate, relaxations);
 	} else if (lacks_order(id, candidate, order)) {
 		v->judgement = TS_UNABLE;
 		snprintf(v->why, sizeof v->why, LACKS_ORDER, ts_buffer_table[ts_order_key()].name);
@@ -140,4 +173,63 @@ ts_status ts_compare_alone(ts_verdict *verdict, ts_buffer_id id, const ts_trace 
 	if (status == TS_OK) status = judge_given(verdict, id, reference, candidate, &order, relaxations);
 	ts_order_free(&order);
 	return status;
+}
+
+/* Whether the first n bytes of `text` are that name. */
+static bool is_name(const char *name, const char *text, size_t n)
+{
+	return strlen(name) == n && memcmp(name, text, n) == 0;
+}
+
+static ts_status take_stage(bool part[TS_N_BUFFERS], const ts_pipeline *pipeline, const char *text, size_t n)
+{
+	bool known = is_name("scene", text, n);
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
+		known |= is_name(step->stage, text, n);
+	}
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) part[id] |= is_name(ts_emit_maker(pipeline, (ts_buffer_id)id), text, n);
+	if (known) return TS_OK;
+	return ts_fail("stages: \"%.*s\" is no stage of %s", (int)(n < 80 ? n : 80), text, pipeline->name);
+}
+
+ts_status ts_part_make(bool part[TS_N_BUFFERS], const char *stages, const ts_trace *reference,
+                       const ts_trace *candidate, const ts_relaxations *relaxations)
+{
+	bool any = false;
+	memset(part, 0, TS_N_BUFFERS * sizeof *part);
+	for (const char *at = stages; *at != 0; at += *at == ',') {
+		size_t length = strcspn(at, ",");
+		if (take_stage(part, reference->pipeline, at, length) != TS_OK) return TS_ERROR;
+		at += length;
+	}
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		bool both = ts_digest_known(&reference->item[id]) && ts_digest_known(&candidate->item[id]);
+		any |= both && !ts_relax_ignores(relaxations, ts_buffer_table[id].name);
+	}
+	return any ? TS_OK : ts_fail("%s: no buffer that the reference has too: nothing to judge", candidate->dir);
+}
+
+ts_status ts_part_inputs(ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
+                         const ts_relaxations *relaxations)
+{
+	bool wanted[TS_N_BUFFERS] = {false};
+	ts_relaxations others = *relaxations;
+	ts_comparison *aside = ts_comparison_make(1);
+	if (aside == NULL) return TS_ERROR;
+	others.only = wanted;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_step *step = ts_pipeline_maker(reference->pipeline, (ts_buffer_id)id);
+		if (c->verdict[id].judgement != TS_UNLIKE || step == NULL) continue;
+		const ts_buffer_id *input = ts_stage_inputs(ts_stage_find(step->stage));
+		for (; *input != TS_N_BUFFERS; input++) wanted[*input] = !relaxations->only[*input];
+	}
+	ts_status status = ts_compare_traces(aside, reference, candidate, &others);
+	for (u32 id = 0; id < TS_N_BUFFERS && status != TS_ERROR; id++) {
+		if (!wanted[id]) continue;
+		c->verdict[id] = aside->verdict[id];
+		c->verdict[id].list = (ts_differences){.n = 0};
+		c->verdict[id].aside = true;
+	}
+	ts_comparison_free(aside);
+	return status == TS_ERROR ? TS_ERROR : TS_OK;
 }

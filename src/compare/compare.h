@@ -64,4 +64,16 @@ ts_status ts_compare_alone(ts_verdict *verdict, ts_buffer_id id, const ts_trace 
 ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
                             const ts_order *order, const ts_relaxations *relaxations);
 
+/* Whether the trace has the buffer's file, or at least its digest. */
+bool ts_digest_known(const ts_trace_item *item);
+
+/* Marks the buffers that the stages "scene,split,..." make. Fails if a name is of no stage, or both traces have no such
+ * buffer in common. */
+ts_status ts_part_make(bool part[TS_N_BUFFERS], const char *stages, const ts_trace *reference,
+                       const ts_trace *candidate, const ts_relaxations *relaxations);
+/* Judges the buffers outside the part that a stage with a difference has read, without counting them: by them the
+ * report says whether inputs are identical. */
+ts_status ts_part_inputs(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
+                         const ts_relaxations *relaxations);
+
 #endif

@@ -1,7 +1,7 @@
 /* A window over the reference's order, filled by one pass over the candidate's file. */
-#include "compare/gather.h"
 #include <assert.h>
 #include <stdlib.h>
+#include "compare/order.h"
 #include "kernels/base/num.h"
 
 enum { LEAST_BYTES = 1 << 25, BYTES_A_RECORD = 8 };

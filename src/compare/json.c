@@ -1,5 +1,4 @@
 /* Differences as objects. */
-#include "compare/json.h"
 #include <inttypes.h>
 #include "compare/line.h"
 #include "scene/print.h"

@@ -1,6 +1,7 @@
-/* The result of a comparison in words: the line of the first divergence, and its parts. */
+/* The result of a comparison in words, the line of the first divergence and its parts; and as JSON. */
 #ifndef TS_COMPARE_LINE_H
 #define TS_COMPARE_LINE_H
+#include <jansson.h>
 #include "compare/compare.h"
 
 enum { TS_DIFFERENCE_TEXT = 512, TS_FIRST_TEXT = 1152, TS_LINE_TEXT = 2048, TS_INPUTS_TEXT = 600 };
@@ -23,5 +24,9 @@ i64 ts_compare_ulps(ts_buffer_id id, const ts_difference *difference);
 const char *ts_compare_how(ts_how_unlike how);
 /* "same", "different", ... */
 const char *ts_compare_word(ts_judgement judgement);
+
+/* Both sides, the first divergence, and each buffer that differs with its first differences; a new reference, or NULL
+ * without memory. */
+json_t *ts_compare_json(const ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate);
 
 #endif

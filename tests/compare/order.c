@@ -1,5 +1,4 @@
 /* Keys that meet in any order against a plain search, window by window; and what is missing, extra or repeated. */
-#include "compare/gather.h"
 #include "compare/order.h"
 #include "kernels/base/num.h"
 #include "tests/lcg.h"
