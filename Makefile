@@ -162,7 +162,7 @@ LIFT := -Wl,--export-dynamic-symbol=LLVMBuildStore
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
 ITEMS_O := $(ITEM_HEADERS:%=$(BUILD)/obj/$(ITEMS_C:.c=)/%.o)
 LIB_O := $(call object,$(LIB_C) $(LIB_CC)) $(ITEMS_O)
-IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/model/%.c,error memory text))
+IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/model/%.c,error memory))
 CLI_O := $(call object,$(CLI_C))
 CLI_PARTS_O := $(filter-out %/main.c.o,$(CLI_O))
 CORE_O := $(call object,$(CORE_C)) $(ITEMS_O)

@@ -1,4 +1,4 @@
-/* One line per failure, kept by thread. */
+/* Errors: the last message and its kind, for each thread; and untrusted text on its way out. */
 #include <stdio.h>
 #include <string.h>
 #include "model/core.h"
@@ -88,3 +88,12 @@ bool ts_refused(void) { return refused; }
 const char *ts_error_message(void) { return message; }
 
 ts_kind ts_error_kind(void) { return kind; }
+
+void ts_line_clean(char *text)
+{
+	for (unsigned char *c = (unsigned char *)text; *c != 0; c++) {
+		bool c1 = c[0] == 0xc2 && c[1] >= 0x80 && c[1] <= 0x9f;
+		if (c1) c[1] = '?';
+		if (c1 || *c < 0x20 || *c == 0x7f) *c = '?';
+	}
+}

@@ -70,7 +70,7 @@ reported() {
 }
 
 compile=$(env -u MAKEFLAGS -u MAKELEVEL make -n V=1 JOBS=1 config=tsan BUILD=build/none \
-	build/none/obj/src/model/text.c.o |
+	build/none/obj/src/model/error.c.o |
 	sed -n 's/ -MMD.* -c src.*//p')
 if ! echo 'int main(void) { return 0; }' | $compile -x c - -o "$folder/race" 2> /dev/null; then
 	echo "1..0 # SKIP no compiler with ThreadSanitizer and OpenMP"
