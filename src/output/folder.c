@@ -12,7 +12,6 @@
 #include "output/file.h"
 #include "output/left.h"
 #include "output/lock.h"
-#include "output/place.h"
 #include "output/tree.h"
 
 enum { MAX_DIR = TS_FOLDER_PATH - 300, NOTE_BYTES = 32 };
