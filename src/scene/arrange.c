@@ -1,12 +1,32 @@
-/* Added after the triangles: the eye, the subject of the pictures, mirrors and lamps. */
+/* Added after the triangles: the eye, the subject of the pictures, a ground, mirrors and lamps. */
 #include <string.h>
+#include "kernels/base/vec.h"
 #include "model/core.h"
 #include "scene/build_parts.h"
-#include "scene/lamp_place.h"
-#include "scene/path.h"
 #include "scene/sources.h"
 #include "scene/subject.h"
 #include "scene/view.h"
+
+#define GROUND 2.5f /* half a side, in half diagonals of the scene's box */
+
+/* A square under the box of a scene without a ground: shadows need a receiver. */
+static void lay_ground(ts_build *build, const ts_info *info)
+{
+	ts_space box = ts_view_box(info);
+	f32 reach = ts_length(box.half) * GROUND, floor = info->box_min[1];
+	ts_material material = ts_material_default();
+	ts_build_select(build, 0);
+	u32 corner[4], grey = ts_build_material(build, &material);
+	for (u32 k = 0; k < 4; k++) {
+		ts_vertex v = {.position = {box.middle.x + (k == 0 || k == 3 ? -reach : reach), floor,
+		                            box.middle.z + (k < 2 ? reach : -reach)},
+		               .normal = {0.0f, 1.0f, 0.0f},
+		               .colour = {0.5f, 0.5f, 0.5f, 1.0f}};
+		corner[k] = ts_build_vertex(build, &v);
+	}
+	ts_build_triangle(build, corner[0], corner[1], corner[2], grey);
+	ts_build_triangle(build, corner[0], corner[2], corner[3], grey);
+}
 
 #define EYE_NAME "--eye"
 
@@ -101,7 +121,7 @@ static void find_subject(ts_build *build, const ts_rays *rays, const ts_params *
 /* Adds ground under the whole scene, whatever part is the subject. If there are rays, they meet it from here on. */
 static void add_ground(ts_build *build, ts_rays **rays, const ts_info *whole)
 {
-	ts_ground_add(build, whole);
+	lay_ground(build, whole);
 	if (*rays == NULL) return;
 	ts_rays_free(*rays);
 	*rays = rays_of(build);

@@ -5,7 +5,7 @@
 #include "kernels/base/shade.h"
 #include "model/core.h"
 #include "scene/build_parts.h"
-#include "scene/sample.h"
+#include "scene/sources.h"
 #include "scene/surfel.h"
 #include "scene/view.h"
 

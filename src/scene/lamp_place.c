@@ -1,5 +1,5 @@
 /* Places of lamps are judged by how many points in sight of the eye they light. */
-#include "scene/lamp_place.h"
+#include "scene/sources.h"
 #include "scene/view.h"
 
 enum { N_ACROSS = 16, N_DOWN = 9, N_POINTS = N_ACROSS * N_DOWN, N_TARGETS = 16 };

@@ -1,11 +1,11 @@
 /* The eye's path: cubic Hermite curves through keyframes with the tangents of Catmull and Rom, by frames (METHODS 2).
  * All arithmetic is the kernels' (CONTRACT rule 4). */
-#include "scene/path.h"
 #include <stdlib.h>
 #include <string.h>
 #include "model/core.h"
 #include "model/decimal.h"
 #include "scene/build_parts.h"
+#include "scene/sources.h"
 #include "scene/view.h"
 
 #define PATH_NAME "--path"

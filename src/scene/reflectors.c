@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include "kernels/base/pose.h"
 #include "model/core.h"
-#include "scene/shapes.h"
 #include "scene/sources.h"
 #include "scene/view.h"
 

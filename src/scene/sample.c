@@ -1,11 +1,11 @@
 /* Triangles, in parts that a lattice can hold, sampled as for points. Runs twice: to count, and to write at the sums of
  * the counts. */
-#include "scene/sample.h"
 #include <stdlib.h>
 #include "kernels/base/bisect.h"
 #include "kernels/raster/lattice.h"
 #include "model/core.h"
 #include "scene/build_parts.h"
+#include "scene/sources.h"
 
 enum { SAFE = 129, CENTRE = 0, MOST_PARTS = 64 }; /* half sizes of a lattice square, in 1/256 */
 #define MOST_SURFELS 268435456.0                  /* 2^28 */

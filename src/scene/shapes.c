@@ -1,7 +1,7 @@
 /* Shapes of the added reflectors (METHODS 4): profiles in a half plane, turned about an axis. */
-#include "scene/shapes.h"
 #include <assert.h>
 #include "kernels/base/vec.h"
+#include "scene/sources.h"
 
 #define MAX_ROWS 64
 

@@ -1,8 +1,12 @@
-/* Sources of scenes: each fills a build. Failures stick to the build, as in build.h. */
+/* Sources of scenes, and what is added to them: each fills a build. Failures stick to the build, as in build.h. */
 #ifndef TS_SCENE_SOURCES_H
 #define TS_SCENE_SOURCES_H
+#include <stdbool.h>
+#include "kernels/base/compat.h"
 #include "scene/build.h"
+#include "scene/lamp.h"
 #include "scene/rays.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -43,9 +47,6 @@ ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *p
 ts_status ts_scene_of_arrays(ts_scene **scene, const ts_scene_arrays *arrays, const ts_params *params,
                              const ts_scene_options *options);
 
-/* ground.c: a square under the box of a scene. */
-void ts_ground_add(ts_build *build, const ts_info *info);
-
 /* reflectors.c: as many reflectors as the parameters say, on periodic paths (METHODS 4). With `rays`
  * each is at a free place at frame 0; NULL: their places follow from the hall alone. */
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera, const ts_rays *rays);
@@ -57,6 +58,46 @@ void ts_reflectors_stand(ts_build *build, const f32 (*mirrors)[4], u32 n);
  * hall and eye are those of the scene before ground and mirrors are added.
  * Returns: the name of the chosen camera, which belongs to the build; NULL: none. */
 const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_options *options, bool find);
+
+/* lamp_place.c: free places for the lamps of a file's scene (METHODS 10, lamp). Finds places from which the lamps light
+ * what the eye of frame 0 sees: those that follow from the hall, if they are free and light enough of it; else the best
+ * of a lattice of places.
+ * Returns: false if the lamps stand at the places that follow from the hall.
+ * Args:    given  NULL, or where both lamps must stand; then only the target is chosen. */
+bool ts_lamp_place(ts_stand stands[TS_N_STANDS], const ts_info *info, const ts_rays *rays, const ts_params *params,
+                   const f32 *given);
+
+/* path.c: an eye that moves along the keyframes of a text file (METHODS 2). Bounds of a file, which is untrusted: its
+ * bytes, and the frames from 0 to its last keyframe. */
+enum { TS_PATH_MAX_BYTES = 1 << 22, TS_PATH_MAX_FRAMES = 65536 };
+
+/* Reads a file of keyframes, a line each: FRAME EX,EY,EZ TX,TY,TZ [FOV], FOV in degrees, of all keyframes or of none;
+ * blank lines and what follows '#' count for nothing. Makes the eye of every frame, and a camera of that of frame 0.
+ * Failures are the build's, with the number of the line.
+ * Returns: the camera's name, or NULL if the build has failed.
+ * Args:    own_fov  use the parameter eye.fov, whatever the file says. */
+const char *ts_path_add(ts_build *build, const char *file, bool own_fov);
+
+/* shapes.c: the shapes of the added reflectors, closed surfaces of revolution of about 2000 triangles. Appends one
+ * shape to the build's current object, around the origin; `radius` is that of the ball that holds it, world units.
+ * shape: TS_SHAPE_SPHERE, _CYLINDER, _TORUS or _LATHE. Normals point outwards, and triangles are counter-clockwise seen
+ * from outside. Failures stick to the build. */
+void ts_shape_add(ts_build *build, u32 shape, f32 radius, u32 material);
+
+/* sample.c: surfels sampled from the triangles of a scene, surfels.from_mesh. Adds surfels to a build whose triangles
+ * have been checked: about params->surfels_from_mesh of them, none if that is 0. Each triangle is aligned in its own
+ * plane and sampled there as pieces are (EPR 3.2, 3.3; METHODS 2), by a lattice whose spacing, the same for all
+ * triangles, gives that number over the whole area. A surfel is a circle in the triangle's plane of
+ * params->surfels_radius spacings, coloured as the surface there: base colour times 1 - metallic, textures filtered to
+ * the spacing. A double-sided triangle gets each surfel twice, the second turned over, unless params->surfels_sides
+ * leaves the second out. Every triangle with an area gets at least one surfel, so fine meshes get more than were asked
+ * for; every point of the triangle is within 1.6 spacings of a centre. The order is that of triangles, then of the
+ * lattice, and does not depend on threads. */
+void ts_sample_add(ts_build *build, const ts_params *params);
+
+/* builtin/checkerboard.c: the exact pattern of the built-in checkerboard, of which its surfels are samples. The albedo
+ * of the board, in the plane y = 0 and seen from above, at (x, z); false outside the board. */
+bool ts_checkerboard_at(f32 *albedo, f32 x, f32 z);
 
 #ifdef __cplusplus
 }

@@ -2,7 +2,7 @@
  * <touchstone/records.def> promises it; the parameter eye.fov changes nothing but the field of view. */
 #include <math.h>
 #include "scene/build.h"
-#include "scene/path.h"
+#include "scene/sources.h"
 #include "tests/fuzz/folder.h"
 
 static const double nearly = 1e-5;

@@ -1,7 +1,6 @@
 /* The eye's path against closed forms in doubles, and files that are refused. */
 #include <math.h>
 #include "model/core.h"
-#include "scene/path.h"
 #include "scene/sources.h"
 #include "scene/view.h"
 #include "tests/comma.h"

@@ -3,7 +3,7 @@
 #include "kernels/base/texture.h"
 #include "kernels/base/vec.h"
 #include "model/core.h"
-#include "scene/sample.h"
+#include "scene/sources.h"
 #include "tests/model/test.h"
 
 static ts_params params;

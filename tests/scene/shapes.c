@@ -1,6 +1,6 @@
 /* The shapes of the added reflectors: closed, outward, of the right volume, their normals agreeing with their faces. */
 #include "kernels/base/vec.h"
-#include "scene/shapes.h"
+#include "scene/sources.h"
 #include "tests/model/test.h"
 
 #define RADIUS 2.5f

@@ -2,7 +2,7 @@
  * FIGURES 12 measures filters on it. 64 by 256 m of squares of 1 m; the camera "receding" looks along it. */
 #include "scene/build_parts.h"
 #include "scene/builtin/builtin.h"
-#include "scene/checkerboard.h"
+#include "scene/sources.h"
 #include "scene/surfel.h"
 
 enum { WIDTH = 64, TIMES = 4 }; /* the ratio of length to width */

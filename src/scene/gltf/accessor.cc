@@ -1,5 +1,6 @@
-/* Accessors, glTF 2.0 section 3.6.2: bounds, alignment and forms are checked when a view is opened, so that reading an
- * item below `count` needs no check. tinygltf checks none of this. */
+/* Accessors, glTF 2.0 section 3.6.2, and the attributes of a primitive, 3.7.2.1, as floats of a record: bounds,
+ * alignment and forms are checked when a view is opened, so that reading an item below `count` needs no check.
+ * tinygltf checks none of this. */
 #include <algorithm>
 #include <cstring>
 #include "scene/gltf/gltf.h"
@@ -161,6 +162,33 @@ uint32_t view::index(size_t i) const
 	if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return p[0];
 	if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return p[0] | (u32)p[1] << 8;
 	return p[0] | (u32)p[1] << 8 | (u32)p[2] << 16 | (u32)p[3] << 24;
+}
+
+void attributes::open(loader &in, const tinygltf::Primitive &primitive, const std::string &where)
+{
+	for (const auto &attribute : primitive.attributes) {
+		const form *match = nullptr;
+		for (const form &f : forms)
+			if (attribute.first == f.name) match = &f;
+		if (!match) {
+			in.notes.insert("the vertex attribute " + quoted(attribute.first) + " is ignored");
+			continue;
+		}
+		view v = view_open(in, attribute.second, match->type, match->other_type, match->forms, attribute.first);
+		if (count != 0 && v.count != count)
+			fail("%s: %s has %zu items, another attribute has %zu", where.c_str(), match->name.c_str(), v.count, count);
+		count = v.count;
+		views.emplace(attribute.first, std::move(v));
+	}
+}
+
+void attributes::read(size_t i, f32 *field) const
+{
+	for (const form &f : forms) {
+		auto found = views.find(f.name);
+		if (found == views.end()) continue;
+		for (int k = 0; k < found->second.components; k++) field[f.offset + (size_t)k] = found->second.number(i, k);
+	}
 }
 
 } // namespace gltf

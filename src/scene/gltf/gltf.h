@@ -59,7 +59,7 @@ struct data_uri {
 bool is_data_uri(const std::string &uri);
 data_uri data_uri_decode(const std::string &uri, const std::string &where);
 
-/* container.cc: the parts of a .glb, as ranges of the file; a .gltf is JSON as a whole. */
+/* file.cc: the parts of a .glb, as ranges of the file; a .gltf is JSON as a whole. */
 struct container {
 	size_t json_begin = 0, json_bytes = 0;
 	size_t bin_begin = 0, bin_bytes = 0;
@@ -162,7 +162,7 @@ enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4, AS_SNORM = 8, AS_SMA
 /* type: TINYGLTF_TYPE_*, or two of them as alternatives; forms: which component types are allowed. */
 view view_open(const loader &in, int accessor, int type, int other_type, unsigned forms, const std::string &what);
 
-/* attributes.cc: which attributes of a primitive are read, and where they go. */
+/* accessor.cc: which attributes of a primitive are read, and where they go. */
 struct form {
 	std::string name;
 	int type, other_type;

@@ -15,7 +15,7 @@
 #include "methods/surfels/surfel.h"
 #include "methods/surfels/tools/discs.h"
 #include "methods/surfels/tools/tools.h"
-#include "scene/checkerboard.h"
+#include "scene/sources.h"
 #include "truth/sampling.h"
 #include "truth/truth.h"
 
