@@ -1,5 +1,7 @@
-/* Sums of the attributes of surfels, or of their shaded colours. */
+/* Sums of the attributes of surfels, or of their shaded colours; and the G-buffer, sums divided by their weights. */
+#include "kernels/surfels/surfel_blend_mean.h"
 #include "kernels/surfels/surfel_blend_order.h"
+#include "methods/stages.h"
 #include "methods/surfels/surfel.h"
 
 static const ts_launch in_any_order = TS_LAUNCH(surfel_blend, TS_ALL);
@@ -53,4 +55,21 @@ const ts_stage ts_stage_surfel_blend = {
 	.run = surfel_blend,
 	.launches = TS_LAUNCHES(&in_any_order, &in_order, &shaded_once, &shaded_each),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+static const ts_launch means = TS_LAUNCH(surfel_blend_mean, TS_ALL);
+
+static ts_status surfel_blend_mean(ts_run *run)
+{
+	ts_surfel_blend_mean_args args;
+	return TS_RUN(run, &means, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
+}
+
+const ts_stage ts_stage_surfel_blend_mean = {
+	.name = "surfel_blend.mean",
+	.kind = "map",
+	.paper = "NV40: 3-Pass Deferred Shading",
+	.doc = "sums divided by their weights: a G-buffer",
+	.run = surfel_blend_mean,
+	.launches = TS_LAUNCHES(&means),
 };

@@ -1,6 +1,10 @@
-/* Octrees: masks, nodes and the lists of the leaves; also the scene's octree. */
+/* Octrees: their root, masks, nodes and the lists of the leaves; also the scene's octree, and what its nodes belong
+ * to. */
 #include "methods/views/octree.h"
+#include "kernels/views/octree_reflector.h"
+#include "kernels/views/octree_root.h"
 #include "kernels/views/octree_surface.h"
+#include "methods/stages.h"
 
 const ts_octree ts_scene_octree =
 	TS_OCTREE(voxel_mask, voxel_before, octree_level, octree_node, octree_offset, octree_triangle, nodes, "scene");
@@ -101,4 +105,47 @@ const ts_stage ts_stage_octree_surface = {
 	.run = octree_surface,
 	.launches = TS_LAUNCHES(&of_leaves, &of_nodes),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_octree_level),
+};
+
+/* The cube that both octrees divide. */
+
+static const ts_launch extent = TS_LAUNCH(octree_root_least, TS_BUT(root));
+static const ts_launch cube = TS_LAUNCH(octree_root, TS_IN(least, octree_root_least), TS_BUT(vertices));
+
+static ts_status octree_root(ts_run *run)
+{
+	ts_octree_root_args args;
+	if (TS_RUN(run, &extent, &args, ts_run_size(run, TS_DIM_vertices)) != TS_OK) return TS_ERROR;
+	return TS_RUN(run, &cube, &args, 1);
+}
+
+const ts_stage ts_stage_octree_root = {
+	.name = "octree.root",
+	.kind = "map",
+	.paper = "MegaViews 3.1",
+	.doc = "the cube around all vertices, the root of both octrees",
+	.run = octree_root,
+	.launches = TS_LAUNCHES(&extent, &cube),
+};
+
+/* The reflectors that nodes of the scene's octree belong to. */
+
+static const ts_launch leaf_reflectors = TS_LAUNCH(leaf_reflector, TS_BUT_SURFACES, TS_BUT(scene.materials));
+static const ts_launch node_reflectors = TS_LAUNCH(inner_reflector, TS_BUT(scene), TS_BUT(offset), TS_BUT(triangles));
+
+static ts_status octree_reflector(ts_run *run)
+{
+	ts_octree_reflector_args args = {.scene = ts_run_scene(run)};
+	if (TS_FILL(run, &leaf_reflectors, &args) != TS_OK) return TS_ERROR;
+	return ts_octree_rise(run, &leaf_reflectors, &node_reflectors, &args, &args.first);
+}
+
+const ts_stage ts_stage_octree_reflector = {
+	.name = "octree.reflector",
+	.kind = "map",
+	.paper = "EPR 4.1.3",
+	.doc = "the reflector to which each node belongs",
+	.run = octree_reflector,
+	.launches = TS_LAUNCHES(&leaf_reflectors, &node_reflectors),
+	.looks_at = TS_BUFFERS(TS_B_octree_level),
 };
