@@ -2,7 +2,7 @@
  * another, compared with light that every pixel gathers itself. Eq. 7, the constant cosine of figure 3, leaves black
  * the surfaces that the lobe's middle is behind; eq. 8, the Gaussian cosine of figure 4, lights surfaces that are
  * turned away. */
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 
 enum { M_DIRECT, M_OURS, M_OTHER };
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <touchstone/image.h>
-#include "methods/hulls/tools/benches.h"
 #include "methods/hulls/tools/borders.h"
+#include "methods/hulls/tools/tools.h"
 #include "methods/pipeline.h"
 #include "study/bench_case.h"
 

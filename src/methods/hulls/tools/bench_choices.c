@@ -1,6 +1,6 @@
 /* The pictures of SSAGH's figures 2 to 4: a grid without segments, a constant cosine and a Gaussian one, each beside
  * the default method; and the convolution by quadrature in place of the closed form. */
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 
 enum { OURS, GRID, CONSTANT, GAUSSIAN, QUADRATURE, METHODS, DIRECT = METHODS };
 

@@ -3,7 +3,7 @@
  * 1e-6. */
 #include <math.h>
 #include "kernels/hulls/gaussian.h"
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 
 enum { N_SHARP = 61, N_ANGLES = 181, N_METHODS = 3, DOT_STEP = 3 };
 

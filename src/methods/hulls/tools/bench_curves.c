@@ -3,7 +3,7 @@
  * and 16). */
 #include <math.h>
 #include "kernels/hulls/gaussian.h"
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 
 enum { N_SHARP = 5, N_ANGLES = 37 };
 

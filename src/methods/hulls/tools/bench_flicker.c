@@ -1,6 +1,6 @@
 /* How much more hulls change from frame to frame than `direct` does, by the choices that keep them steady (SSAGH 5,
  * temporal coherence). */
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 
 enum { HULLS, DIRECT, FACING, GRID };
 

@@ -1,6 +1,6 @@
 /* Specular reflection by lobes (SSAGH eq. 6), compared with the BRDF itself in double precision: for the lobes of
  * hulls, and for every triangle of light; and the picture without. The paper has no figure of it. */
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 
 enum { M_HULLS, M_DIRECT, M_WITHOUT };
 

@@ -3,7 +3,7 @@
  * before integration, so that nothing cancels where sharpness is small. */
 #include <math.h>
 #include "kernels/hulls/gaussian.h"
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 
 enum { N_SHARP = 41, N_ANGLES = 181, N_NODES = 161 };
 

@@ -3,7 +3,7 @@
  * is at most the largest float, 0. */
 #include <math.h>
 #include "kernels/hulls/gaussian.h"
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 
 static const f32 sharpness[] = {1e-4f, 1e-3f, 1e-2f, 0.1f, 1, 10, 60, 88, 90, 700};
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "kernels/hulls/segment.h"
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 #include "methods/pipeline.h"
 #include "study/bench_case.h"
 

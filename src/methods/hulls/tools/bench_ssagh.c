@@ -1,5 +1,5 @@
 /* The SSAGH paper's table of frames per second for growing images. Speed-ups follow from the paper's own. */
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 
 enum { M_HULLS, M_DIRECT, M_VMF };
 

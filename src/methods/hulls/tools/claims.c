@@ -1,5 +1,5 @@
 /* SSAGH's claims, and what tests them. */
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 
 /* clang-format off */
 const ts_claim ts_hulls_claims[] = {

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include "kernels/hulls/polygon.h"
 #include "methods/hulls/gloss.h"
-#include "methods/hulls/tools/probe.h"
+#include "methods/hulls/tools/tools.h"
 #include "methods/raster/tools/probe.h"
 
 enum { MOST_LISTED = 16 };

@@ -1,7 +1,7 @@
 /* Triangles of light that a trace gathers from: texels of reflective shadow maps, or lamps. */
 #include <inttypes.h>
 #include "kernels/hulls/polygon.h"
-#include "methods/hulls/tools/probe.h"
+#include "methods/hulls/tools/tools.h"
 
 const ts_buffer_id *ts_probe_source_needed(const ts_probe *p)
 {

@@ -8,7 +8,7 @@
 #include "kernels/raster/mip.h"
 #include "methods/points/points.h"
 #include "methods/points/tools/tools.h"
-#include "methods/raster/tools/pictures.h"
+#include "methods/raster/tools/tools.h"
 
 /* Points per triangle, summed over its pieces; to be released by free(). */
 static u32 *points_per_triangle(const ts_run *run)

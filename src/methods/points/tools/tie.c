@@ -1,9 +1,9 @@
 /* The kernel of stage splat itself decides whether a point offers a distance. */
-#include "methods/points/tools/tie.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include "kernels/points/splat.h"
 #include "methods/points/points.h"
+#include "methods/points/tools/tools.h"
 #include "trace/reader.h"
 
 /* Inputs of that decision for a texel. */

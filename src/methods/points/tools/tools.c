@@ -2,7 +2,6 @@
 #include "methods/points/tools/tools.h"
 #include "methods/points/tools/benches.h"
 #include "methods/points/tools/probe.h"
-#include "methods/points/tools/tie.h"
 #include "methods/tools/family.h"
 
 static const ts_tie_rule ties[] = {

@@ -4,6 +4,7 @@
 #include "replay/check.h"
 #include "study/stage_pictures.h"
 #include "study/viewer.h"
+#include "trace/read.h"
 #include "trace/where.h"
 #include "truth/sampling.h"
 #include "truth/texels.h"
@@ -64,5 +65,15 @@ u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, cons
  * points.conservative as they are by default, there are no holes and no leaks, unless density.capped is counted. Fails
  * only if the device fails that holds the buffer. */
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
+
+/* Texels in which points in the order of arrival may answer otherwise: of equal distances the lowest index wins, and
+ * indices differ. All other texels must be equal. A rule of compare/tie.h (tie.c). */
+/* Opens splat.tie and the inputs of stage splat in the reference; if one of them is missing there are no ties. */
+ts_status ts_splat_ties_open(void **ties, const ts_trace *reference);
+void ts_splat_ties_close(void *ties);
+
+/* *allows: the reference's key and the candidate's, mapped to the reference's indices, name two points that both offer
+ * the least distance to this texel. */
+ts_status ts_splat_tie_allows(void *ties, u64 texel, u64 ref, u64 cand, bool *allows);
 
 #endif

@@ -1,11 +1,11 @@
 /* Pictures of cubes, depth maps and arriving light. */
-#include "methods/raster/tools/pictures.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include "image/falsecolour.h"
 #include "kernels/base/num.h"
 #include "methods/pipeline.h"
+#include "methods/raster/tools/tools.h"
 
 const u8 ts_picture_nothing[3] = {40, 40, 40};
 

@@ -1,6 +1,5 @@
 /* Tables of standard rasterization, which families share, for the tools. */
 #include "methods/raster/tools/tools.h"
-#include "methods/raster/tools/pictures.h"
 #include "methods/raster/tools/probe.h"
 #include "methods/tools/family.h"
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "methods/surfels/tools/benches.h"
+#include "methods/surfels/tools/tools.h"
 #include "study/bench_case.h"
 #include "study/truths.h"
 

@@ -1,7 +1,7 @@
 /* The slides' pictures of filters and of frame buffers: the object filter alone, the lesser of two radii and exact EWA,
  * and sums of 8 bits, half floats and floats, compared with rays into the surface; and the object filter compared with
  * rays into the surfels themselves. */
-#include "methods/surfels/tools/benches.h"
+#include "methods/surfels/tools/tools.h"
 
 enum { OBJECT, LESSER, EXACT, BYTES, HALF, FLOAT, METHODS };
 

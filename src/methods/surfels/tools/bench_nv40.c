@@ -1,6 +1,6 @@
 /* The timings of the slides on surface splatting: surfels per second by shader, and how little the shader matters, as
  * each pixel is shaded once for any number of fragments. */
-#include "methods/surfels/tools/benches.h"
+#include "methods/surfels/tools/tools.h"
 
 /* By shader, each with and without the screen filter, on all threads and on one. */
 enum { PHONG, NPR, PHONG_SHADOW, NPR_SHADOW, SHADERS };

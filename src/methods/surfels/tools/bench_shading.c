@@ -1,6 +1,6 @@
 /* The slides' three-pass shading and per-pixel Phong shading: how often flat, Gouraud, Phong and deferred shading
  * shade, and how close their pictures are to rays into the sampled surface. */
-#include "methods/surfels/tools/benches.h"
+#include "methods/surfels/tools/tools.h"
 
 enum { FLAT, GOURAUD, PHONG, DEFERRED, METHODS };
 

@@ -1,5 +1,5 @@
 /* The claims of the slides on surface splatting, and what tests them. */
-#include "methods/surfels/tools/benches.h"
+#include "methods/surfels/tools/tools.h"
 
 #define FILTER "nv40-filter"
 #define SHADING "nv40-shading"

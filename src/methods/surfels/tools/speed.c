@@ -1,6 +1,6 @@
 /* `bench speed` of surfels: how many per second, and that those near an eye cost no more per fragment. NV40 drew 23
  * million per second. */
-#include "methods/surfels/tools/benches.h"
+#include "methods/surfels/tools/tools.h"
 
 /* clang-format off */
 #define SAMPLED "surfels.from_mesh=300000"

@@ -1,8 +1,13 @@
-/* Functions of this folder's files for tools.c. */
+/* Functions of this folder's files: for tools.c, the tables of bench, and answers of the probe. */
 #ifndef TS_METHODS_SURFELS_TOOLS_TOOLS_H
 #define TS_METHODS_SURFELS_TOOLS_TOOLS_H
+#include "methods/raster/tools/probe.h"
 #include "replay/check.h"
+#include "study/bench.h"
+#include "study/bench_paper.h"
+#include "study/claims.h"
 #include "study/notes.h"
+#include "study/speed.h"
 #include "truth/sampling.h"
 #include "truth/truth.h"
 
@@ -36,5 +41,22 @@ typedef struct {
 ts_status ts_layers_measure(ts_layers *layers, const ts_run *run);
 /* For ts_note_rule: a line if at least a hundredth of the pixels blends two layers. */
 ts_status ts_layers_note(char note[TS_NOTE_CHARS], const ts_run *run);
+
+/* Tables of bench. */
+
+extern const ts_speed_of ts_surfels_speed;
+extern const ts_claim ts_surfels_claims[];
+extern const ts_paper_table ts_nv40, ts_nv40_shading, ts_nv40_filter, ts_nv40_discs;
+ts_status ts_bench_crumbs(const ts_job *job);
+
+/* Answers of the probe about surfels. */
+
+/* A pixel of surfels: the nearest surfel, the blended surfels and the result (probe_surfel.c). */
+ts_status ts_probe_surfel_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+/* A pixel of methods that shade before they blend. */
+ts_status ts_probe_shaded_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+/* Puts the light of a pixel, and whether it is outlined; lamps: NULL without shadows (probe_deferred.c). */
+ts_status ts_probe_put_deferred(ts_probe *probe, const ts_probe_lamps *lamps, u32 x, u32 y, json_t *object,
+                                ts_v3 *total);
 
 #endif

@@ -2,7 +2,7 @@
  * stages `view_map` and `view_map.fuse` render maps. */
 #include <math.h>
 #include "kernels/base/num.h"
-#include "methods/views/tools/benches.h"
+#include "methods/views/tools/tools.h"
 
 enum { M_MEGA, M_LODS, M_UNCULLED, M_DESCEND, M_DEEP, M_VIEWS, M_BRUTE };
 

@@ -1,7 +1,7 @@
 /* Figures that tables of MegaViews share: of MegaViews and ManyLoDs as X grows. Each table has its own X. */
 #ifndef TS_METHODS_VIEWS_TOOLS_BENCH_MEGA_H
 #define TS_METHODS_VIEWS_TOOLS_BENCH_MEGA_H
-#include "methods/views/tools/benches.h"
+#include "methods/views/tools/tools.h"
 
 /* Variants. */
 enum { M_MEGA, M_LODS };

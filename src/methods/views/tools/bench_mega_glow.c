@@ -1,5 +1,5 @@
 /* Glowing particles with and without shadows, compared with rays to all of them: the paper's figure 17. */
-#include "methods/views/tools/benches.h"
+#include "methods/views/tools/tools.h"
 
 enum { SHADOWED, UNSHADOWED, LODS };
 

@@ -1,6 +1,6 @@
 /* MegaViews as views become less coherent: where light falls first, where it is reflected, and anywhere on the scene's
  * surfaces, the paper's figure 11. */
-#include "methods/views/tools/benches.h"
+#include "methods/views/tools/tools.h"
 
 enum { LIGHT, BOUNCES, RANDOM };
 

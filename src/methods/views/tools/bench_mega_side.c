@@ -1,6 +1,6 @@
 /* Maps with sides of 64 texels against those of 16: the paper's figure 15, by pictures and rays. Each pixel gathers
  * from all lights, so that neither draws nor the filter hide the maps' errors. */
-#include "methods/views/tools/benches.h"
+#include "methods/views/tools/tools.h"
 
 enum { COARSE, HOLED, FINE, LODS_COARSE, LODS_FINE };
 

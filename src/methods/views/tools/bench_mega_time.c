@@ -1,5 +1,5 @@
 /* Many views with small maps against few with large ones in the same time: the paper's figure 14. */
-#include "methods/views/tools/benches.h"
+#include "methods/views/tools/tools.h"
 
 #define FEW(n) "view_map.px=1024,vpl_gather.lights=0,vpl.paths=" #n
 

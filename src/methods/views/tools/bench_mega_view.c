@@ -1,6 +1,6 @@
 /* One rendered view in colour, with and without hole filling: the paper's figure 9, and the reflections of such views,
  * judged by rays, beside the cubes of EPR and MVR. */
-#include "methods/views/tools/benches.h"
+#include "methods/views/tools/tools.h"
 
 enum { HOLED, FILLED, COARSE, EPR, MVR };
 

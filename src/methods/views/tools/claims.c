@@ -1,5 +1,5 @@
 /* The claims of MegaViews, and what tests them. */
-#include "methods/views/tools/benches.h"
+#include "methods/views/tools/tools.h"
 
 /* clang-format off */
 const ts_claim ts_views_claims[] = {

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include "kernels/base/srgb.h"
 #include "kernels/views/paraboloid.h"
-#include "methods/raster/tools/pictures.h"
+#include "methods/raster/tools/tools.h"
 #include "methods/views/tools/tools.h"
 
 /* The front and the back of the view behind the largest cube, one disc each. */

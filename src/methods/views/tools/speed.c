@@ -1,6 +1,6 @@
 /* `bench speed` of many views: MegaViews against ManyLoDs, 131,072 paths of light, as in `bench mega-10`. The paper's
  * ratio is 10 at a million views. */
-#include "methods/views/tools/benches.h"
+#include "methods/views/tools/tools.h"
 
 /* clang-format off */
 static const ts_speed_scene scenes[] = {

@@ -2,7 +2,6 @@
 #include "methods/views/tools/tools.h"
 #include "methods/raster/tools/truth_gather.h"
 #include "methods/tools/family.h"
-#include "methods/views/tools/benches.h"
 #include "methods/views/tools/probe.h"
 
 static const ts_margin_rule margins[] = {

@@ -2,7 +2,7 @@
  * labels beside components, whose figures follow from each other. */
 #include <math.h>
 #include "kernels/hulls/segment.h"
-#include "methods/hulls/tools/benches.h"
+#include "methods/hulls/tools/tools.h"
 #include "tests/study/benched.h"
 
 static ts_status curves(const ts_job *job, const void *user)

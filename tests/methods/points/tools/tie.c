@@ -2,7 +2,7 @@
  * distance, and nothing else. A wall of one triangle before one cube, with three points by hand. */
 #include "kernels/base/num.h"
 #include "kernels/points/splat.h"
-#include "methods/points/tools/tie.h"
+#include "methods/points/tools/tools.h"
 #include "tests/trace/folder.h"
 
 enum { N = 16, TEXELS = 6 * N * N, POINTS = 4 };
