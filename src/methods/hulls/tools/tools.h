@@ -42,8 +42,6 @@ ts_status ts_bench_borders(const ts_job *job);
 ts_status ts_bench_curves(const ts_job *job);
 ts_status ts_bench_logistic(const ts_job *job);
 ts_status ts_bench_cosines(const ts_job *job);
-/* For ssagh-7: the accuracy in single precision of the integrals as printed. */
-void ts_bench_printed(ts_report *report);
 
 /* Answers of the probe about hulls, and about the light that they approximate. */
 
@@ -56,7 +54,7 @@ json_t *ts_probe_lobe(ts_probe *probe, const ts_hull_args *args, const ts_sg *g,
 ts_status ts_probe_put_gloss(ts_probe *probe, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
                              ts_glossy *glossy);
 ts_v3 ts_probe_put_reflected(ts_probe *probe, json_t *object, const ts_glossy *glossy, const ts_sg *light);
-/* The source of gathered light: triangles of reflective shadow maps, or lamps (probe_source.c). Sets the members of
+/* The source of gathered light: triangles of reflective shadow maps, or lamps (probe_direct.c). Sets the members of
  * *source that describe it, checked, and the buffers that a pixel's answer needs. */
 ts_status ts_probe_read_source(ts_probe *probe, ts_direct_args *source);
 const ts_buffer_id *ts_probe_source_needed(const ts_probe *probe);

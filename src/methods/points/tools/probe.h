@@ -5,7 +5,7 @@
 #include "probe/parts.h"
 
 /* ---- answers ---- */
-/* Pixels of reflections by EPR and MVR (probe_pixel.c), of PCSS (probe_taps.c). */
+/* Pixels of reflections by EPR and MVR, of PCSS (probe_pixel.c). */
 ts_status ts_probe_epr_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 ts_status ts_probe_mvr_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 ts_status ts_probe_pcss_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
@@ -63,7 +63,7 @@ void ts_probe_spread_free(ts_spread *spread);
 
 /* ---- points (probe_points.c) ---- */
 /* Makes points.record and points.key for the probe where the method counts points and does not store them
- * (probe_again.c). */
+ * (probe_points.c). */
 ts_status ts_probe_points_again(ts_probe *probe);
 /* "piece,x,y" */
 json_t *ts_probe_key(u64 key);
@@ -92,7 +92,7 @@ ts_status ts_probe_set_splat(ts_probe *probe, ts_probe_set *set, ts_spread *spre
 ts_status ts_probe_put_lookups(ts_probe *probe, json_t *object, const ts_probe_set *set, u64 *n_samples);
 
 /* ---- pieces and densities ---- */
-/* A piece of a triangle: density, culling, frame (probe_piece.c). */
+/* A piece of a triangle: density, culling, frame (probe_density.c). */
 ts_status ts_probe_piece(ts_probe *probe, u64 piece, json_t *object, bool *kept);
 /* Puts the faces that may see a triangle, and the reasons why others may not; its density, and the cube that sets it
  * (probe_density.c). `bits` receives the triangle's words, ts_probe_n_words of them. */

@@ -72,7 +72,7 @@ typedef ts_status ts_probe_irradiance(ts_probe *probe, const ts_probe_seen *at, 
 ts_status ts_probe_put_indirect(ts_probe *probe, const ts_probe_seen *at, ts_probe_irradiance *put_from, json_t *object,
                                 ts_v3 *radiance);
 
-/* ---- triangles of light (probe_patch.c) ---- */
+/* ---- triangles of light (probe_indirect.c) ---- */
 /* Puts the place of a triangle of light, and its exitance. */
 void ts_probe_put_shining(ts_probe *probe, json_t *object, const ts_patch *patch);
 /* Puts a texel as a triangle of light. */

@@ -4,10 +4,62 @@
  * triangles and views, for lists are written at their bits. octree.level and view_octree.level begin at 0, never fall
  * and end at the number of nodes. A node has the level that they give it, its parent before it, and, except for leaves,
  * children after it that refer to it. Every leaf of the views has some views, and those refer to it; view_octree.cone
- * refers to existing views. */
+ * refers to existing views. In lists of views that pixels draw from the drawn numbers are indices; views from the middles
+ * of cubes have one map per cube. */
 #include <inttypes.h>
+#include "kernels/views/mask.h"
 #include "methods/views/octree.h"
 #include "methods/views/tools/tools.h"
+
+/* One map per cube. */
+static ts_status check_colours(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
+{
+	(void)stage;
+	u64 n_cubes, n_views = load->sizes.n[TS_DIM_vpls];
+	if (ts_check_elements(load, TS_B_cube_size_face, &n_cubes) == NULL || n_views == n_cubes) return TS_OK;
+	return ts_refuse("%s: maps of %" PRIu64 " views; %" PRIu64 ", one a cube, would be right", load->item[id]->path,
+	                 n_views, n_cubes);
+}
+
+/* The sums up to each node of a list add up its cones' views. */
+static ts_status check_list(const ts_load *load, u32 from, u32 to)
+{
+	const u32 *node = ts_frame_data(&load->run.frame, TS_B_vpl_gather_pair_node);
+	const u32 *views = ts_frame_data(&load->run.frame, TS_B_vpl_gather_pair_views);
+	const ts_cone *cones = ts_frame_data(&load->run.frame, TS_B_view_octree_cone);
+	u32 sum = 0;
+	for (u32 k = from; k < to; k++) {
+		sum += cones[node[k]].views;
+		if (views[k] != sum)
+			return ts_check_refuse(load, TS_B_vpl_gather_pair_views, k, "", 0, "%" PRIu32 ", the sum,", sum);
+	}
+	return TS_OK;
+}
+
+/* Levels of voxel.before begin where octree.level has them: a voxel's id is its node. */
+static ts_status check_voxels(const ts_load *load)
+{
+	const u32 *before = ts_frame_data(&load->run.frame, TS_B_voxel_before);
+	const u32 *level = ts_frame_data(&load->run.frame, TS_B_octree_level);
+	for (u32 l = 0; l <= TS_PARAM(&load->run.params, octree_levels) + 1; l++) {
+		u32 first = before[ts_k_mask_first(l)];
+		if (level[l] == first) continue;
+		return ts_check_refuse(load, TS_B_octree_level, l, "", 0, "%" PRIu32 ", as voxel.before,", first);
+	}
+	return TS_OK;
+}
+
+/* Lists of views that pixels draw from; cones must have been checked. */
+static ts_status check_gather(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
+{
+	if (!ts_stage_reads(stage, id)) return TS_OK;
+	const u32 *offset = ts_frame_data(&load->run.frame, TS_B_vpl_gather_pair_offset);
+	u64 n_lists = ts_frame_n(&load->run.frame, TS_B_vpl_gather_pair_offset) - 1;
+	for (u64 i = 0; i < n_lists; i++) {
+		if (check_list(load, offset[i], offset[i + 1]) != TS_OK) return TS_ERROR;
+	}
+	return check_voxels(load);
+}
 
 /* The octree that these masks, ids, levels or nodes belong to. */
 static const ts_octree *octree_of(ts_buffer_id id)
@@ -183,7 +235,7 @@ const ts_check_rule ts_views_checks[] = {
 	{TS_B_view_octree_voxel_before, TS_CHECK_SUMS, check_ids},
 	{TS_B_view_octree_offset, TS_CHECK_VALUES, check_leaves},
 	{TS_B_view_octree_cone, TS_CHECK_VALUES, check_cones},
-	{TS_B_view_map_colour, TS_CHECK_VALUES, ts_check_colours},
-	{TS_B_vpl_gather_pair_views, TS_CHECK_VALUES, ts_check_gather},
+	{TS_B_view_map_colour, TS_CHECK_VALUES, check_colours},
+	{TS_B_vpl_gather_pair_views, TS_CHECK_VALUES, check_gather},
 	{.check = NULL},
 };

@@ -16,12 +16,6 @@ typedef struct ts_vpl_gather_args ts_vpl_gather_args;
 
 extern const ts_check_rule ts_views_checks[];
 
-/* Lists of views that pixels draw from (check_gather.c); cones must have been checked. */
-ts_status ts_check_gather(const ts_load *load, const ts_stage *stage, ts_buffer_id id);
-
-/* One map per cube (check_cubes.c). */
-ts_status ts_check_colours(const ts_load *load, const ts_stage *stage, ts_buffer_id id);
-
 /* Truths of many lights (truth_vpls.c). All virtual point lights of params.vpl_paths, each with its distance bounded as
  * in vpl_gather, if nothing stands between pixel and light; surfaces within a leaf's diagonal of the light do not
  * count, since the methods skip them too. Runs the stages that make the lights. Reads gbuffer.pixel; makes
