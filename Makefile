@@ -145,10 +145,10 @@ CORE_C := $(wildcard $(patsubst %,src/%/*.c,\
 	$(wildcard $(patsubst %,src/trace/%.c,emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,\
 		$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
-	$(if $(REPORTS),$(REPORTS:%=src/cli/%.c) $(patsubst %,src/study/%.c,folder folder_ours table) \
+	$(if $(REPORTS),$(REPORTS:%=src/cli/%.c) $(patsubst %,src/study/%.c,folder table) \
 		src/scene/print_text.c) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends baseline command digest \
-		golden* help methods nearest options parse reads say shard sweep truths words worker)))
+		golden* help methods options parse reads say shard sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
 TEST_C := $(filter-out $(patsubst %,tests/%,$(shell sed '/^\#/d' tests/apart.txt)),$(call every,tests,c))
 

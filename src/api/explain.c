@@ -2,7 +2,7 @@
 #include <string.h>
 #include <touchstone/explain.h>
 #include "api/api.h"
-#include "explain/report.h"
+#include "explain/explain.h"
 #include "study/words.h"
 
 enum { LINES = 20000 };

@@ -7,7 +7,7 @@
 #include "model/json.h"
 #include "output/file.h"
 #include "output/folder.h"
-#include "study/folder_ours.h"
+#include "study/folder.h"
 
 enum { PATH_BYTES = 4096 + 300 };
 

@@ -1,6 +1,7 @@
 /* Explanations: a stage is replayed on one thread, and one item of a kernel records what it computes, line by line. */
 #ifndef TS_EXPLAIN_EXPLAIN_H
 #define TS_EXPLAIN_EXPLAIN_H
+#include <jansson.h>
 #include "explain/told.h"
 #include "replay/replay.h"
 #include "trace/field.h"
@@ -61,5 +62,17 @@ bool ts_explain_is_beside(const ts_explanation *a, const ts_explanation *b, size
 bool ts_explain_is_same(const ts_explanation *a, const ts_explanation *b, size_t number);
 /* Whether two have different lines, and the number of the first. */
 bool ts_explain_differ(size_t *number, const ts_explanation *a, const ts_explanation *b);
+
+/* Explanations as JSON: as lines of text for people, and as objects (report.c). */
+typedef struct {
+	const ts_stage *stage;
+	const ts_question *question;
+	const ts_trace *trace, *inputs, *other; /* inputs, other: NULL if there is none */
+	const ts_explanation *a, *b;            /* of trace and of other, which may be NULL */
+} ts_told_what;
+
+/* New references; NULL without memory. */
+json_t *ts_explain_lines(const ts_told_what *what);
+json_t *ts_explain_json(const ts_told_what *what);
 
 #endif

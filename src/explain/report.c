@@ -1,8 +1,8 @@
 /* Explanations as lines and as objects. */
-#include "explain/report.h"
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include "explain/explain.h"
 #include "scene/print.h"
 #include "trace/emit.h"
 

@@ -99,10 +99,6 @@ void ts_bench_frame_close(ts_bench_frame *frame);
 /* Reports the frame as a line of text and as figures of the JSON object. */
 void ts_bench_frame_report(const ts_bench_frame *frame, ts_report *report);
 
-/* 64-bit atomic minima a second at random texels of a buffer of that size, of which four in five lower their texel
- * (kernel bench_min). */
-ts_status ts_bench_atomics(double *a_second, const ts_how *how, u64 bytes);
-
 /* Figures of the table `start`, in seconds. */
 typedef struct {
 	double open;  /* opening the backend: the driver's compiler parses the kernels, and the arithmetic is checked */

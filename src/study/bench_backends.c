@@ -2,6 +2,45 @@
  * take turns within a run, so that other load on the machine affects all equally; the first turn is not counted. */
 #include "study/bench_backends.h"
 #include <stdlib.h>
+#include "kernels/base/bench.h"
+
+enum { OFFERS = 1 << 23 }; /* per launch, at least */
+
+static const ts_launch bench_min = TS_LAUNCH(bench_min, TS_ALL);
+
+static ts_status fill(ts_backend *backend, ts_frame *frame, u64 n)
+{
+	if (ts_frame_make1(frame, TS_B_cube_face_depth_triangle, n) == NULL) return TS_ERROR;
+	ts_status status = backend->fill(backend, frame, TS_B_cube_face_depth_triangle, 0xff);
+	return status == TS_OK ? backend->finish(backend) : status;
+}
+
+/* Launches follow each other without a wait, so that a device is never idle between them. */
+static ts_status offer(ts_backend *backend, ts_frame *frame, u32 n, u32 launches)
+{
+	ts_bench_min_args args = {.texels = ts_frame_handle(frame, TS_B_cube_face_depth_triangle), .n_texels = n};
+	ts_status status = TS_OK;
+	for (args.distance = launches; status == TS_OK && args.distance-- > 0;) {
+		status = backend->launch(backend, frame, &bench_min, &args, n);
+	}
+	return status == TS_OK ? backend->finish(backend) : status;
+}
+
+/* 64-bit atomic minima a second at random texels of a buffer of that size, of which four in five lower their texel. */
+static ts_status offer_atomics(double *a_second, const ts_how *how, u64 bytes)
+{
+	u32 n = (u32)(bytes / sizeof(u64)), launches = n < OFFERS ? OFFERS / n : 1;
+	ts_c_backend c;
+	ts_frame frame = {.bytes = 0};
+	ts_c_begin(&c, how->threads);
+	ts_backend *backend = how->backend != NULL ? how->backend : &c.backend;
+	ts_status status = fill(backend, &frame, n);
+	double begin = ts_seconds();
+	if (status == TS_OK) status = offer(backend, &frame, n, launches);
+	*a_second = (double)n * launches / (ts_seconds() - begin);
+	ts_frame_clear(&frame);
+	return status;
+}
 
 const u32 ts_bench_limit_mib[TS_BENCH_ATOMICS] = {1, 16, 128};
 
@@ -37,7 +76,7 @@ static ts_status run_frame(const ts_bench_table *table, ts_bench_column *c, u32 
 static ts_status run_limit(const ts_bench_table *table, ts_bench_column *c, u32 run, u32 limit)
 {
 	ts_progress("atomic limit", (u64)(c - table->column) + 1, table->n_columns);
-	return ts_bench_atomics(&c->samples[TS_BENCH_LIMIT + limit][run], &c->how, (u64)ts_bench_limit_mib[limit] << 20);
+	return offer_atomics(&c->samples[TS_BENCH_LIMIT + limit][run], &c->how, (u64)ts_bench_limit_mib[limit] << 20);
 }
 
 static ts_status run_limits(ts_bench_table *table, u32 run)

@@ -33,7 +33,7 @@ typedef enum {
 	TS_FIGURE_FLICKER,                   /* change since the frame before beyond that of variant b, or with b = a the
 	                                      * whole change; grey levels; missing in the first frame */
 	TS_FIGURE_RELATIVE,                  /* RMSE of radiance by the other's mean radiance, without the sky */
-	TS_FIGURE_NEAR,                      /* TS_FIGURE_RELATIVE of pixels near a triangle of light (near_light.h) */
+	TS_FIGURE_NEAR,                      /* TS_FIGURE_RELATIVE of pixels near a triangle of light (near_light.c) */
 	TS_FIGURE_ELSEWHERE,                 /* TS_FIGURE_RELATIVE of all other pixels */
 	TS_FIGURE_NEAR_SHARE,                /* % of those pixels */
 	TS_FIGURE_NEAR_ERROR,                /* % of the sum of squared errors in radiance that is in those pixels */

@@ -1,8 +1,16 @@
 /* The folder of results, with report.json or another file that lists its files. */
 #ifndef TS_STUDY_FOLDER_H
 #define TS_STUDY_FOLDER_H
+#include <stdbool.h>
+#include <touchstone/status.h>
 #include "output/folder.h"
 #include "study/table.h"
+
+/* Fails, and says why, if DIR has neither report.json nor vectors.json, or holds anything that they do not list. */
+ts_status ts_ours_judge(const char *dir);
+
+/* Whether a name is "name" or "sub/name" without hidden parts, and so does not lead out of the folder. */
+bool ts_ours_is_name(const char *name);
 
 /* ts_folder_begin: DIR must be absent or empty, or, with `force`, hold nothing but the regular files that its
  * report.json or vectors.json, of an earlier run, lists. */

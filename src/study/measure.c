@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "methods/stages.h"
-#include "study/viewer.h"
+#include "study/stage_pictures.h"
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif

@@ -1,8 +1,8 @@
 /* Pixels near a triangle of light: the image is quartered down to small parts, each with those triangles whose balls
  * meet the box about its places. */
-#include "study/near_light.h"
 #include <stdlib.h>
 #include "kernels/base/records.h"
+#include "study/picture.h"
 
 enum { SMALL = 8 }; /* pixels per side of parts that are not quartered */
 

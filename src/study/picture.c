@@ -7,7 +7,6 @@
 #include <touchstone/image.h>
 #include "kernels/base/srgb.h"
 #include "methods/stages.h"
-#include "study/near_light.h"
 
 static u64 n_pixels(const ts_params *params) { return (u64)TS_PARAM(params, width) * TS_PARAM(params, height); }
 

@@ -19,7 +19,7 @@ typedef struct {
 	u8 *reflective; /* 1: the surface is a mirror's; NULL: not marked */
 	u64 n_reflective;
 	const u8 *before;       /* srgb of the frame before, of a sequence; not owned; NULL: there is none */
-	u8 *near, *elsewhere;   /* 1: a surface near a triangle of light, or not (near_light.h); NULL: there are none */
+	u8 *near, *elsewhere;   /* 1: a surface near a triangle of light, or not (near_light.c); NULL: there are none */
 	f32 gain;               /* factor of display values beside the exposure, but for the sky */
 	double seconds;         /* to make the picture */
 	ts_truth_cost cost;     /* of a truth by rays: number and time of the rays; no rays: not known */
@@ -57,5 +57,12 @@ ts_status ts_picture_truths_begun(ts_picture pictures[], u32 truths, const ts_tr
 /* Makes a truth by its `radiance`. */
 ts_status ts_picture_truth_alone(ts_picture *picture, const ts_truth_kind *kind, const ts_scene *scene,
                                  const ts_params *params, u32 threads);
+
+/* Which pixels of indirect light are near a triangle of light (METHODS 17). Hulls must err there: their corners stand
+ * for places that see such a triangle from another side, or not at all (near_light.c). Marks in near[i] the pixels
+ * whose surface is no farther from the middle of a triangle of rsm.patch than the triangle's side is long, and in
+ * elsewhere[i] all others but the sky's; surfaces are those of gbuffer.pixel. Both arrays have a byte a pixel and must
+ * be 0 before. Fails without memory. */
+ts_status ts_near_light_mark(u8 *near, u8 *elsewhere, const ts_run *run);
 
 #endif

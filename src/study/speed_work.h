@@ -9,7 +9,7 @@
 #include "truth/bare.h"
 
 /* Whether the machine is quiet: other processes leave the processors idle, and a fixed loop takes no longer than its
- * best time (speed_quiet.c). */
+ * best time (busy.c). */
 typedef struct {
 	u32 threads;
 	double best;    /* seconds of the loop */

@@ -1,8 +1,9 @@
-/* Pictures of what the stages made. */
+/* Pictures of stages, and copies of buffers for viewers, by the rules that families have registered. */
 #include "study/stage_pictures.h"
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "study/folder.h"
 
 static const ts_stage_picture_rule *const *lists;
 
@@ -71,4 +72,26 @@ void ts_stage_pictures_free(ts_stage_pictures *pictures)
 		free(pictures->picture[k].mask);
 	}
 	pictures->n = 0;
+}
+
+static const ts_viewer_rule *const *viewers;
+
+void ts_viewer_use(const ts_viewer_rule *const *rules) { viewers = rules; }
+
+const char *ts_viewer_file(const char *folder, const char *name)
+{
+	char path[96];
+	snprintf(path, sizeof path, "%s/%s", folder, name);
+	return ts_folder_file(path);
+}
+
+ts_status ts_viewer_take(const ts_run *run, const ts_stage *stage, const char *folder)
+{
+	assert(viewers != NULL);
+	for (const ts_viewer_rule *const *list = viewers; *list != NULL; list++) {
+		for (const ts_viewer_rule *rule = *list; rule->write != NULL; rule++) {
+			if (ts_stage_writes(stage, rule->buffer) && rule->write(run, folder) != TS_OK) return TS_ERROR;
+		}
+	}
+	return TS_OK;
 }

@@ -1,4 +1,5 @@
-/* Pictures of the outputs of stages, in false colours. */
+/* What is made for people and viewers of the outputs of stages: pictures in false colours, and copies of buffers in
+ * other formats; never hashed, never compared. */
 #ifndef TS_STUDY_STAGE_PICTURES_H
 #define TS_STUDY_STAGE_PICTURES_H
 #include "methods/stage.h"
@@ -38,5 +39,21 @@ ts_status ts_stage_pictures_take(ts_stage_pictures *pictures, const ts_run *run,
 /* Puts the image, of the eye's size, behind the pictures with a mask. */
 void ts_stage_pictures_finish(ts_stage_pictures *pictures, const u8 *srgb);
 void ts_stage_pictures_free(ts_stage_pictures *pictures);
+
+/* Copies. */
+
+/* A buffer, and the function that writes its copy into a folder of the output. */
+typedef struct {
+	ts_buffer_id buffer;
+	ts_status (*write)(const ts_run *run, const char *folder);
+} ts_viewer_rule;
+
+/* Takes the rules of all families: lists ended by NULL, each ended by a row without `write`. They must stay. */
+void ts_viewer_use(const ts_viewer_rule *const *rules);
+/* For rules: the path of a file in that folder, valid until the next call but one; NULL: failed. */
+const char *ts_viewer_file(const char *folder, const char *name);
+
+/* Writes the copies of the buffers that a stage has just made. */
+ts_status ts_viewer_take(const ts_run *run, const ts_stage *stage, const char *folder);
 
 #endif

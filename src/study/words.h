@@ -21,7 +21,7 @@ bool ts_words_listed(const char *list, const char *item);
 /* Whether `word` is one of the words of a text, which blanks separate. */
 bool ts_words_have(const char *text, const char *word);
 
-/* The nearest of the names offered so far to what was typed, for "did you mean" (nearest.c). */
+/* The nearest of the names offered so far to what was typed, for "did you mean". */
 typedef struct {
 	const char *typed, *best, *mark; /* mark: text before the name in the message, "" at first */
 	u32 distance;                    /* edits; 0: it is the name */

@@ -1,6 +1,6 @@
 /* Explanations as lines and as JSON, of what was told by hand: every line, its number, its depth and its mark; every
  * kind of number; and no answer at all where memory ends. */
-#include "explain/report.h"
+#include "explain/explain.h"
 #include "tests/explain/hand.h"
 #include "trace/read.h"
 

@@ -1,6 +1,6 @@
 /* Pixels near a triangle of light: against every triangle for every pixel, without quarters and boxes. */
 #include "kernels/base/records.h"
-#include "study/near_light.h"
+#include "study/picture.h"
 #include "tests/lcg.h"
 #include "tests/model/test.h"
 

@@ -11,7 +11,6 @@
 #include "study/notes.h"
 #include "study/speed.h"
 #include "study/stage_pictures.h"
-#include "study/viewer.h"
 #include "trace/where.h"
 #include "truth/table.h"
 #include "truth/texels.h"

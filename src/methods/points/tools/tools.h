@@ -3,7 +3,6 @@
 #define TS_METHODS_POINTS_TOOLS_TOOLS_H
 #include "replay/check.h"
 #include "study/stage_pictures.h"
-#include "study/viewer.h"
 #include "trace/read.h"
 #include "trace/where.h"
 #include "truth/sampling.h"

@@ -3,7 +3,6 @@
 #define TS_METHODS_RASTER_TOOLS_TOOLS_H
 #include "replay/check.h"
 #include "study/stage_pictures.h"
-#include "study/viewer.h"
 
 extern const ts_check_rule ts_raster_checks[];
 extern const ts_viewer_rule ts_raster_viewers[];

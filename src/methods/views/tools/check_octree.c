@@ -4,8 +4,8 @@
  * triangles and views, for lists are written at their bits. octree.level and view_octree.level begin at 0, never fall
  * and end at the number of nodes. A node has the level that they give it, its parent before it, and, except for leaves,
  * children after it that refer to it. Every leaf of the views has some views, and those refer to it; view_octree.cone
- * refers to existing views. In lists of views that pixels draw from the drawn numbers are indices; views from the middles
- * of cubes have one map per cube. */
+ * refers to existing views. In lists of views that pixels draw from the drawn numbers are indices; views from the
+ * middles of cubes have one map per cube. */
 #include <inttypes.h>
 #include "kernels/views/mask.h"
 #include "methods/views/octree.h"

@@ -1,5 +1,5 @@
 /* What --force may replace: folders of which a report lists every file, and nothing else. */
-#include "study/folder_ours.h"
+#include "study/folder.h"
 #include "tests/trace/folder.h"
 
 /* All names of up to five of these characters, against the rule as it is written: "name" or "sub/name", none hidden. */
