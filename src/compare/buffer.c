@@ -5,7 +5,6 @@
 #include "compare/compare.h"
 #include "compare/decided.h"
 #include "compare/order.h"
-#include "compare/tie.h"
 #include "kernels/base/num.h"
 #include "kernels/raster/eye_sample.h"
 #include "trace/item.h"

@@ -1,7 +1,22 @@
-/* Margins against their thresholds. */
+/* The rules of families: ties, and margins against their thresholds. */
 #include "compare/decided.h"
 #include <assert.h>
 #include "kernels/base/num.h"
+
+static const ts_tie_rule *const *tie_lists;
+
+void ts_tie_use(const ts_tie_rule *const *rules) { tie_lists = rules; }
+
+const ts_tie_rule *ts_tie_find(ts_buffer_id buffer)
+{
+	assert(tie_lists != NULL);
+	for (const ts_tie_rule *const *list = tie_lists; *list != NULL; list++) {
+		for (const ts_tie_rule *rule = *list; rule->open != NULL; rule++) {
+			if (rule->buffer == buffer) return rule;
+		}
+	}
+	return NULL;
+}
 
 static const ts_margin_rule *const *lists;
 

@@ -3,7 +3,6 @@
 #ifndef TS_METHODS_TOOLS_FAMILY_H
 #define TS_METHODS_TOOLS_FAMILY_H
 #include "compare/decided.h"
-#include "compare/tie.h"
 #include "probe/probe.h"
 #include "replay/check.h"
 #include "study/bench.h"

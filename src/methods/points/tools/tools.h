@@ -66,7 +66,7 @@ u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, cons
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
 
 /* Texels in which points in the order of arrival may answer otherwise: of equal distances the lowest index wins, and
- * indices differ. All other texels must be equal. A rule of compare/tie.h (tie.c). */
+ * indices differ. All other texels must be equal. A rule of compare/decided.h (tie.c). */
 /* Opens splat.tie and the inputs of stage splat in the reference; if one of them is missing there are no ties. */
 ts_status ts_splat_ties_open(void **ties, const ts_trace *reference);
 void ts_splat_ties_close(void *ties);

@@ -1,5 +1,5 @@
 /* Rules of two families are found by their buffer; without one, nothing is. */
-#include "compare/tie.h"
+#include "compare/decided.h"
 #include "tests/model/test.h"
 
 static ts_status open_none(void **ties, const ts_trace *reference)
