@@ -4,7 +4,6 @@
 #include "model/core.h"
 #include "scene/build_parts.h"
 #include "scene/sources.h"
-#include "scene/subject.h"
 #include "scene/view.h"
 
 #define GROUND 2.5f /* half a side, in half diagonals of the scene's box */

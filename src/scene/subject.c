@@ -1,8 +1,8 @@
 /* Rooms and things. A point is in a room if most rays that do not fall end at the front of a wall, and falling ones at
  * a floor; the room is the subject if about as much of the scene is visible in it as from outside. */
-#include "scene/subject.h"
 #include "kernels/base/scene.h"
 #include "scene/build.h"
+#include "scene/sources.h"
 #include "scene/view.h"
 
 enum { N_COLUMNS = 64, N_CROPS = 6 };

@@ -2,7 +2,7 @@
  * eye the hall is drawn in until the eye is free. */
 #include "kernels/base/scene.h"
 #include "scene/build.h"
-#include "scene/subject.h"
+#include "scene/sources.h"
 #include "scene/view.h"
 #include "tests/model/test.h"
 
