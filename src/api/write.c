@@ -7,7 +7,7 @@
 #include "replay/replay.h"
 #include "study/measure.h"
 #include "study/trace.h"
-#include "trace/save.h"
+#include "trace/write.h"
 
 /* One folder at a time. */
 static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER;

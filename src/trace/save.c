@@ -1,8 +1,8 @@
 /* Files of buffers that are there. */
-#include "trace/save.h"
 #include "output/file.h"
 #include "scene/print.h"
 #include "trace/describe.h"
+#include "trace/write.h"
 
 /* Writes the elements, as many at once as the reader holds. */
 static ts_status put_elements(ts_file *file, ts_digest *digest, const ts_trace_item *item, ts_buffer_id id)

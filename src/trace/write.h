@@ -4,6 +4,7 @@
 #define TS_TRACE_WRITE_H
 #include "model/digest.h"
 #include "trace/emit.h"
+#include "trace/read.h"
 
 /* The path for a new file of the trace, "05-split.piece.npy", or of the scene that traces share, "../scene/..."; the
  * path stays valid. NULL with the message set on failure. */
@@ -41,5 +42,10 @@ void ts_trace_write_free(ts_trace_writer *writer);
 /* The expected size of all files together in bytes, before running. */
 u64 ts_trace_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed,
                       const ts_trace_options *options);
+
+/* Writes a trace in memory, or part of one, as files: .npy and a trace.json that names them (save.c). Writes all
+ * buffers to the files that `place` gives, then trace.json. producer: the name of the trace's producer;
+ * NULL: this program. On failure the message names the file that could not be written, and written files stay. */
+ts_status ts_trace_save_files(const ts_trace *trace, const char *producer, ts_trace_place *place, void *user);
 
 #endif

@@ -3,7 +3,7 @@
 #include "model/digest.h"
 #include "tests/trace/small.h"
 #include "trace/item.h"
-#include "trace/save.h"
+#include "trace/write.h"
 
 static u64 keys[3] = {7, 8, 9};
 static u8 pixels[2 * 4 * 3];
