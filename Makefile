@@ -97,8 +97,8 @@ else
 THREADED := -fopenmp
 CORE_LIBS = $(if $(REPORTS),-ljansson) -lcrypto -lm
 endif
-# What touchstone-core reports beside text, by jansson; without by REPORTS=
-REPORTS ?= checked junit merge merge_read merge_rows outcomes relaxed sharded tell
+# The folders of what touchstone-core reports beside text, by jansson; without by REPORTS=
+REPORTS ?= cli/reports study/results output/json
 # Where includes begin: the public headers; src, and for tests/... the root, in quotes alone.
 ROOTS := -Iinclude -iquote src -iquote .
 COMMON = $(OPT) $(EXACT) -fPIC -fvisibility=hidden $(THREADED) $(WARN) $(ROOTS) -MMD -MP
@@ -138,17 +138,9 @@ every = $(wildcard $(foreach in,* */* */*/* */*/*/*,$(1)/$(in).$(2)))
 LIB_C := $(filter-out src/cli/% $(ITEMS_C),$(call every,src,c))
 IMAGE_CC := src/image/openimageio.cc
 LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
-CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
-CORE_C := $(wildcard $(patsubst %,src/%/*.c,\
-		model output backends/c backends/c/* methods methods/* families golden vectors)) \
-	$(patsubst %,src/backends/%.c,args fast find wide) src/truth/table.c \
-	$(wildcard $(patsubst %,src/trace/%.c,emit sums)) \
-	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,\
-		$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
-	$(if $(REPORTS),$(REPORTS:%=src/cli/%.c) $(patsubst %,src/study/%.c,folder table) \
-		src/scene/print_text.c) \
-	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends baseline command digest \
-		golden* help methods options parse reads say shard sweep truths words worker)))
+CLI_C := $(filter-out src/cli/core/%,$(call every,src/cli,c))
+CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends backends/c backends/c/* methods methods/* families \
+	golden vectors scene scene/builtin trace/emitted study/asked cli/core cli/line cli/golden $(REPORTS)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
 TEST_C := $(filter-out $(patsubst %,tests/%,$(shell sed '/^\#/d' tests/apart.txt)),$(call every,tests,c))
 
@@ -260,7 +252,7 @@ CORE_STATIC = $(if $(findstring clang,$(CC))$(findstring -fsanitize,$(OPT)),,-st
 core:
 	$(Q)$(MAKE) --no-print-directory BUILD=$(CORE_BUILD) $(CORE_BUILD)/touchstone-core
 
-$(call object,src/cli/core_main.c): OWN := $(if $(REPORTS),-DTS_REPORTS)
+$(call object,src/cli/core/main.c): OWN := $(if $(REPORTS),-DTS_REPORTS)
 # The linker warns that libcrypto's name look-up needs shared libraries. Nothing here looks names up: show errors only.
 $(BUILD)/touchstone-core: $(CORE_O)
 	$(call say,LINK,$@)

@@ -1,4 +1,4 @@
-"""Modules of kernels as a C file, packed by zlib, as src/backends/modules.h unpacks them."""
+"""Modules of kernels as a C file, packed by zlib, as src/backends/devices/modules.h unpacks them."""
 import zlib
 
 BYTES_A_LINE = 32

@@ -7,7 +7,7 @@
 #include "compare/compare.h"
 #include "replay/forced.h"
 #include "replay/judge.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 #include "trace/item.h"
 
 /* Gives the caller `v`, or releases it after a failure. */

@@ -3,7 +3,7 @@
 #include <touchstone/explain.h>
 #include "api/api.h"
 #include "explain/explain.h"
-#include "study/words.h"
+#include "study/asked/words.h"
 
 enum { LINES = 20000 };
 

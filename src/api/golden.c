@@ -7,7 +7,7 @@
 #include "golden/params.h"
 #include "image/optional.h"
 #include "scene/sources.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 /* The file is untrusted. */
 static ts_status find_method(const ts_pipeline **pipeline, const ts_golden_settings *settings, const ts_golden_dir *dir)

@@ -4,7 +4,7 @@
 #include <touchstone/tables.h>
 #include "api/api.h"
 #include "methods/pipeline.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 static ts_method_info *methods;
 static ts_stage_info *stages;

@@ -6,10 +6,10 @@
 #include "api/api.h"
 #include "api/golden_trace.h"
 #include "model/digest.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
+#include "trace/emitted/sums.h"
 #include "trace/item.h"
 #include "trace/keep.h"
-#include "trace/sums.h"
 
 ts_status ts_api_effect(const char *effect)
 {

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <touchstone/truth.h>
 #include "api/api.h"
+#include "study/asked/truths.h"
 #include "study/measure.h"
-#include "study/truths.h"
 
 static ts_truth_info infos[TS_MAX_TRUTHS];
 static size_t n_infos;

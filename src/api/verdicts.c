@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "compare/line.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 typedef struct {
 	ts_divergence divergence;

@@ -1,6 +1,6 @@
 /* `bench TABLE`: measures one of the tables. */
 #include <string.h>
-#include "cli/cli.h"
+#include "cli/line/cli.h"
 #include "study/bench.h"
 
 static ts_status unknown(const char *name)

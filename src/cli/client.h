@@ -3,7 +3,7 @@
 #define TS_CLI_CLIENT_H
 #include <jansson.h>
 #include <touchstone/touchstone.h>
-#include "cli/cli.h"
+#include "cli/line/cli.h"
 
 /* The context of a command: the C backend on its threads. The command prints the library's lines and progress as its
  * own. Release by ts_context_close; NULL on failure. */

@@ -1,6 +1,6 @@
 /* The command `touchstone`: its table of commands. */
-#include "cli/golden.h"
-#include "cli/merge.h"
+#include "cli/golden/golden.h"
+#include "cli/series.h"
 #include "image/optional.h"
 
 #define WHERE \
@@ -11,6 +11,7 @@
 #define BACKEND TS_OPT(BACKEND), TS_OPT(DEVICE), TS_OPT(WORK_GROUP), TS_OPT(BUILD), TS_OPT(INEXACT), TS_OPT(REQUIRE)
 
 const char *const ts_program = "touchstone";
+ts_golden_reporter *const ts_golden_report = ts_golden_report_checks;
 ts_merger *const ts_merge_renders = ts_merge_series;
 const ts_golden_files ts_golden_by = {ts_image_write_png, ts_image_decode_optional, ts_scene_load};
 

@@ -1,12 +1,10 @@
 /* `compare REFERENCE CANDIDATE`: two traces, two buffers or two images. */
 #include "cli/compare.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/compare_images.h"
 #include "cli/compare_known.h"
-#include "cli/compare_shard.h"
-#include "cli/relaxed.h"
-#include "cli/tell.h"
+#include "cli/reports/outcomes.h"
 
 /* What is compared. */
 typedef enum { TRACES, BUFFERS, IMAGES, N_KINDS } kind;
@@ -135,14 +133,43 @@ static ts_status open_sides(ts_compared *c, const ts_cli *cli, kind is)
 	return status;
 }
 
+/* The names of all cases: "scene" and the stages of the method; a new reference, or NULL with the message set. */
+static json_t *cases_of(const ts_trace_info *of)
+{
+	const ts_stage_info *stage;
+	json_t *names = json_pack("[s]", "scene");
+	int failed = names == NULL;
+	for (size_t i = 0; (stage = ts_method_stage(of->effect, of->method, i)) != NULL; i++) {
+		failed |= json_array_append_new(names, json_string(stage->name)) != 0;
+	}
+	if (failed == 0) return names;
+	json_decref(names);
+	ts_fail("the names of stages: out of memory");
+	return NULL;
+}
+
+/* The cases of the shard, "scene,split,..."; release by free(); NULL with the message set. */
+static char *own_of(const json_t *cases, ts_shard shard)
+{
+	size_t bytes = 1, used = 0, i;
+	json_t *name;
+	json_array_foreach (cases, i, name) bytes += json_string_length(name) + 1;
+	char *own = ts_alloc_zero(bytes, 1, "the names of stages");
+	json_array_foreach (cases, i, name) {
+		if (own == NULL || !ts_shard_has(shard, i)) continue;
+		used += (size_t)snprintf(own + used, bytes - used, "%s%s", used > 0 ? "," : "", json_string_value(name));
+	}
+	return own;
+}
+
 /* Reads how to judge, except for the lists. */
 static ts_status read_options(comparison *c)
 {
 	ts_compare_options *o = &c->of.options;
 	ts_status status = ts_client_options(o, &c->mask, c->cli);
 	if (status != TS_OK || c->cli->job.shard.of == 0) return status;
-	c->cases = ts_compare_cases(c->of.of);
-	c->own = c->cases != NULL ? ts_compare_own(c->cases, c->cli->job.shard) : NULL;
+	c->cases = cases_of(c->of.of);
+	c->own = c->cases != NULL ? own_of(c->cases, c->cli->job.shard) : NULL;
 	o->stages = c->own;
 	return c->own != NULL ? TS_OK : TS_ERROR;
 }

@@ -1,10 +1,10 @@
-/* A comparison of traces or buffers, and what is said of it in each form. The files that include this header ask the
- * library by its public headers. */
+/* A comparison of traces, buffers or images, and what is said of it in each form. The files that include this header
+ * ask the library by its public headers. */
 #ifndef TS_CLI_COMPARE_H
 #define TS_CLI_COMPARE_H
 #include "cli/client.h"
-#include "cli/outcomes.h"
-#include "study/table.h"
+#include "cli/reports/outcomes.h"
+#include "study/results/table.h"
 
 /* Two sides, and how they were judged. All NULL before that. */
 typedef struct {
@@ -35,5 +35,11 @@ void ts_compare_outcomes(ts_outcomes *outcomes, const ts_compared *compared, con
  * each cube in which a buffer of texels differs: the faces +X, -X, +Y, -Y, +Z, -Z side by side, levels of a mip map one
  * below the other. Elements that differ are white. Cubes are drawn only if the reference has cube_size.face. */
 ts_status ts_compare_draw(const ts_compared *compared);
+
+/* Compares the image files cli->arguments, value by value, with the relaxations and tolerances of cli. Reports the
+ * number of values and pixels that differ, the first of them, the greatest difference and the root mean square of all.
+ * A picture of display values (PNG, JPEG) and one of linear radiance (EXR) are compared only with --exposure, as
+ * display values. */
+ts_status ts_compare_images(ts_cli *cli);
 
 #endif

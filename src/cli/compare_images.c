@@ -1,16 +1,15 @@
 /* `compare` of two pictures. */
-#include "cli/compare_images.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "cli/client.h"
-#include "cli/relaxed.h"
-#include "cli/tell.h"
+#include "cli/compare.h"
+#include "cli/reports/outcomes.h"
 #include "image/format.h"
 #include "kernels/base/srgb.h"
-#include "scene/print.h"
-#include "study/folder.h"
+#include "output/json/text.h"
+#include "study/results/folder.h"
 
 enum { LINE = 2048, SHOWN = 512 };
 

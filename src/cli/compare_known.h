@@ -1,8 +1,8 @@
 /* Exceptions of a comparison: known differences, which pass, and buffers that are not judged. */
 #ifndef TS_CLI_COMPARE_KNOWN_H
 #define TS_CLI_COMPARE_KNOWN_H
-#include "cli/baseline.h"
 #include "cli/compare.h"
+#include "cli/golden/baseline.h"
 
 enum { TS_COMPARE_CASE = 64, TS_KNOWN_TEXT = 2048 };
 struct ts_compare_lists {

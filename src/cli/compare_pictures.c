@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/compare.h"
-#include "study/folder.h"
+#include "study/results/folder.h"
 
 enum { MOST_FACE = 1 << 14 };
 

@@ -2,7 +2,7 @@
 #include <inttypes.h>
 #include <string.h>
 #include "cli/compare.h"
-#include "scene/print.h"
+#include "output/json/text.h"
 
 static const ts_column columns[] = {{"stage", "stage", false},        {"buffer", "buffer", false},
                                     {"elements", "elements", true},   {"different", "different", true},

@@ -2,7 +2,7 @@
  * differs. */
 #include <string.h>
 #include "cli/client.h"
-#include "study/table.h"
+#include "study/results/table.h"
 
 enum { NAME = 64 };
 

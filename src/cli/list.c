@@ -3,9 +3,9 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 #include "cli/client.h"
+#include "study/asked/methods.h"
+#include "study/asked/reads.h"
 #include "study/bench.h"
-#include "study/methods.h"
-#include "study/reads.h"
 
 static const ts_column stage_columns[] = {{"name", "stage", false},
                                           {"kind", "kind", false},

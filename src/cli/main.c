@@ -2,7 +2,7 @@
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "cli/cli.h"
+#include "cli/line/cli.h"
 #include "families/families.h"
 #include "tools/tools.h"
 

@@ -1,7 +1,7 @@
 /* `probe TRACE`: why a pixel, a texel, a triangle or a point is as it is. One description, printed as text or as
  * JSON. */
 #include "cli/client.h"
-#include "study/table.h"
+#include "study/results/table.h"
 
 enum { WIDTH = 118, ITEM_TEXT = 512 };
 

@@ -2,13 +2,13 @@
 #ifndef TS_CLI_RENDER_H
 #define TS_CLI_RENDER_H
 #include <touchstone/image.h>
-#include "cli/cli.h"
-#include "study/job.h"
+#include "cli/line/cli.h"
+#include "study/asked/job.h"
+#include "study/asked/methods.h"
+#include "study/asked/truths.h"
 #include "study/measure.h"
-#include "study/methods.h"
-#include "study/table.h"
+#include "study/results/table.h"
 #include "study/trace.h"
-#include "study/truths.h"
 
 enum { TS_MAX_PAIRS = 256, TS_MAX_SHOWN = TS_MAX_METHODS + TS_MAX_TRUTHS };
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "cli/render.h"
 #include "methods/raster/eye.h"
-#include "scene/print.h"
+#include "output/json/text.h"
 
 enum { NOMINAL_POINT = 80, NOMINAL_CUBE = 6 * 512 * 512 * 8, NOMINAL_TEXELS = 6 * 512 * 512, SAMPLES = 25 };
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "cli/render.h"
 #include "scene/sources.h"
-#include "study/reads.h"
+#include "study/asked/reads.h"
 
 bool ts_render_traces(const ts_job *job)
 {

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include "cli/render.h"
 #include "image/about.h"
-#include "study/folder.h"
+#include "study/results/folder.h"
 
 static const char *file(const ts_render *render, const char *stem, const char *suffix)
 {

@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include "scene/print.h"
+#include "output/json/text.h"
 
 enum { LINE = 8192 };
 

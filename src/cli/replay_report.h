@@ -2,7 +2,7 @@
 #ifndef TS_CLI_REPLAY_REPORT_H
 #define TS_CLI_REPLAY_REPORT_H
 #include "cli/client.h"
-#include "study/table.h"
+#include "study/results/table.h"
 
 /* A stage that was replayed. */
 typedef struct {

@@ -3,7 +3,7 @@
 #include "cli/series.h"
 #include <math.h>
 #include <stdlib.h>
-#include "study/folder.h"
+#include "study/results/folder.h"
 #include "study/video.h"
 
 enum { CONTACT_COLUMNS = 10 };

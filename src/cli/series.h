@@ -1,12 +1,12 @@
 /* Renders of several frames, or of several combinations of parameters: the outputs beside the pictures of each. */
 #ifndef TS_CLI_SERIES_H
 #define TS_CLI_SERIES_H
-#include "cli/merge.h"
 #include "cli/render.h"
+#include "cli/reports/merge.h"
+#include "study/asked/sweep.h"
 #include "study/contact.h"
 #include "study/frames.h"
 #include "study/plot.h"
-#include "study/sweep.h"
 
 /* The figures of a picture: counters, errors against each truth, and changes. */
 enum { TS_MAX_FIGURES = 256, TS_FIGURE_NAME = 48 };
@@ -97,6 +97,9 @@ ts_status ts_series_fetch_figures(ts_figures *figures, const ts_series *series, 
 void ts_series_fetch_pictures(ts_table *table, const ts_series *series);
 /* Copies the files of this render from its shard. */
 ts_status ts_series_copy(ts_series *series);
+
+/* Joins shards of a series: the command runs again, except for the renders, which the shards made. */
+ts_merger ts_merge_series;
 
 /* Adds this render's figures to those of the combination, series->rows. */
 ts_status ts_series_add(ts_series *series);

@@ -1,7 +1,7 @@
 /* Pictures that later combinations of a sweep need again. */
 #include <stdlib.h>
 #include "cli/series.h"
-#include "study/reads.h"
+#include "study/asked/reads.h"
 
 struct ts_kept {
 	ts_kept *next;

@@ -5,7 +5,7 @@
 #include "cli/series.h"
 #include "model/decimal.h"
 #include "output/file.h"
-#include "study/folder.h"
+#include "study/results/folder.h"
 
 /* The plotted figures: of each picture, the first whose name begins with this. */
 static const struct {

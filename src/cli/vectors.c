@@ -7,8 +7,8 @@
 #include <string.h>
 #include "output/file.h"
 #include "output/npy.h"
-#include "study/folder.h"
-#include "study/table.h"
+#include "study/results/folder.h"
+#include "study/results/table.h"
 
 u32 ts_vectors_total(void)
 {

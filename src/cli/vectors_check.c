@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/vectors.h"
-#include "study/table.h"
+#include "study/results/table.h"
 
 typedef struct {
 	ts_context *context;

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 bool ts_digest_known(const ts_trace_item *item) { return item->path != NULL || item->sha256[0] != 0; }
 

@@ -1,8 +1,8 @@
 /* Differences as objects. */
 #include <inttypes.h>
 #include "compare/line.h"
-#include "scene/print.h"
-#include "trace/emit.h"
+#include "output/json/text.h"
+#include "trace/emitted/emit.h"
 
 /* For sums the counted element; -1: none, at their beginning. */
 static json_int_t element_of(ts_buffer_id id, const ts_difference *d)

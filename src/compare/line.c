@@ -2,7 +2,7 @@
 #include "compare/line.h"
 #include <inttypes.h>
 #include <stdio.h>
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 static const ts_stage *stage_of(const ts_trace *reference, ts_buffer_id id)
 {

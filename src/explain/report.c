@@ -3,8 +3,8 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include "explain/explain.h"
-#include "scene/print.h"
-#include "trace/emit.h"
+#include "output/json/text.h"
+#include "trace/emitted/emit.h"
 
 enum { PLACE = 64, MARGIN = 30, LINE = TS_TOLD_TEXT + 256 };
 

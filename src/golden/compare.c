@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include "golden/golden.h"
 #include "model/order.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 static void add(char *text, size_t text_bytes, const char *format, ...) __attribute__((format(printf, 3, 4)));
 static void add(char *text, size_t text_bytes, const char *format, ...)

@@ -9,7 +9,7 @@
 #ifndef TS_GOLDEN_GOLDEN_H
 #define TS_GOLDEN_GOLDEN_H
 #include "golden/file.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 /* The largest file that is stored as it is, and the largest of any kind. */
 enum { TS_GOLDEN_SMALL_BYTES = 192 << 10, TS_GOLDEN_FILE_BYTES = 8 << 20 };

@@ -5,7 +5,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include "kernels/base/num.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 #include "trace/field.h"
 
 enum { DIMS_TEXT = TS_MAX_DIMS * 24, MAX_UNITS = 1 << 20 };

@@ -2,7 +2,7 @@
 #include "replay/replay.h"
 #include <inttypes.h>
 #include "compare/order.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 static const ts_step *find_step(const char *name, const ts_pipeline *pipeline)
 {

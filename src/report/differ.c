@@ -1,10 +1,10 @@
 /* Where a candidate's pictures differ: the first buffer of each pixel, the pixels of first differences, and why pixels
  * are as they are on both sides. */
 #include <stdlib.h>
+#include "output/json/text.h"
 #include "probe/probe.h"
 #include "report/page.h"
-#include "scene/print.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 enum { MOST_LAYERS = 254 };
 

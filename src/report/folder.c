@@ -5,8 +5,8 @@
 #include <touchstone/image.h>
 #include <unistd.h>
 #include "image/png.h"
+#include "output/json/text.h"
 #include "report/page.h"
-#include "scene/print.h"
 
 enum { PATH_BYTES = 4608, NAME_BYTES = 256, MOST_SIDE = 1 << 14 };
 

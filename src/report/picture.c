@@ -2,8 +2,8 @@
 #include <openssl/evp.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
+#include "output/json/text.h"
 #include "report/page.h"
-#include "scene/print.h"
 
 enum { MOST_BYTES = 1 << 30 };
 

@@ -1,8 +1,8 @@
 /* The picture of a trace, and its trace.json. */
 #include <stdlib.h>
 #include "kernels/base/srgb.h"
+#include "output/json/text.h"
 #include "report/page.h"
-#include "scene/print.h"
 
 /* All elements of a buffer, to be released by free(); NULL with the message set. */
 static void *read_all(const ts_trace *trace, ts_buffer_id id)

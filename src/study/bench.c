@@ -2,10 +2,10 @@
 #include "study/bench.h"
 #include <assert.h>
 #include <stdlib.h>
+#include "study/asked/truths.h"
 #include "study/bench_paper.h"
 #include "study/claims.h"
 #include "study/frames.h"
-#include "study/truths.h"
 
 enum { RUNS = 3, MOST = 64 };
 

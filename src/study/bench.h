@@ -1,10 +1,10 @@
 /* Shared by the tables of `bench`. */
 #ifndef TS_STUDY_BENCH_H
 #define TS_STUDY_BENCH_H
-#include "study/job.h"
+#include "study/asked/job.h"
 #include "study/measure.h"
 #include "study/plot.h"
-#include "study/table.h"
+#include "study/results/table.h"
 
 enum { TS_BENCH_OBJECTS = 1000 }; /* at most */
 

@@ -3,8 +3,8 @@
 #include "study/bench_case.h"
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "study/truths.h"
-#include "study/words.h"
+#include "study/asked/truths.h"
+#include "study/asked/words.h"
 
 /* The variant whose image is kept. */
 typedef struct {

@@ -1,7 +1,7 @@
 /* A case: one scene with one number of mirrors or lights, run by several methods in turn. */
 #ifndef TS_STUDY_BENCH_CASE_H
 #define TS_STUDY_BENCH_CASE_H
-#include "study/job.h"
+#include "study/asked/job.h"
 #include "study/measure.h"
 
 enum { TS_BENCH_VARIANTS = 24 }; /* at most */

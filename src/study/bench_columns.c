@@ -1,6 +1,6 @@
 /* The columns of `bench backends`: C with one thread and with --threads, and the devices. */
 #include <string.h>
-#include "scene/print.h"
+#include "output/json/text.h"
 #include "study/bench_backends.h"
 #include "vectors/vectors.h"
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "model/decimal.h"
-#include "study/words.h"
+#include "study/asked/words.h"
 
 static double parameter(const ts_params *params, const char *name)
 {

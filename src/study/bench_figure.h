@@ -3,7 +3,7 @@
 #ifndef TS_STUDY_BENCH_FIGURE_H
 #define TS_STUDY_BENCH_FIGURE_H
 #include "study/bench_case.h"
-#include "study/table.h"
+#include "study/results/table.h"
 
 enum { TS_BENCH_FIGURES = 96 }; /* at most */
 

@@ -1,9 +1,9 @@
 /* The frame that tables of backends measure. */
 #include <string.h>
-#include "scene/print.h"
+#include "output/json/text.h"
+#include "study/asked/methods.h"
+#include "study/asked/words.h"
 #include "study/bench.h"
-#include "study/methods.h"
-#include "study/words.h"
 
 const char *ts_bench_frame_spec(const ts_job *job) { return job->scenes != NULL ? job->scenes : "atrium"; }
 

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include "output/file.h"
 #include "study/bench.h"
-#include "study/folder.h"
+#include "study/results/folder.h"
 
 static void put_cell(FILE *out, const json_t *value)
 {

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "study/asked/words.h"
 #include "study/bench.h"
 #include "study/busy.h"
-#include "study/words.h"
 
 /* Whether `text` begins with `prefix`, in any case. */
 static bool begins(const char *text, const char *prefix)

@@ -7,7 +7,7 @@
 #include "image/about.h"
 #include "study/bench.h"
 #include "study/bench_paper.h"
-#include "study/folder.h"
+#include "study/results/folder.h"
 
 typedef struct {
 	const ts_bench_case *c;

@@ -1,8 +1,8 @@
 /* The scenes that a table measures. */
 #include <stdlib.h>
 #include <unistd.h>
+#include "study/asked/words.h"
 #include "study/bench.h"
-#include "study/words.h"
 
 enum { SPEC_BYTES = 4096 };
 

@@ -1,8 +1,8 @@
 /* A sequence of frames of the animation, and the spread of figures over it. */
 #ifndef TS_STUDY_FRAMES_H
 #define TS_STUDY_FRAMES_H
-#include "study/job.h"
-#include "study/table.h"
+#include "study/asked/job.h"
+#include "study/results/table.h"
 
 /* The number of frames; 1 without --frames. */
 u32 ts_frames_count(const ts_frames *frames);

@@ -2,7 +2,7 @@
 #ifndef TS_STUDY_PICTURE_H
 #define TS_STUDY_PICTURE_H
 #include "methods/stage.h"
-#include "truth/table.h"
+#include "study/asked/truths.h"
 
 /* Pixels of a picture with shadows: those in sight, and of these those lit by all samples of all lights, by some, by
  * none. */

@@ -1,7 +1,7 @@
 /* The head of every report of measurements: the program, and how it was run. */
 #include <string.h>
 #include "model/json.h"
-#include "study/table.h"
+#include "study/results/table.h"
 
 /* A number as such, a word as a string; NULL without memory. */
 static json_t *value_json(const char *text, bool is_number)

@@ -2,8 +2,8 @@
  * that other load on the machine affects all equally; a first turn is not counted. */
 #include <stdlib.h>
 #include <string.h>
+#include "study/asked/words.h"
 #include "study/speed_work.h"
-#include "study/words.h"
 
 enum { MOST_SETS = 24, PATH_BYTES = 4096 };
 

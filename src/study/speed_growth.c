@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "model/decimal.h"
+#include "study/asked/words.h"
 #include "study/speed_work.h"
-#include "study/words.h"
 
 enum { POINTS = 16, SPEC_BYTES = 96 };
 

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-#include "scene/print.h"
+#include "output/json/text.h"
 #include "study/speed_work.h"
 
 const u32 ts_speed_mib[TS_SPEED_SIZES] = {1, 16, 128};

@@ -1,9 +1,9 @@
 /* A scene of `bench speed` with its methods, and the ways to draw that they are compared with. */
 #include <math.h>
 #include <string.h>
+#include "study/asked/words.h"
 #include "study/bench_case.h"
 #include "study/speed_work.h"
-#include "study/words.h"
 
 /* Whether a method is to be measured. */
 static bool has_method(const ts_job *job, const char *method)

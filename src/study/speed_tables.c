@@ -2,8 +2,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include "study/asked/words.h"
 #include "study/speed_work.h"
-#include "study/words.h"
 
 static const ts_column limit_columns[] = {{"limit", "limit", false},     {"here", "here", true}, {"unit", "", false},
                                           {"spread", "spread, %", true}, {"state", "", false},   {0}};

@@ -3,7 +3,7 @@
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "study/folder.h"
+#include "study/results/folder.h"
 
 static const ts_stage_picture_rule *const *lists;
 

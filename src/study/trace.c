@@ -2,8 +2,8 @@
 #include "study/trace.h"
 #include <stdio.h>
 #include <sys/statvfs.h>
-#include "study/folder.h"
-#include "study/words.h"
+#include "study/asked/words.h"
+#include "study/results/folder.h"
 
 static const char *place(void *user, const char *name)
 {

@@ -1,7 +1,7 @@
 /* The traces that --trace, --trace-only and --crop ask for. */
 #ifndef TS_STUDY_TRACE_H
 #define TS_STUDY_TRACE_H
-#include "study/job.h"
+#include "study/asked/job.h"
 #include "trace/write.h"
 
 /* A method's trace in the output folder, under trace-METHOD. */

@@ -4,7 +4,7 @@
 #include "kernels/base/compat.h"
 #include "model/core.h"
 #include "output/file.h"
-#include "scene/print.h"
+#include "output/json/text.h"
 
 json_t *ts_producer(const ts_run *run)
 {

@@ -4,7 +4,7 @@
 #include <jansson.h>
 #include "methods/stage.h"
 #include "model/digest.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 /* Name, version and commit of this program; name, device, compiler and flags of its backend. New references, or NULL
  * without memory. */

@@ -1,7 +1,7 @@
 /* From the parts of a run's files to arrays in memory. */
 #include "trace/keep.h"
 #include <stdlib.h>
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 #include "trace/item.h"
 
 typedef struct {

@@ -6,7 +6,7 @@
 #include <touchstone/trace.h>
 #include "methods/pipeline.h"
 #include "model/digest.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 #include "trace/reader.h"
 
 /* All elements of a compressed file, unpacked at the first use. */

@@ -1,6 +1,6 @@
 /* Files of buffers that are there. */
 #include "output/file.h"
-#include "scene/print.h"
+#include "output/json/text.h"
 #include "trace/describe.h"
 #include "trace/write.h"
 

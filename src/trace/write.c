@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include "output/file.h"
 #include "trace/describe.h"
+#include "trace/emitted/sums.h"
 #include "trace/packed.h"
-#include "trace/sums.h"
 
 struct ts_trace_writer {
 	const ts_pipeline *pipeline;

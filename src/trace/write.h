@@ -3,7 +3,7 @@
 #ifndef TS_TRACE_WRITE_H
 #define TS_TRACE_WRITE_H
 #include "model/digest.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 #include "trace/read.h"
 
 /* The path for a new file of the trace, "05-split.piece.npy", or of the scene that traces share, "../scene/..."; the

@@ -4,7 +4,7 @@
 #include <unistd.h>
 #include "scene/scene.h"
 #include "tests/api/run.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 typedef struct {
 	ts_trace *trace;

@@ -4,7 +4,7 @@
 #include "methods/pipeline.h"
 #include "scene/sources.h"
 #include "tests/kernels/points/mesh.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 enum { MOST = 6000, GROUPS = 5 };
 static const u32 groups[GROUPS] = {1, 32, 64, 256, 0};

@@ -1,6 +1,6 @@
 /* Arrays in parts, as on a device that cannot allocate them at once: the same bits. */
 #include "tests/backends/device.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 static ts_status sums_of(ts_sums *sums, ts_backend *backend)
 {

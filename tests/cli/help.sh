@@ -70,10 +70,10 @@ for command in $commands; do
 done
 
 # The commands take every option, and no other.
-sed -n 's/^OPTION([A-Z_]*, [A-Z]*, "\([a-z-]*\)".*/\1/p' src/cli/options.def | sort > "$scratch/options"
+sed -n 's/^OPTION([A-Z_]*, [A-Z]*, "\([a-z-]*\)".*/\1/p' src/cli/line/options.def | sort > "$scratch/options"
 [ -s "$scratch/options" ] && sort -u "$scratch/taken" | diff "$scratch/options" -
 verdict $? 'every option is taken by a command'
-sed -n 's/^HELP("\([a-z]*\)".*/\1/p' src/cli/help.def | sort -u | diff <(sort <<< "$commands"$'\ntouchstone') -
+sed -n 's/^HELP("\([a-z]*\)".*/\1/p' src/cli/line/help.def | sort -u | diff <(sort <<< "$commands"$'\ntouchstone') -
 verdict $? 'every row of help.def is of a command, or of all'
 for variable in $(grep -rhoE 'getenv\("\w+"' src --include='*.c' | cut -d'"' -f2 | sort -u); do
 	for command in '' $commands; do "$touchstone" help $command; done | grep -q "^  $variable  "

@@ -3,7 +3,7 @@
 #define TS_TESTS_CLI_TYPED_H
 #include <jansson.h>
 #include <unistd.h>
-#include "cli/cli.h"
+#include "cli/line/cli.h"
 #include "tests/model/test.h"
 
 enum { TYPED_WORDS = 160, TYPED_LINE = 4096 };

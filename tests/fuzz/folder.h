@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 static char fuzz_root[] = "/tmp/touchstone-fuzz-XXXXXX";
 static char fuzz_path[32][64];

@@ -1,6 +1,6 @@
 /* libFuzzer on files of goldens: `make fuzz`. The first byte says which of them the rest is: cases.txt, or of a case
  * its params.txt, its SHA256SUMS or a file of small/. An accepted file is compared. */
-#include "cli/golden.h"
+#include "cli/golden/golden.h"
 #include "tests/fuzz/folder.h"
 
 static const char *cases, *params, *sums, *keys;

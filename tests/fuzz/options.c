@@ -1,11 +1,11 @@
 /* libFuzzer on command lines: `make fuzz`. An input is the words behind `touchstone`, each ended by a byte 0. Nothing
  * is run. An accepted option is one of the command, and its parameters are in their ranges. The parser leaves names of
  * methods, truths and stages as they are: these are looked up then. */
-#include "cli/cli.h"
-#include "study/methods.h"
-#include "study/sweep.h"
+#include "cli/line/cli.h"
+#include "study/asked/methods.h"
+#include "study/asked/sweep.h"
+#include "study/asked/truths.h"
 #include "study/trace.h"
-#include "study/truths.h"
 #include "tests/fuzz/folder.h"
 
 enum { MOST_WORDS = 64 };

@@ -1,7 +1,7 @@
 /* libFuzzer on the list of an earlier output: `make fuzz`. Each input is the report.json of a folder that --force would
  * replace. It may be replaced only if the list, read here again, names every file in it and none out of it. */
 #include <jansson.h>
-#include "study/folder.h"
+#include "study/results/folder.h"
 #include "tests/fuzz/folder.h"
 
 static const char *const files[] = {"epr.png", "sub/a.npy", "sub/b.npy"};

@@ -1,7 +1,7 @@
 /* Flat steps: no run is left, every margin stands behind its stage and is like it in all but its name, and numbers
  * of files are those of the steps without margins. */
 #include "tests/methods/small.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 static u32 count(const ts_step *step)
 {

@@ -1,7 +1,7 @@
 #!/bin/bash
-# Who reads which parameter is what src/study/reads.def says, no more and no less. Prints TAP.
+# Who reads which parameter is what src/study/asked/reads.def says, no more and no less. Prints TAP.
 set -u
-if scripts/reads | diff src/study/reads.def - | sed 's/^/# /' | grep .; then
+if scripts/reads | diff src/study/asked/reads.def - | sed 's/^/# /' | grep .; then
 	echo "not ok 1 - who reads which parameter (<: reads.def, >: the runs): scripts/reads --write"
 else
 	echo "ok 1 - who reads which parameter"

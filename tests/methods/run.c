@@ -2,7 +2,7 @@
  * switches that must agree. */
 #include "methods/stages.h"
 #include "tests/methods/small.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 /* Name and digest of every buffer, a line each; by free(). */
 static char *digests_of(const ts_scene *scene, const ts_params *params, const char *method, u32 threads,

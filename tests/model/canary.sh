@@ -26,7 +26,7 @@ result() { # GOOD NAME
 build() {
 	local compiler=$1
 	shift
-	"$compiler" $flags "$@" src/model/{selftest,error,text,threads,say}.c "$folder/main.c" -lm \
+	"$compiler" $flags "$@" src/model/{selftest,error,threads,say}.c "$folder/main.c" -lm \
 		-o "$folder/canary" 2>"$folder/log"
 }
 

@@ -2,7 +2,7 @@
  * first differences have their pixel; and as many pixels as there is room for are probed, on both sides. */
 #include "tests/report/pages.h"
 #include "tests/trace/small.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 enum { W = 64, H = 36, MOST = 9 };
 

@@ -1,6 +1,6 @@
 /* Pictures of a table's rows: those that are there, and differences from the first where that is. */
 #include "study/bench_paper.h"
-#include "study/folder.h"
+#include "study/results/folder.h"
 #include "tests/model/test.h"
 #include "tests/scratch.h"
 

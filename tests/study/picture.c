@@ -1,6 +1,6 @@
 /* A picture takes from a run which pixels are mirrors', with several samples a pixel too; a truth tells its time. */
+#include "study/asked/truths.h"
 #include "study/picture.h"
-#include "study/truths.h"
 #include "tests/methods/small.h"
 
 static void mirrors_are_marked(void **state)

@@ -1,9 +1,9 @@
 /* What families hand in: handed in again it is the same, and each table of bench has a name of its own and is
  * measured in one way. */
+#include "study/asked/truths.h"
 #include "study/bench.h"
 #include "tests/model/test.h"
 #include "tools/tools.h"
-#include "truth/table.h"
 
 static u32 count_benches(void)
 {

@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include "tests/scratch.h"
 #include "tests/status.h"
-#include "trace/emit.h"
+#include "trace/emitted/emit.h"
 
 static inline void file_write(const char *path, const void *data, size_t bytes)
 {

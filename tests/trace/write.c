@@ -1,8 +1,8 @@
 /* What a trace holds: the same files as the digests say, each by its own name; whole, of some stages, or cropped. */
 #include "model/digest.h"
 #include "tests/trace/small.h"
+#include "trace/emitted/sums.h"
 #include "trace/read.h"
-#include "trace/sums.h"
 
 static ts_scene *scene;
 static ts_params params;

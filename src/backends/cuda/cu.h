@@ -3,8 +3,8 @@
  * are declared here, so that no toolkit is needed. */
 #ifndef TS_BACKENDS_CUDA_CU_H
 #define TS_BACKENDS_CUDA_CU_H
-#include "backends/device.h"
-#include "backends/modules.h"
+#include "backends/devices/device.h"
+#include "backends/devices/modules.h"
 
 typedef int CUresult, CUdevice;
 typedef u64 CUdeviceptr;

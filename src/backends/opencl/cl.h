@@ -4,7 +4,7 @@
 #define TS_BACKENDS_OPENCL_CL_H
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
-#include "backends/device.h"
+#include "backends/devices/device.h"
 
 /* The functions that are called. */
 /* clang-format off */

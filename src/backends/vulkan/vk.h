@@ -4,8 +4,8 @@
 #define TS_BACKENDS_VULKAN_VK_H
 #define VK_NO_PROTOTYPES
 #include <vulkan/vulkan_core.h>
-#include "backends/device.h"
-#include "backends/modules.h"
+#include "backends/devices/device.h"
+#include "backends/devices/modules.h"
 
 /* The functions that are called. */
 /* clang-format off */

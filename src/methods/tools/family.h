@@ -5,13 +5,13 @@
 #include "compare/decided.h"
 #include "probe/probe.h"
 #include "replay/check.h"
+#include "study/asked/truths.h"
 #include "study/bench.h"
 #include "study/claims.h"
 #include "study/notes.h"
 #include "study/speed.h"
 #include "study/stage_pictures.h"
 #include "trace/where.h"
-#include "truth/table.h"
 #include "truth/texels.h"
 
 typedef struct {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include "scene/gltf/gltf.h"
-#include "scene/keyframe.h"
+#include "scene/gltf/keyframe.h"
 
 namespace gltf {
 

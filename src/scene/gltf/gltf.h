@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 #include "kernels/base/num.h"
-#include "scene/numbers.h"
+#include "scene/gltf/numbers.h"
 #include "scene/place.h"
 #include "scene/sources.h"
 #include "scene/surfel.h"

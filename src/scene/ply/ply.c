@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "model/core.h"
+#include "scene/gltf/numbers.h"
 #include "scene/neighbours.h"
 #include "scene/normals.h"
-#include "scene/numbers.h"
 #include "scene/ply/body.h"
 #include "scene/sources.h"
 #include "scene/srgb_table.h"

@@ -6,7 +6,7 @@
 #include "kernels/base/srgb.h"
 #include "kernels/hulls/segment_box.h"
 #include "tests/methods/small.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 static ts_params tiny_params(void)
 {

@@ -4,7 +4,7 @@
 #include <math.h>
 #include "kernels/points/forward.h"
 #include "tests/methods/small.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 static ts_sums sums_of(const ts_scene *scene, const ts_params *params, const char *method, ts_how how)
 {

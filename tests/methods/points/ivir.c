@@ -4,7 +4,7 @@
 #include "kernels/base/area.h"
 #include "kernels/base/shade.h"
 #include "tests/methods/small.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 #define SHADOWED "soft-shadows", "ivir"
 

@@ -6,7 +6,7 @@
 #include "methods/stages.h"
 #include "methods/surfels/surfel.h"
 #include "tests/methods/surfels/surfels.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 enum { N_FORMATS = 4, N_TERMS = 7, WEIGHT = 6, NORMAL = 3 };
 #define UNIT 1073741824.0

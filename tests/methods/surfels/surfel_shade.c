@@ -4,7 +4,7 @@
  * claim to read. */
 #include "kernels/surfels/surfel_shade.h"
 #include "tests/methods/surfels/surfels.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 enum { FLAT, GOURAUD, PHONG, DEFERRED, METHODS };
 static const char *const methods[] = {"flat", "gouraud", "phong", "deferred"};

@@ -3,7 +3,7 @@
  * and shadows; and that a pixel is shaded once, whatever overlaps there. */
 #include "tests/methods/surfels/surfels.h"
 #include "kernels/raster/gbuffer.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 static const char *const methods[] = {"deferred", "ewa"};
 

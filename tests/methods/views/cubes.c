@@ -6,7 +6,7 @@
 #include "kernels/base/scene.h"
 #include "methods/views/views.h"
 #include "tests/methods/small.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 static ts_params tiny_params(u32 levels)
 {

@@ -6,7 +6,7 @@
 #include "kernels/views/view_map.h"
 #include "methods/views/views.h"
 #include "tests/methods/small.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 static const char *const methods[] = {"megaviews", "manylods", "bruteforce"};
 enum { N_METHODS = 3 };

@@ -5,7 +5,7 @@
 #include "methods/views/pipelines.h"
 #include "methods/views/views.h"
 #include "tests/methods/small.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 static const ts_step octrees_steps[] = {
 	{.stage = "pose"},

@@ -4,7 +4,7 @@
 #include <math.h>
 #include "scene/view.h"
 #include "tests/methods/small.h"
-#include "trace/sums.h"
+#include "trace/emitted/sums.h"
 
 static const char *const methods[] = {"megaviews", "manylods", "bruteforce"};
 enum { N_METHODS = 3 };

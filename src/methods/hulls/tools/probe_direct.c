@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "kernels/hulls/polygon.h"
 #include "methods/hulls/gloss.h"
-#include "methods/hulls/tools/tools.h"
+#include "methods/hulls/tools/probe.h"
 #include "methods/raster/tools/probe.h"
 
 const ts_buffer_id *ts_probe_source_needed(const ts_probe *p)

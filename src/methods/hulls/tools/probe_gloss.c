@@ -1,6 +1,6 @@
 /* A pixel's specular reflection: its surface, and the product of the light's lobes with the surface's, term by term. */
 #include "methods/hulls/gloss.h"
-#include "methods/hulls/tools/tools.h"
+#include "methods/hulls/tools/probe.h"
 
 ts_status ts_probe_put_gloss(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *o, ts_glossy *glossy)
 {

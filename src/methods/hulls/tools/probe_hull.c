@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "kernels/hulls/corner.h"
 #include "methods/hulls/gloss.h"
-#include "methods/hulls/tools/tools.h"
+#include "methods/hulls/tools/probe.h"
 #include "methods/raster/tools/probe.h"
 
 enum { MOST_LISTED = 8, N_CORNERS = 4 };

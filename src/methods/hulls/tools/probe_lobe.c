@@ -1,5 +1,5 @@
 /* One channel of a hull's light: the lobe between the corners, and its integral with the cosine, term by term. */
-#include "methods/hulls/tools/tools.h"
+#include "methods/hulls/tools/probe.h"
 
 /* Eqs 15 to 18. Returns A_h from the terms that were put. */
 static f32 put_ours(ts_probe *p, json_t *o, f32 lambda, f32 cos_beta, u32 printed)

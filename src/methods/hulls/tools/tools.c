@@ -1,5 +1,6 @@
 /* The tables of hulls for the tools. */
 #include "methods/hulls/tools/tools.h"
+#include "methods/hulls/tools/probe.h"
 #include "methods/raster/tools/truth_gather.h"
 #include "methods/tools/family.h"
 

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "methods/points/tools/benches.h"
+#include "study/asked/truths.h"
 #include "study/bench_case.h"
-#include "study/truths.h"
 
 /* A point of a curve: its settings and its label. */
 typedef struct {

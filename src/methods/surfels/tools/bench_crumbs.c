@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "methods/surfels/tools/tools.h"
+#include "study/asked/truths.h"
 #include "study/bench_case.h"
-#include "study/truths.h"
 
 /* clang-format off */
 static const struct {

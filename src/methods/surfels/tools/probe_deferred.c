@@ -1,7 +1,7 @@
 /* A pixel of a deferred shader: its lights one by one with their shadows, and whether the surface ends there. */
 #include "methods/stages.h"
 #include "methods/surfels/surfel.h"
-#include "methods/surfels/tools/tools.h"
+#include "methods/surfels/tools/probe.h"
 
 /* The neighbours and their effect. Returns whether one of them makes an outline. */
 static bool put_outline(ts_probe *p, json_t *object, const ts_deferred_args *args, u64 pixel)

@@ -6,7 +6,7 @@
 #include "kernels/surfels/surfel_shade.h"
 #include "methods/stages.h"
 #include "methods/surfels/surfel.h"
-#include "methods/surfels/tools/tools.h"
+#include "methods/surfels/tools/probe.h"
 
 enum { MOST_LISTED = 16 };
 

@@ -1,5 +1,6 @@
 /* The tables of surfels for the tools. */
 #include "methods/surfels/tools/tools.h"
+#include "methods/surfels/tools/probe.h"
 #include "methods/tools/family.h"
 
 static const ts_margin_rule margins[] = {

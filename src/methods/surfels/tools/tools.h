@@ -1,7 +1,6 @@
-/* Functions of this folder's files: for tools.c, the tables of bench, and answers of the probe. */
+/* Functions of this folder's files: for tools.c, and the tables of bench. */
 #ifndef TS_METHODS_SURFELS_TOOLS_TOOLS_H
 #define TS_METHODS_SURFELS_TOOLS_TOOLS_H
-#include "methods/raster/tools/probe.h"
 #include "replay/check.h"
 #include "study/bench.h"
 #include "study/bench_paper.h"
@@ -48,15 +47,5 @@ extern const ts_speed_of ts_surfels_speed;
 extern const ts_claim ts_surfels_claims[];
 extern const ts_paper_table ts_nv40, ts_nv40_shading, ts_nv40_filter, ts_nv40_discs;
 ts_status ts_bench_crumbs(const ts_job *job);
-
-/* Answers of the probe about surfels. */
-
-/* A pixel of surfels: the nearest surfel, the blended surfels and the result (probe_surfel.c). */
-ts_status ts_probe_surfel_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
-/* A pixel of methods that shade before they blend. */
-ts_status ts_probe_shaded_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
-/* Puts the light of a pixel, and whether it is outlined; lamps: NULL without shadows (probe_deferred.c). */
-ts_status ts_probe_put_deferred(ts_probe *probe, const ts_probe_lamps *lamps, u32 x, u32 y, json_t *object,
-                                ts_v3 *total);
 
 #endif
