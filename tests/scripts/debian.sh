@@ -27,7 +27,7 @@ verdict "${PIPESTATUS[2]}" 'to build it what install-deps --build installs is ne
 variables() {
 	grep -oE '\b[A-Z_]+=' | sort -u
 }
-unset_ones=$(comm -23 <(sed -n '/^installcheck:/,/scripts\/installcheck$/p' Makefile | variables) \
+unset_ones=$(comm -23 <(sed -n '/^installcheck:/,/scripts\/installcheck$/p' scripts/make/install.mk | variables) \
 	<(variables < debian/tests/library))
 [ -z "$unset_ones" ]
 verdict $? 'its test of the library sets all that scripts/installcheck reads'
