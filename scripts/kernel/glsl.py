@@ -19,6 +19,7 @@ class Writer(Statements):
 			named = zip(parameters(function), function.type.with_)
 			texts = [self.parameter(each, kind, lengths.get(each.name)) for each, kind in named]
 			self.put(f"{self.type(function.type.of)} {function.name}({', '.join(texts)})")
+			self.noted = {function.line}
 			self.statement(function.node.body)
 			self.put("")
 

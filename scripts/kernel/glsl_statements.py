@@ -14,7 +14,7 @@ class Statements(Expressions):
 	def __init__(self, tree, guarded):
 		super().__init__(tree)
 		self.guarded, self.breaks = guarded, []
-		self.lines, self.depth, self.line = [], 0, None
+		self.lines, self.depth, self.line, self.noted = [], 0, None, set()
 
 	def put(self, text):
 		self.lines.append("\t" * self.depth + text if text else "")
@@ -31,7 +31,9 @@ class Statements(Expressions):
 			self.comment_behind(node)
 
 	def comment_above(self, node):
-		if not isinstance(node, c_ast.Compound) and node.coord and node.coord.line != self.line:
+		"""Once, though several statements stand on the line."""
+		if not isinstance(node, c_ast.Compound) and node.coord and node.coord.line not in self.noted:
+			self.noted.add(node.coord.line)
 			self.documented(node)
 
 	def comment_behind(self, node):

@@ -69,7 +69,7 @@ class Writer:
 		return kind.name
 
 	def function(self, function):
-		self.returns, self.line, node = function.type.of, function.line, function.node
+		self.returns, self.noted, node = function.type.of, {function.line}, function.node
 		self.note(node.decl)
 		kinds = dict(zip([p.name for p in parameters(function)], function.type.with_))
 		self.params = kinds
@@ -151,7 +151,9 @@ class Writer:
 		self.depth -= 1
 
 	def statement(self, node):
-		if not isinstance(node, c_ast.Compound) and node.coord and node.coord.line != self.line:
+		"""With the comment above its line, once, though several statements stand on the line."""
+		if not isinstance(node, c_ast.Compound) and node.coord and node.coord.line not in self.noted:
+			self.noted.add(node.coord.line)
 			self.note(node)
 		self.after = []
 		getattr(self, "put_" + type(node).__name__, self.put_expression)(node)
