@@ -4,7 +4,8 @@
  *       ARG(IN, ts_face, cubes, cube_size_face) \
  *       ARG(VALUE, u32, n_cubes, none)
  *   TS_ARGS(ts_splat_args);
-  * From the rows this file makes the struct, and backends/args.c the tables that backends and stages read. A row has a
+ *
+ * From the rows this file makes the struct, and backends/args.c the tables that backends and stages read. A row has a
  * role, a type, a name, and the buffer of records.def to which the member is bound unless a launch binds another; or
  * none.
  *

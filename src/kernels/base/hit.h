@@ -14,7 +14,7 @@ TS_FN ts_v3 ts_k_hit_weights(f32 a, f32 b, f32 c)
 {
 	f32 sum = a + b;
 	sum = sum + c;
-	f32 third = 0.3333333432674407958984375f;
+	f32 third = TS_THIRD;
 	return sum > 0.0f ? ts_v3_make(ts_put(a / sum), ts_put(b / sum), ts_put(c / sum)) : ts_v3_make(third, third, third);
 }
 
@@ -32,7 +32,8 @@ TS_FN f32 ts_k_hit_share(f32 part, f32 whole)
 	return whole != 0.0f ? ts_clamp(ts_flush(part) / whole, 0.0f, 1.0f) : 0.0f;
 }
 
-/* The barycentrics of p by areas projected along the longest component of the normal, the lowest on ties. */
+/* The barycentrics of p by areas projected along the longest component of the normal, the lowest on ties (Badouel, An
+ * Efficient Ray-Polygon Intersection, Graphics Gems, 1990). */
 TS_FN ts_v3 ts_k_hit_barycentrics(ts_v3 p, const ts_corners *t)
 {
 	f32 x = ts_abs(t->n.x);
@@ -45,8 +46,8 @@ TS_FN ts_v3 ts_k_hit_barycentrics(ts_v3 p, const ts_corners *t)
 	                        ts_k_hit_share(ts_k_hit_area(p, t->a, t->b, axis), whole));
 }
 
-/* t = n.(a - o) / n.d, then the barycentrics of o + t d. For a ray within the plane, t leads to
- * the centroid instead. */
+/* t = n.(a - o) / n.d, then the barycentrics of o + t d. For a ray within the plane, t leads to the place of the ray
+ * that is closest to the centroid. |t| is at most 2^62, the bound of sanitized numbers (rule 10). */
 TS_FN ts_hit ts_k_hit(ts_v3 o, ts_v3 d, const ts_corners *t)
 {
 	f32 slope = ts_flush(ts_dot(t->n, d));

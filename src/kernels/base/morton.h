@@ -47,6 +47,7 @@ TS_FN ts_i3 ts_k_unmorton(u64 code)
 	return ts_i3_make(ts_k_gather_bits(code), ts_k_gather_bits(code >> 1), ts_k_gather_bits(code >> 2));
 }
 
+/* Adds neighbouring counts of 1, 2 and 4 bits, then all bytes (Warren, Hacker's Delight, chapter 5). */
 TS_FN u32 ts_k_count_bits(u64 x)
 {
 	x = x - ((x >> 1) & 0x5555555555555555UL);

@@ -13,18 +13,23 @@ typedef struct {
 	TS_GLOBAL const ts_motion *motion;
 } ts_pose;
 
+/* The pose of an object that follows an ellipse, or of one that stands still. */
 TS_FN ts_pose ts_k_pose(TS_GLOBAL const ts_object *object, u32 frame)
 {
 	ts_pose r;
+	/* Assume that no animation moves the object; ts_k_pose_at adds what does. */
 	r.motion = NULL;
 	r.moves = object->period != 0u ? 1u : 0u;
+	/* Measure its way along the ellipse in turns. */
 	f32 period = (f32)(r.moves != 0u ? object->period : 1u);
 	f32 turns = (f32)(r.moves != 0u ? frame % object->period : 0u) / period;
 	f32 angle = object->phase + turns;
 	f32 twice = angle + angle;
+	/* Move the centre along the ellipse, in x and z; it bobs twice a turn. */
 	f32 x = object->axis[0] * ts_cos_turn(angle);
 	f32 y = object->bob * ts_sin_turn(twice);
 	f32 z = object->axis[1] * ts_sin_turn(angle);
+	/* Turn the object about the vertical axis through the centre. */
 	f32 spin = object->spin * angle;
 	r.centre = ts_add(ts_load3(object->centre), ts_v3_make(x, y, z));
 	r.cos = ts_cos_turn(spin);
@@ -87,9 +92,11 @@ TS_ARGS(ts_pose_args);
 /* map over vertices */
 TS_FN void ts_k_pose_item(const ts_pose_args *args, u64 i)
 {
+	/* Find the pose of the vertex's object. */
 	ts_vertex v = args->vertices[i];
 	ts_pose pose = ts_k_pose_at(args->objects, args->n_objects, v.object, args->motions, args->n_motion, args->frame);
 	if (pose.moves != 0u) {
+		/* Move position, normal and tangent (METHODS 2). */
 		ts_v3 p = ts_k_pose_point(&pose, ts_v3_make(v.position[0], v.position[1], v.position[2]));
 		ts_v3 n = ts_k_pose_normal(&pose, ts_v3_make(v.normal[0], v.normal[1], v.normal[2]));
 		ts_v3 t = ts_k_pose_tangent(&pose, ts_v3_make(v.tangent[0], v.tangent[1], v.tangent[2]));
@@ -102,6 +109,7 @@ TS_FN void ts_k_pose_item(const ts_pose_args *args, u64 i)
 		v.tangent[0] = ts_put(t.x);
 		v.tangent[1] = ts_put(t.y);
 		v.tangent[2] = ts_put(t.z);
+		/* Invert the handedness of tangents where the motion mirrors the object. */
 		if (pose.moves == 2u && pose.motion->moves == 2u) v.tangent[3] = ts_put(-v.tangent[3]);
 	}
 	args->posed[i] = v;

@@ -21,7 +21,7 @@ TS_FN void ts_k_scan_sum_item(const ts_scan_args *args, u64 i)
 	args->sums[i] = sum;
 }
 
-/* item 0: all chunks */
+/* one item, 0, which visits all chunks in order */
 TS_FN void ts_k_scan_chunks_item(const ts_scan_args *args, u64 i)
 {
 	u64 before = 0u;

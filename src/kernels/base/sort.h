@@ -1,5 +1,5 @@
-/* Sorts each list in place by a heap: the triangles or views of the leaves of octrees, and the surfels of pixels, which
- * were appended in any order. */
+/* Heapsort (Williams 1964), in place, of lists that were appended in any order: the triangles or views of the leaves of
+ * octrees, and the surfels of pixels. */
 #ifndef TS_KERNELS_BASE_SORT_H
 #define TS_KERNELS_BASE_SORT_H
 #include "kernels/base/args.h"

@@ -37,6 +37,7 @@ TS_FN ts_sample ts_k_sample(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3
 	return r;
 }
 
+/* The texture coordinates of a corner, by the slot's affine transform (KHR_texture_transform). */
 TS_FN ts_v2 ts_k_slot_uv(TS_GLOBAL const ts_slot *slot, TS_GLOBAL const ts_vertex *v)
 {
 	f32 x = v->uv[slot->uv_set * 2u];
@@ -47,6 +48,7 @@ TS_FN ts_v2 ts_k_slot_uv(TS_GLOBAL const ts_slot *slot, TS_GLOBAL const ts_verte
 	return ts_v2_make(s + m[2], t + m[5]);
 }
 
+/* The texture of a slot, filtered for the sample's footprint. */
 TS_HOT ts_rgba ts_k_slot_sample(const ts_arrays *scene, const ts_sample *s, u32 slot_index)
 {
 	TS_GLOBAL const ts_slot *slot = &scene->slots[slot_index];
@@ -95,6 +97,7 @@ typedef struct {
 /* The direction in which u grows on the triangle; none where uv is degenerate. */
 TS_FN ts_tangent ts_k_tangent_of_uv(const ts_sample *s, TS_GLOBAL const ts_slot *slot)
 {
+	/* Take the determinant of the edges in uv; only its sign counts, since the tangent is normalized later. */
 	ts_v2 a = ts_k_slot_uv(slot, s->a);
 	ts_v2 b = ts_k_slot_uv(slot, s->b);
 	ts_v2 c = ts_k_slot_uv(slot, s->c);
@@ -102,11 +105,13 @@ TS_FN ts_tangent ts_k_tangent_of_uv(const ts_sample *s, TS_GLOBAL const ts_slot 
 	f32 dv2 = c.y - a.y;
 	f32 det = ts_flush(ts_diff_of_products(b.x - a.x, dv2, c.x - a.x, dv1));
 	f32 sign = det < 0.0f ? -1.0f : det > 0.0f ? 1.0f : 0.0f;
+	/* Combine the edges so that u grows along T and v stays. */
 	ts_v3 pa = ts_load3(s->a->position);
 	ts_v3 e1 = ts_scale(ts_sub(ts_load3(s->b->position), pa), sign * dv2);
 	ts_v3 e2 = ts_scale(ts_sub(ts_load3(s->c->position), pa), sign * dv1);
 	ts_tangent r;
 	r.t = ts_sub(e1, e2);
+	/* Turn B against v: y of a normal map points up, v grows downward. */
 	r.handedness = -sign;
 	return r;
 }
@@ -123,12 +128,15 @@ TS_FN ts_tangent ts_k_tangent(const ts_sample *s, TS_GLOBAL const ts_slot *slot)
 /* The normal map's normal in the frame T, B, n. */
 TS_FN ts_v3 ts_k_normal_map(const ts_arrays *scene, const ts_sample *s, ts_v3 n)
 {
+	/* Leave n where there is no normal map. */
 	u32 slot = s->material->slot[2];
 	if (slot == TS_NONE) return n;
+	/* Build the frame: T at right angles to n, B across both (METHODS 4). */
 	ts_tangent tangent = ts_k_tangent(s, &scene->slots[slot]);
 	ts_v3 t = ts_normalize(ts_mad(tangent.t, n, -ts_dot(n, tangent.t)));
 	if (!(ts_length(t) > 0.0f)) return n;
 	ts_v3 b = ts_scale(ts_cross(n, t), tangent.handedness);
+	/* Turn the texel into a direction, and the direction into the frame. */
 	ts_rgba m = ts_k_slot_sample(scene, s, slot);
 	f32 x = (m.r * 2.0f - 1.0f) * s->material->normal_scale;
 	f32 y = (m.g * 2.0f - 1.0f) * s->material->normal_scale;
@@ -137,7 +145,7 @@ TS_FN ts_v3 ts_k_normal_map(const ts_arrays *scene, const ts_sample *s, ts_v3 n)
 	return ts_length(r) > 0.0f ? r : n;
 }
 
-/* Position and normals only. */
+/* Position and normals of the sample, without its material. */
 TS_FN ts_surface ts_k_surface_geometry(const ts_arrays *scene, const ts_sample *s, ts_v3 normal)
 {
 	ts_surface r;
@@ -149,8 +157,11 @@ TS_FN ts_surface ts_k_surface_geometry(const ts_arrays *scene, const ts_sample *
 	return r;
 }
 
+/* The material at the sample: factors times vertex colour times textures, in the order of glTF 2.0 (CONTRACT rule
+ * 39). */
 TS_FN void ts_k_surface_material(const ts_arrays *scene, const ts_sample *s, ts_surface *r)
 {
+	/* Begin with the factors and the vertex colour. */
 	TS_GLOBAL const ts_material *m = s->material;
 	ts_v3 colour = ts_blend(s->w, ts_load3(s->a->colour), ts_load3(s->b->colour), ts_load3(s->c->colour));
 	r->base = ts_mul(ts_load3(m->base), colour);
@@ -159,6 +170,7 @@ TS_FN void ts_k_surface_material(const ts_arrays *scene, const ts_sample *s, ts_
 	r->roughness = m->roughness;
 	r->occlusion = 1.0f;
 	r->flags = m->flags;
+	/* Multiply by the textures: base colour, then roughness (green) and metallic (blue). */
 	if (m->slot[0] != TS_NONE) {
 		ts_rgba t = ts_k_slot_sample(scene, s, m->slot[0]);
 		r->base = ts_mul(r->base, ts_v3_make(t.r, t.g, t.b));
@@ -168,6 +180,7 @@ TS_FN void ts_k_surface_material(const ts_arrays *scene, const ts_sample *s, ts_
 		r->roughness = r->roughness * t.g;
 		r->metallic = r->metallic * t.b;
 	}
+	/* Weaken the occlusion texture (red) by its strength, and tint the emission. */
 	if (m->slot[3] != TS_NONE) {
 		ts_rgba t = ts_k_slot_sample(scene, s, m->slot[3]);
 		r->occlusion = 1.0f + m->occlusion * (t.r - 1.0f);
@@ -203,8 +216,9 @@ TS_FN ts_v3 ts_k_facing_normal(const ts_surface *s, ts_v3 towards)
 	return ts_dot(s->face, towards) < 0.0f ? ts_neg(s->n) : s->n;
 }
 
-/* Footprint of a pixel `width` world units wide at this depth, on a surface seen at this slant: width / sqrt |cos|,
- * |cos| >= 2^-6. d: from the eye to the surface; n: the triangle's normal, any length. */
+/* Footprint of a pixel `width` world units wide at this depth, on a surface seen at this slant: width / sqrt |cos|.
+ * |cos| is at least 2^-6, which bounds the footprint of a surface seen edge-on. d: from the eye to the surface; n: the
+ * triangle's normal, any length. */
 TS_FN f32 ts_k_footprint(f32 width, ts_v3 d, ts_v3 n)
 {
 	f32 lengths = ts_length(d) * ts_length(n);

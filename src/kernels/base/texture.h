@@ -60,13 +60,16 @@ typedef struct {
 
 TS_FN ts_texels ts_k_texture_around(u32 width, u32 height, ts_v2 uv, TS_GLOBAL const u32 *wrap)
 {
+	/* Measure uv in 1/256 texel from the centre of the first texel, 128 from its border (CONTRACT rule 37). */
 	i32 x = ts_fix(uv.x * (f32)width, 8, 30) - 128;
 	i32 y = ts_fix(uv.y * (f32)height, 8, 30) - 128;
+	/* Wrap the columns and the rows of the four neighbours. */
 	u64 x0 = ts_k_texture_neighbour(x >> 8, (i32)width, wrap[0]);
 	u64 x1 = ts_k_texture_neighbour((x >> 8) + 1, (i32)width, wrap[0]);
 	u64 y0 = (u64)ts_k_texture_neighbour(y >> 8, (i32)height, wrap[1]) * width;
 	u64 y1 = (u64)ts_k_texture_neighbour((y >> 8) + 1, (i32)height, wrap[1]) * width;
 	ts_texels r;
+	/* Name the texels; the fractions are the weights of the right and the lower ones. */
 	r.a = y0 + x0;
 	r.b = y0 + x1;
 	r.c = y1 + x0;
@@ -100,7 +103,7 @@ TS_FN ts_rgba16 ts_k_texture_bilinear(TS_GLOBAL const u64 *level, u32 width, u32
 
 TS_FN u32 ts_k_texture_mix2(u32 a, u32 b, u32 f) { return (a * (256u - f) + b * f + 128u) >> 8; }
 
-/* 65535 becomes 1. */
+/* [0, 65535] to [0, 1], times 65537 / 2^32, which is nearly 1/65535. */
 TS_FN f32 ts_k_texture_unit(u32 x) { return (f32)x * 0.00001525902189314365386962890625f; }
 
 typedef struct {
@@ -126,16 +129,19 @@ TS_FN ts_texture_level ts_k_texture_coarser(ts_texture_level level)
 	return r;
 }
 
-/* lod: level in 1/256. */
+/* The texture of a slot at uv, trilinear between two levels. lod: level in 1/256. */
 TS_FN ts_rgba ts_k_texture_sample(const ts_arrays *scene, TS_GLOBAL const ts_slot *slot, ts_v2 uv, u32 lod)
 {
+	/* Limit the level to the coarsest, and wrap uv. */
 	TS_GLOBAL const ts_image *image = &scene->images[slot->image];
 	u32 last = (image->n_levels - 1u) * 256u;
 	lod = lod > last ? last : lod;
 	uv = ts_v2_make(ts_k_texture_wrap(uv.x, slot->wrap[0]), ts_k_texture_wrap(uv.y, slot->wrap[1]));
+	/* Sample the finer of the two levels. */
 	ts_texture_level level = ts_k_texture_finest(scene, image);
 	for (u32 l = lod >> 8; l != 0u; l--) level = ts_k_texture_coarser(level);
 	ts_rgba16 t = ts_k_texture_bilinear(level.texels, level.width, level.height, uv, slot->wrap);
+	/* Mix in the coarser level by the fraction of the lod. */
 	u32 f = lod & 255u;
 	if (f != 0u) {
 		level = ts_k_texture_coarser(level);
@@ -146,6 +152,7 @@ TS_FN ts_rgba ts_k_texture_sample(const ts_arrays *scene, TS_GLOBAL const ts_slo
 		t.a = ts_k_texture_mix2(t.a, next.a, f);
 	}
 	ts_rgba r;
+	/* Turn 16 bits into [0, 1]. */
 	r.r = ts_k_texture_unit(t.r);
 	r.g = ts_k_texture_unit(t.g);
 	r.b = ts_k_texture_unit(t.b);
@@ -153,9 +160,9 @@ TS_FN ts_rgba ts_k_texture_sample(const ts_arrays *scene, TS_GLOBAL const ts_slo
 	return r;
 }
 
-/* Half the log2 of K, the texels that a footprint of `footprint` world units covers, in 1/256 of a level: K =
- * footprint^2 W H A_uv / A_ws, isotropic, one level per sample. area is |(b-a) x (c-a)|, uv_area that of its image in
- * uv. */
+/* The level of detail in 1/256 of a level: half the log2 of K, the number of texels that a square of `footprint` world
+ * units a side covers, K = footprint^2 W H A_uv / A_ws. A sample has one level, in all directions. area is |(b-a) x
+ * (c-a)|, uv_area that of its image in uv. */
 TS_FN u32 ts_k_texture_lod(u32 width, u32 height, f32 footprint, f32 uv_area, f32 area)
 {
 	f32 texels = (f32)width * (f32)height;

@@ -14,7 +14,6 @@
 #define TS_TONES 3.0f
 #define TS_OUTLINE_STEP 0.03125f   /* relative to the depth */
 #define TS_OUTLINE_DROP 0.0078125f /* below the surface's plane, relative to the distance to the eye */
-#define TS_PER_PI 0.3183098733425140380859375f
 
 #define TS_ROWS_ts_deferred_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \
