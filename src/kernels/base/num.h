@@ -244,7 +244,7 @@ TS_FN f32 ts_atan2(f32 y, f32 x)
 	f32 more = steep ? ay : ax;
 	f32 a = less / (more > 0.0f ? more : 1.0f);
 	a = ts_flush(a);
-	/* Evaluate its arc tangent as a and a polynomial in a^2. */
+	/* Evaluate the arc tangent as a and a polynomial in a^2. */
 	f32 z = a * a;
 	f32 p = 2.9202033765614032745361328125e-3f;
 	p = p * z; p = p - 1.636600308120250701904296875e-2f;

@@ -20,12 +20,12 @@ TS_FN ts_pose ts_k_pose(TS_GLOBAL const ts_object *object, u32 frame)
 	/* Assume that no animation moves the object; ts_k_pose_at adds what does. */
 	r.motion = NULL;
 	r.moves = object->period != 0u ? 1u : 0u;
-	/* Measure its way along the ellipse in turns. */
+	/* Measure the way along the ellipse in turns. */
 	f32 period = (f32)(r.moves != 0u ? object->period : 1u);
 	f32 turns = (f32)(r.moves != 0u ? frame % object->period : 0u) / period;
 	f32 angle = object->phase + turns;
 	f32 twice = angle + angle;
-	/* Move the centre along the ellipse, in x and z; it bobs twice a turn. */
+	/* Move the centre along the ellipse in x and z, and up and down twice a turn. */
 	f32 x = object->axis[0] * ts_cos_turn(angle);
 	f32 y = object->bob * ts_sin_turn(twice);
 	f32 z = object->axis[1] * ts_sin_turn(angle);

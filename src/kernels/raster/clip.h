@@ -8,6 +8,7 @@ typedef struct {
 	u32 n;
 } ts_polygon;
 
+/* A triangle of the world in the view; each corner has the whole of its own weight. */
 TS_FN ts_polygon ts_k_polygon(const ts_camera_k *view, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_polygon r;
@@ -59,23 +60,25 @@ TS_FN ts_corner ts_k_cut(const ts_corner *in, f32 d_in, const ts_corner *out, f3
 	return r;
 }
 
-/* Rounding can make an edge in the plane change sides at every corner. Corners that no longer fit lie in the plane and
- * are dropped. */
+/* Adds a corner. Rounding can make the edges of a polygon in the plane change sides at every corner; corners that no
+ * longer fit lie in the plane, and are dropped. */
 TS_FN void ts_k_push(ts_polygon *polygon, ts_corner corner)
 {
 	if (polygon->n < TS_MAX_CORNERS) polygon->corner[polygon->n++] = corner;
 }
 
-/* Clips against one plane, by Sutherland and Hodgman; no cut is before `near`. */
+/* Clips against one plane (Sutherland and Hodgman, Reentrant Polygon Clipping, 1974); no cut is before `near`. */
 TS_FN void ts_k_clip(ts_polygon *polygon, ts_plane plane, f32 near)
 {
 	ts_polygon r;
 	r.n = 0u;
 	for (u32 i = 0u; i < polygon->n; i++) {
+		/* Take an edge and the sides of its corners; a corner in the plane is inside. */
 		const ts_corner *p = &polygon->corner[i];
 		const ts_corner *q = &polygon->corner[i + 1u < polygon->n ? i + 1u : 0u];
 		f32 dp = ts_k_plane_side(&plane, p);
 		f32 dq = ts_k_plane_side(&plane, q);
+		/* Keep an inner corner, then the cut, always made from inside to outside (CONTRACT rule 16). */
 		if (dp >= 0.0f) ts_k_push(&r, *p);
 		if (dp >= 0.0f && dq < 0.0f) ts_k_push(&r, ts_k_cut(p, dp, q, dq, near));
 		if (dp < 0.0f && dq >= 0.0f) ts_k_push(&r, ts_k_cut(q, dq, p, dp, near));

@@ -16,18 +16,22 @@ TS_FN ts_v3 ts_k_cube_row(u32 face, u32 row)
 	return ts_v3_make(ts_cube_row[face][row * 3u], ts_cube_row[face][row * 3u + 1u], ts_cube_row[face][row * 3u + 2u]);
 }
 
+/* The view of a face from the cube's centre. */
 TS_FN ts_camera_k ts_k_cube_view(TS_GLOBAL const ts_face *cube, u32 face)
 {
 	ts_camera_k r;
+	/* Look along the face's axes (CONTRACT rule 36). */
 	r.eye = ts_load3(cube->centre);
 	r.right = ts_k_cube_row(face, 0u);
 	r.up = ts_k_cube_row(face, 1u);
 	r.back = ts_k_cube_row(face, 2u);
+	/* See 90 degrees: at a focal length of n / 2 pixels n texels span them. */
 	r.focal = (f32)cube->n * 0.5f;
 	r.near = cube->near;
 	r.width = (i32)cube->n;
 	r.height = (i32)cube->n;
 	r.side = 1.0f;
+	/* Take texels at their centres, in perspective. */
 	r.shift_x = 0;
 	r.shift_y = 0;
 	r.orthographic = 0u;
@@ -59,6 +63,7 @@ typedef struct {
 
 TS_FN ts_cube_place ts_k_cube_place(ts_v3 d)
 {
+	/* Choose the face of the greatest component; ties go to x, then y (CONTRACT rule 36). */
 	f32 x = ts_abs(d.x);
 	f32 y = ts_abs(d.y);
 	f32 z = ts_abs(d.z);
@@ -74,6 +79,7 @@ TS_FN ts_cube_place ts_k_cube_place(ts_v3 d)
 		r.face = d.z < 0.0f ? 5u : 4u;
 		major = z;
 	}
+	/* Divide by that component; 1 stands in for that of the zero direction. */
 	major = major > 0.0f ? major : 1.0f;
 	r.s = ts_dot(ts_k_cube_row(r.face, 0u), d) / major;
 	r.t = -ts_dot(ts_k_cube_row(r.face, 1u), d) / major;

@@ -16,14 +16,17 @@ TS_ARGS(ts_depth_map_args);
 /* scatter over triangles: into every view of the batch */
 TS_FN void ts_k_depth_map_item(const ts_depth_map_args *args, u64 i)
 {
+	/* Drop a triangle without area (CONTRACT rule 35). */
 	ts_band band = ts_k_band(i, args->others);
 	u32 triangle = (u32)band.item;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (args->n_views == 0u || ts_k_is_degenerate(t.n)) return;
 	u64 first_texel = args->views[args->first_view].offset;
 	for (u32 v = args->first_view; v < args->first_view + args->n_views; v++) {
+		/* Choose the views that may show the triangle. */
 		TS_GLOBAL const ts_offscreen *offscreen = &args->views[v];
 		if (!ts_k_offscreen_may_show(&args->scene, offscreen, triangle, &t)) continue;
+		/* Draw the triangle's depths, without its index, into the view's texels (iVIR 4). */
 		ts_camera_k view = ts_k_offscreen(offscreen);
 		ts_target target;
 		target.keys = NULL;

@@ -30,19 +30,23 @@ TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const 
                          const ts_target *target)
 {
 	ts_snapped v[3];
+	/* Snap the corners; a triangle without area covers nothing (CONTRACT rules 15, 17 and 18). */
 	v[0] = ts_k_snap_corner(view, a);
 	v[1] = ts_k_snap_corner(view, b);
 	v[2] = ts_k_snap_corner(view, c);
 	ts_setup setup = ts_k_setup(v[0], v[1], v[2]);
 	if (setup.area == 0) return;
+	/* Begin at the box's upper left pixel; a band takes some of the rows. */
 	ts_box box = ts_k_box_meet(ts_k_touched_box(v, 3u, 0), ts_k_view_box(view));
 	ts_walk walk = ts_k_walk(&setup, box.x0, box.y0 + band->first);
 	for (u32 k = 0u; k < 3u; k++) walk.down[k] *= band->step;
 	bool masked = ts_k_is_masked(scene, triangle);
 	for (i32 j = box.y0 + band->first; j <= box.y1; j += band->step, ts_k_step(&walk.at, walk.down)) {
+		/* Visit the row's pixels whose centres the triangle covers (CONTRACT rule 18). */
 		ts_edges e = walk.at;
 		for (i32 i = box.x0; i <= box.x1; i++, ts_k_step(&e, walk.right)) {
 			if (!ts_k_walk_covers(&walk, &e)) continue;
+			/* Interpolate, drop what the alpha mask cuts away, and offer the depth (CONTRACT rules 22 and 24). */
 			ts_fragment f = ts_k_view_fragment(view, &setup, &e, a, b, c);
 			if (masked && ts_k_is_cut(scene, triangle, f.w, t->n, ts_k_fragment_footprint(view, t, &f))) continue;
 			ts_k_draw_texel(target, (u64)j * (u64)view->width + (u64)i, f.z, triangle);
@@ -66,18 +70,22 @@ TS_CALL void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts
 /* The fragment of a triangle at a pixel that it covers, computed again. */
 TS_CALL ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *t, i32 i, i32 j)
 {
+	/* Clip as ts_k_draw does, so that the fan has the same bits. */
 	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
 	ts_k_clip_to_range(view, &polygon);
 	ts_fragment r;
+	/* Return depth 0 if no triangle of the fan covers the pixel. */
 	r.z = 0.0f;
 	r.w = ts_v3_make(1.0f, 0.0f, 0.0f);
 	for (u32 k = 2u; k < polygon.n; k++) {
+		/* Set up the triangle of the fan as ts_k_draw_fan does. */
 		const ts_corner *a = &polygon.corner[0];
 		const ts_corner *b = &polygon.corner[k - 1u];
 		const ts_corner *c = &polygon.corner[k];
 		ts_setup setup = ts_k_setup(ts_k_snap_corner(view, a), ts_k_snap_corner(view, b), ts_k_snap_corner(view, c));
 		if (setup.area == 0) continue;
-		ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
+		/* Return the fragment of the triangle that covers the pixel's centre. */
+		ts_edges e = ts_k_edges(&setup, i * TS_SUB_PIXELS + TS_SUB_CENTRE, j * TS_SUB_PIXELS + TS_SUB_CENTRE);
 		if (ts_k_covers(&setup, &e)) return ts_k_view_fragment(view, &setup, &e, a, b, c);
 	}
 	return r;

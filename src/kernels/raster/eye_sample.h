@@ -19,8 +19,8 @@ TS_FN ts_camera_k ts_k_eye_view(TS_GLOBAL const ts_view *eye, u32 samples, u32 s
 {
 	ts_camera_k r = ts_k_view(eye);
 	if (samples != TS_N_EYE_SAMPLES) return r;
-	r.shift_x = 128 - ts_eye_sample[sample][0];
-	r.shift_y = 128 - ts_eye_sample[sample][1];
+	r.shift_x = TS_SUB_CENTRE - ts_eye_sample[sample][0];
+	r.shift_y = TS_SUB_CENTRE - ts_eye_sample[sample][1];
 	r.side = 0.5f;
 	return r;
 }

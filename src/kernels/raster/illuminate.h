@@ -27,19 +27,23 @@ TS_FN void ts_k_illuminate_item(const ts_illuminate_args *args, u64 i)
 /* map over texels of one level of one cube, the first of the batch: ((a + b) + (c + d)) / 4, indices clamped */
 TS_FN void ts_k_mip_item(const ts_illuminate_args *args, u64 i)
 {
+	/* Find the face, row and column of the texel. */
 	u32 n = args->cubes[args->first_cube].n;
 	u32 above = ts_k_mip_size(n, args->level - 1u);
 	u32 size = ts_k_mip_size(n, args->level);
 	u64 face = i / ((u64)size * size);
 	u32 y = (u32)(i / size) % size;
 	u32 x = (u32)(i % size);
+	/* Find the face in the finer level, and the texel in this one. */
 	TS_GLOBAL const f32 *from = args->mip + (ts_k_mip_texels(n, args->level - 1u) + face * above * above) * 4u;
 	TS_GLOBAL f32 *out = args->mip + (ts_k_mip_texels(n, args->level) + i) * 4u;
+	/* Choose the four finer texels, within the level. */
 	u64 x0 = 2u * x;
 	u64 x1 = x0 + 1u < above ? x0 + 1u : above - 1u;
 	u64 y0 = 2u * y;
 	u64 y1 = y0 + 1u < above ? y0 + 1u : above - 1u;
 	for (u32 channel = 0u; channel < 4u; channel++) {
+		/* Average the four, a b above c d, in pairs (CONTRACT rule 39). */
 		f32 a = from[(y0 * above + x0) * 4u + channel];
 		f32 b = from[(y0 * above + x1) * 4u + channel];
 		f32 c = from[(y1 * above + x0) * 4u + channel];

@@ -23,7 +23,7 @@ TS_ARGS(ts_indirect_args);
 TS_FN void ts_k_image_indirect_item(const ts_indirect_args *args, u64 i)
 {
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];
-	ts_v3 light = ts_scale(ts_load3(args->irradiance + i * 3u), 0.3183098733425140380859375f);
+	ts_v3 light = ts_scale(ts_load3(args->irradiance + i * 3u), TS_PER_PI);
 	bool sky = pixel->depth == TS_SKY;
 	ts_v3 radiance = sky ? ts_k_background() : ts_mul(ts_load3(pixel->albedo), light);
 	if (!sky && args->specular != NULL) radiance = ts_add(radiance, ts_load3(args->specular + i * 3u));

@@ -22,13 +22,16 @@ TS_FN void ts_k_lattice_align(TS_GLOBAL const ts_piece *piece, f32 s, TS_GLOBAL 
 	corner[0] = ts_load3(piece->a);
 	corner[1] = ts_load3(piece->b);
 	corner[2] = ts_load3(piece->c);
+	/* Lay u along the longest edge, and v across it in the plane: T_align of EPR 3.2, eq. 1. */
 	f32 length;
 	u32 edge = ts_k_longest_edge(corner[0], corner[1], corner[2], &length);
 	ts_v3 u = ts_normalize(ts_sub(corner[edge == 2u ? 0u : edge + 1u], corner[edge]));
 	ts_v3 n = ts_normalize(ts_cross(ts_sub(corner[1], corner[0]), ts_sub(corner[2], corner[0])));
 	ts_v3 v = ts_normalize(ts_cross(n, u));
+	/* Put the origin at the centroid. */
 	ts_v3 sum = ts_add(ts_add(corner[0], corner[1]), corner[2]);
-	ts_v3 c = ts_scale(sum, 0.3333333432674407958984375f);
+	ts_v3 c = ts_scale(sum, TS_THIRD);
+	/* Store the frame; s is the scale S of the same equation. */
 	ts_store3(out->c, c);
 	ts_store3(out->u, u);
 	ts_store3(out->v, v);
@@ -37,6 +40,7 @@ TS_FN void ts_k_lattice_align(TS_GLOBAL const ts_piece *piece, f32 s, TS_GLOBAL 
 	out->pad1 = 0u;
 	out->pad2[0] = 0u;
 	out->pad2[1] = 0u;
+	/* Snap the corners: by the + 1/2 of ts_k_lattice the centroid is the middle of sample (0, 0). */
 	for (u32 k = 0u; k < 3u; k++) {
 		ts_v2 q = ts_k_lattice(c, u, v, s, corner[k]);
 		out->q[k * 2u] = ts_fix(q.x, 8, 23);
@@ -60,15 +64,18 @@ TS_FN ts_cover ts_k_lattice_cover(TS_GLOBAL const ts_align *frame, i32 half_size
  * border (CONTRACT rule 22). */
 TS_FN ts_v3 ts_k_weights_around(ts_v2 a, ts_v2 b, ts_v2 d, i32 x, i32 y)
 {
+	/* Move the origin to the sample's centre. */
 	ts_v2 p = ts_v2_make((f32)x + 0.5f, (f32)y + 0.5f);
 	a = ts_v2_make(a.x - p.x, a.y - p.y);
 	b = ts_v2_make(b.x - p.x, b.y - p.y);
 	d = ts_v2_make(d.x - p.x, d.y - p.y);
 	ts_v3 w;
+	/* Take twice the areas opposite the corners; beside the triangle some are negative and become 0. */
 	w.x = ts_max(ts_diff_of_products(b.x, d.y, b.y, d.x), 0.0f);
 	w.y = ts_max(ts_diff_of_products(d.x, a.y, d.y, a.x), 0.0f);
 	w.z = ts_max(ts_diff_of_products(a.x, b.y, a.y, b.x), 0.0f);
-	f32 third = 0.3333333432674407958984375f;
+	/* Divide by their sum; a triangle without area has a third of each corner. */
+	f32 third = TS_THIRD;
 	f32 sum = w.x + w.y;
 	sum = ts_flush(sum + w.z);
 	if (!(sum > 0.0f)) return ts_v3_make(third, third, third);
@@ -100,7 +107,7 @@ TS_FN bool ts_k_is_sample(const ts_arrays *scene, TS_GLOBAL const ts_piece *piec
 	return !ts_k_is_cut(scene, triangle, w, t.n, 1.0f / frame->s);
 }
 
-/* Integer lattice offsets from the anchor: p = c + (i/s) u + (j/s) v. */
+/* The place of sample (x, y) in the world: c + (x/s) u + (y/s) v. */
 TS_FN ts_v3 ts_k_lattice_point(TS_GLOBAL const ts_align *frame, i32 x, i32 y)
 {
 	f32 du = (f32)x / frame->s;

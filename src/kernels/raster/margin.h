@@ -75,6 +75,7 @@ TS_FN f32 ts_k_depth_step(const ts_camera_k *view, const ts_setup *t, const ts_c
 	corner[0] = a;
 	corner[1] = b;
 	corner[2] = c;
+	/* Add up the gradient of 1 / z, or of z in an orthographic view, from the three corners. */
 	f32 area = (f32)t->area;
 	f32 x = 0.0f;
 	f32 y = 0.0f;
@@ -86,22 +87,26 @@ TS_FN f32 ts_k_depth_step(const ts_camera_k *view, const ts_setup *t, const ts_c
 		x = x - (f32)(q.y - p.y) / over;
 		y = y + (f32)(q.x - p.x) / over;
 	}
+	/* Turn the gradient into a step of z, since dz = -z^2 d(1 / z). */
 	return (parallel ? 2.0f : 2.0f * (z * z)) * (ts_abs(x) + ts_abs(y));
 }
 
 /* ts_k_depth_step of a triangle at a pixel, on the triangle of its fan that covers the pixel; 0: none does. */
 TS_FN f32 ts_k_depth_step_at(const ts_arrays *scene, const ts_camera_k *view, u32 triangle, i32 i, i32 j)
 {
+	/* Clip as the drawing did. */
 	ts_corners t = ts_k_corners(scene, triangle);
 	ts_polygon polygon = ts_k_polygon(view, t.a, t.b, t.c);
 	ts_k_clip_to_range(view, &polygon);
 	for (u32 k = 2u; k < polygon.n; k++) {
+		/* Set up the triangle of the fan. */
 		const ts_corner *a = &polygon.corner[0];
 		const ts_corner *b = &polygon.corner[k - 1u];
 		const ts_corner *c = &polygon.corner[k];
 		ts_setup setup = ts_k_setup(ts_k_snap_corner(view, a), ts_k_snap_corner(view, b), ts_k_snap_corner(view, c));
 		if (setup.area == 0) continue;
-		ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
+		/* Return the step of the triangle that covers the pixel's centre. */
+		ts_edges e = ts_k_edges(&setup, i * TS_SUB_PIXELS + TS_SUB_CENTRE, j * TS_SUB_PIXELS + TS_SUB_CENTRE);
 		if (ts_k_covers(&setup, &e)) {
 			return ts_k_depth_step(view, &setup, a, b, c, ts_k_view_fragment(view, &setup, &e, a, b, c).z);
 		}
@@ -127,39 +132,49 @@ TS_FN bool ts_k_margin_mask(const ts_arrays *scene, const ts_corners *t, ts_near
 	return above > -TS_MARGIN_ALPHA;
 }
 
+/* Offers a triangle's two margins at a pixel that it is near to. */
 TS_FN void ts_k_margin_pixel(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, ts_near *near,
                              ts_shown shown, TS_GLOBAL u64 *margin)
 {
+	/* Leave out a triangle so far behind that it cannot matter. */
 	if (!(near->f.z > 0.0f)) return;
 	bool other = ts_k_is_other(&shown, near->triangle, near->f.z);
 	f32 behind = other ? near->f.z - shown.z : 0.0f;
 	if (behind > 4.0f * near->step + near->f.z * TS_MARGIN_NEAR || !ts_k_margin_mask(scene, t, near)) return;
+	/* Measure how far the triangle is behind: in steps of both depths, plus rounding. */
 	f32 apart = 0.0f;
 	if (other) {
 		f32 step = near->step;
 		if (shown.is_known) step = step + ts_k_depth_step_at(scene, view, shown.triangle, near->x, near->y);
 		apart = ts_max(behind, 0.0f) / (step + near->f.z * TS_MARGIN_ROUNDING);
 	}
+	/* Offer the distance to an edge if a step may bring the triangle to the front, and how far behind a triangle is
+	 * that covers the centre. */
 	if (apart <= 1.0f) ts_min_u64(&margin[0], (u64)ts_f2u(ts_put(ts_abs(near->distance))));
 	if (other && near->distance >= 0.0f) ts_min_u64(&margin[1], (u64)ts_f2u(ts_put(apart)));
 }
 
+/* Visits the pixels near one triangle of the fan of a clipped polygon. */
 TS_FN void ts_k_margin_fan(const ts_margin_args *args, const ts_camera_k *view, const ts_corners *t, u32 triangle,
                            const ts_corner *a, const ts_corner *b, const ts_corner *c, u64 first)
 {
 	ts_snapped v[3];
+	/* Set the triangle up as ts_k_draw_fan does. */
 	v[0] = ts_k_snap_corner(view, a);
 	v[1] = ts_k_snap_corner(view, b);
 	v[2] = ts_k_snap_corner(view, c);
 	ts_setup setup = ts_k_setup(v[0], v[1], v[2]);
 	if (setup.area == 0) return;
+	/* Visit the triangle's box, grown by the 4 sub-pixels of TS_MARGIN_REACH. */
 	ts_box box = ts_k_box_meet(ts_k_touched_box(v, 3u, 4), ts_k_view_box(view));
 	for (i32 j = box.y0; j <= box.y1; j++) {
 		for (i32 i = box.x0; i <= box.x1; i++) {
-			ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
+			/* Leave out pixels farther outside the triangle than that. */
+			ts_edges e = ts_k_edges(&setup, i * TS_SUB_PIXELS + TS_SUB_CENTRE, j * TS_SUB_PIXELS + TS_SUB_CENTRE);
 			f32 distance = ts_k_edge_distance(&setup, &e);
 			if (distance < -TS_MARGIN_REACH) continue;
 			ts_near near;
+			/* Describe the triangle at the pixel. */
 			near.triangle = triangle;
 			near.x = i;
 			near.y = j;
@@ -167,12 +182,14 @@ TS_FN void ts_k_margin_fan(const ts_margin_args *args, const ts_camera_k *view, 
 			near.footprint = ts_k_fragment_footprint(view, t, &near.f);
 			near.distance = distance;
 			near.step = ts_k_depth_step(view, &setup, a, b, c, near.f.z);
+			/* Compare the triangle with what the pixel shows. */
 			u64 pixel = first + (u64)j * (u64)view->width + (u64)i;
 			ts_k_margin_pixel(&args->scene, view, t, &near, ts_k_shown(args, pixel), args->margin + pixel * 2u);
 		}
 	}
 }
 
+/* Visits the pixels near a triangle, as ts_k_draw clips it. first: first texel of the view. */
 TS_FN void ts_k_margin_draw(const ts_margin_args *args, const ts_camera_k *view, const ts_corners *t, u32 triangle,
                             u64 first)
 {
@@ -199,11 +216,13 @@ TS_FN void ts_k_eye_margin_item(const ts_margin_args *args, u64 i)
 /* scatter over triangles, as ts_k_cube_face_item */
 TS_FN void ts_k_cube_face_margin_item(const ts_margin_args *args, u64 i)
 {
+	/* Drop a triangle without area. */
 	u32 triangle = (u32)i;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (args->n_units == 0u || ts_k_is_degenerate(t.n)) return;
 	u64 first_texel = args->cubes[args->first_unit].offset;
 	for (u32 r = args->first_unit; r < args->first_unit + args->n_units; r++) {
+		/* Visit the faces of the cubes that may show the triangle. */
 		TS_GLOBAL const ts_face *cube = &args->cubes[r];
 		if (!ts_k_may_show(&args->scene, cube, triangle, &t)) continue;
 		for (u32 face = 0u; face < 6u; face++) {

@@ -4,7 +4,7 @@
 #include "kernels/base/num.h"
 #include "kernels/base/records.h"
 
-/* Texels of the levels of one cube before `level`; level TS_NONE: of all of them. */
+/* Number of texels in the levels of one cube that are finer than `level`; with TS_NONE, in all levels. */
 TS_FN u64 ts_k_mip_texels(u32 n, u32 level)
 {
 	u64 sum = 0u;

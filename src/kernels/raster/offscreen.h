@@ -9,6 +9,7 @@
 TS_FN ts_camera_k ts_k_offscreen(TS_GLOBAL const ts_offscreen *view)
 {
 	ts_camera_k r;
+	/* Copy the place, the axes, the lens and the size. */
 	r.eye = ts_load3(view->eye);
 	r.right = ts_load3(view->right);
 	r.up = ts_load3(view->up);
@@ -17,6 +18,7 @@ TS_FN ts_camera_k ts_k_offscreen(TS_GLOBAL const ts_offscreen *view)
 	r.near = view->near;
 	r.width = (i32)view->width;
 	r.height = (i32)view->height;
+	/* Take texels whole and at their centres. */
 	r.side = 1.0f;
 	r.shift_x = 0;
 	r.shift_y = 0;
@@ -43,6 +45,7 @@ TS_FN bool ts_k_offscreen_may_show(const ts_arrays *scene, TS_GLOBAL const ts_of
 	ARG(VALUE, u32, vertex_mode, none)
 TS_ARGS(ts_offscreen_args);
 
+/* Whether a view may show and may see the triangle (iVIR 3.1). */
 TS_FN bool ts_k_offscreen_sees(const ts_offscreen_args *args, TS_GLOBAL const ts_offscreen *view, u32 triangle,
                                const ts_corners *t)
 {

@@ -5,7 +5,7 @@
 #include "kernels/base/surface.h"
 #include "kernels/raster/view.h"
 
-#define TS_LEAST_LIT 0.015625f
+#define TS_LEAST_LIT 0.015625f /* 2^-6: bounds the area of a surface that light grazes */
 
 /* Area of a surface at p that a texel sees; cosine: between the surface's normal and the way to the light. */
 TS_FN f32 ts_k_texel_area(const ts_camera_k *view, ts_v3 p, f32 cosine)

@@ -4,6 +4,8 @@
 #define TS_KERNELS_RASTER_RASTER_H
 #include "kernels/raster/snap.h"
 
+/* y grows downward and the area is positive: a left edge runs up, a top edge to the right. Both own their pixels
+ * (CONTRACT rule 18). */
 TS_FN bool ts_k_is_top_left(ts_snapped a, ts_snapped b) { return b.y < a.y || (b.y == a.y && b.x > a.x); }
 
 /* A snapped triangle turned to positive area; corner k is corner from[k] of the source. */
@@ -13,6 +15,7 @@ typedef struct {
 	i64 area;
 } ts_setup;
 
+/* Turns a triangle of negative area by swapping its last two corners (CONTRACT rule 17). */
 TS_FN ts_setup ts_k_setup(ts_snapped a, ts_snapped b, ts_snapped c)
 {
 	ts_setup r;
@@ -60,15 +63,16 @@ typedef struct {
 	i64 least[3];          /* least value that is inside: 0 for a top or left edge, otherwise 1 */
 } ts_walk;
 
+/* The edges at the centre of pixel (i, j), and their steps to the pixel on the right and to the one below. */
 TS_FN ts_walk ts_k_walk(const ts_setup *t, i32 i, i32 j)
 {
 	ts_walk r;
-	r.at = ts_k_edges(t, i * 256 + 128, j * 256 + 128);
+	r.at = ts_k_edges(t, i * TS_SUB_PIXELS + TS_SUB_CENTRE, j * TS_SUB_PIXELS + TS_SUB_CENTRE);
 	for (u32 k = 0u; k < 3u; k++) {
 		ts_snapped a = t->v[k == 2u ? 0u : k + 1u];
 		ts_snapped b = t->v[k == 0u ? 2u : k - 1u];
-		r.right[k] = ((i64)a.y - b.y) * 256;
-		r.down[k] = ((i64)b.x - a.x) * 256;
+		r.right[k] = ((i64)a.y - b.y) * TS_SUB_PIXELS;
+		r.down[k] = ((i64)b.x - a.x) * TS_SUB_PIXELS;
 		r.least[k] = ts_k_is_top_left(a, b) ? 0 : 1;
 	}
 	return r;
@@ -98,6 +102,7 @@ TS_FN ts_fragment ts_k_fragment(const ts_setup *t, const ts_edges *e, const ts_c
 {
 	const f32 z[3] = {a->z, b->z, c->z};
 	const ts_v3 corner[3] = {a->w, b->w, c->w};
+	/* Interpolate 1 / z and the weights over z, which are linear in the image. */
 	f32 sum = 0.0f;
 	ts_v3 w = ts_v3_make(0.0f, 0.0f, 0.0f);
 	f32 area = (f32)t->area;
@@ -109,6 +114,7 @@ TS_FN ts_fragment ts_k_fragment(const ts_setup *t, const ts_edges *e, const ts_c
 		w = ts_mad(w, corner[from], over_z);
 	}
 	ts_fragment r;
+	/* Divide the perspective out. */
 	r.z = ts_put(1.0f / sum);
 	r.w = ts_scale(w, r.z);
 	return r;

@@ -24,17 +24,21 @@ typedef struct {
 
 TS_FN ts_asking ts_k_asking(const ts_shadow_test_args *args, const ts_camera_k *view, const ts_receiver *at, f32 moves)
 {
+	/* Ask the bias for the slope alone: the change of depth from texel to texel. */
 	ts_shadow_test_args slope = *args;
 	slope.bias = 0.0f;
 	slope.slope = 1.0f;
 	ts_corner p = ts_k_to_view(view, at->p);
+	/* Measure a texel at the receiver, and how much a step aside lengthens away from the axis. */
 	bool parallel = view->orthographic != 0u;
 	f32 width = parallel ? 1.0f / view->focal : p.z / view->focal;
 	f32 aside = parallel ? 1.0f : ts_length(ts_sub(at->p, view->eye)) / p.z;
 	ts_asking r;
+	/* Find the receiver in the map as the shadow test does. */
 	r.place = ts_k_project(view, &p);
 	r.z = p.z;
 	r.bias = ts_k_shadow_bias(args, view, at, p.z);
+	/* Add the receiver's own movement to 1/256 texel; both depths change with it, and round. */
 	r.step = 1.0f + (moves / width) * aside;
 	r.deeper = (2.0f * r.step) * (ts_k_shadow_bias(&slope, view, at, p.z) * 0.00390625f) + p.z * TS_MARGIN_ROUNDING;
 	return r;
@@ -69,17 +73,21 @@ TS_FN void ts_k_least_margin(TS_GLOBAL u64 *margin, f32 distance)
 TS_FN void ts_k_reach_margin(const ts_shadow_test_args *args, TS_GLOBAL const ts_offscreen *offscreen,
                              const ts_receiver *at, f32 moves, u64 first_texel, TS_GLOBAL u64 *margin)
 {
+	/* Leave out receivers before the near plane, which are lit. */
 	ts_camera_k view = ts_k_offscreen(offscreen);
 	if (!(ts_k_to_view(&view, at->p).z >= view.near)) return;
+	/* Find the receiver's texel, its nearest edges, and the answer there. */
 	ts_asking r = ts_k_asking(args, &view, at, moves);
 	ts_beside x = ts_k_beside(r.place.x);
 	ts_beside y = ts_k_beside(r.place.y);
 	bool reaches = ts_k_reaches(args, offscreen, at, first_texel);
 	for (u32 k = 0u; k < 4u; k++) {
+		/* Visit the texel and those beyond these edges, where a step may reach them. */
 		bool right = (k & 1u) != 0u;
 		bool down = (k & 2u) != 0u;
 		f32 distance = ts_max(right ? x.distance : 0.0f, down ? y.distance : 0.0f) / r.step;
 		if (distance > TS_MARGIN_REACH) continue;
+		/* Offer the distance to another answer, and the gap between both depths. */
 		u32 depth = ts_k_map_texel(args, offscreen, first_texel, right ? x.next : x.own, down ? y.next : y.own);
 		f32 free = depth == TS_NONE ? r.z : ts_u2f(depth) + r.bias;
 		if ((r.z <= free) != reaches) ts_k_least_margin(&margin[0], distance);

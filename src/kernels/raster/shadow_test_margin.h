@@ -15,11 +15,13 @@ TS_ARGS(ts_shadow_test_margin_args);
 /* map over pixels and their samples, as ts_k_shadow_test_item */
 TS_FN void ts_k_shadow_test_margin_item(const ts_shadow_test_margin_args *args, u64 i)
 {
+	/* Find the receiver, as ts_k_shadow_test_item does. */
 	const ts_shadow_test_args *of = &args->of;
 	ts_camera_k eye = ts_k_view(of->view);
 	ts_receiver at = ts_k_receiver_at(of, i);
 	if (!at.seen || of->n_views == 0u) return;
 	f32 moves = ts_k_receiver_step(&eye, &at);
+	/* Visit the views of the batch; of a cube the one face that the receiver falls into. */
 	u64 first_texel = of->views[of->first_view].offset;
 	u32 step = of->cubes != 0u ? 6u : 1u;
 	for (u32 v = of->first_view; v < of->first_view + of->n_views; v += step) {

@@ -1,5 +1,5 @@
-/* Corners snapped to 24.8 fixed point, their edge function, and boxes of pixels (CONTRACT rules 15, 17, 19). y grows
- * downward.
+/* Corners snapped to 24.8 fixed point, their edge function (Pineda, A Parallel Algorithm for Polygon Rasterization,
+ * 1988), and boxes of pixels (CONTRACT rules 15, 17, 19). y grows downward.
  * Numeric format: snapped coordinates are i32 with 8 fraction bits and |x| < 2^23; edges are i64 with |E| <= 2^49. */
 #ifndef TS_KERNELS_RASTER_SNAP_H
 #define TS_KERNELS_RASTER_SNAP_H
@@ -56,10 +56,12 @@ TS_FN ts_box ts_k_view_box(const ts_camera_k *view)
 	return r;
 }
 
-/* Pixels whose centre is within `half` of the box of `n` snapped corners; half 0 for centres, 128 or 129 for
- * squares. */
+/* Pixels whose squares of half size `half_size`, in sub-pixels, meet the box of `n` snapped corners. 0: pixels whose
+ * centres lie in the box; TS_SUB_CENTRE: those that the box touches; TS_SAFE_HALF: those that it may touch before
+ * snapping. */
 TS_FN ts_box ts_k_touched_box(const ts_snapped *v, u32 n, i32 half_size)
 {
+	/* Bound the corners. */
 	i32 x0 = v[0].x, x1 = v[0].x, y0 = v[0].y, y1 = v[0].y;
 	for (u32 i = 1u; i < n; i++) {
 		x0 = ts_min_i32(x0, v[i].x);
@@ -68,10 +70,11 @@ TS_FN ts_box ts_k_touched_box(const ts_snapped *v, u32 n, i32 half_size)
 		y1 = ts_max_i32(y1, v[i].y);
 	}
 	ts_box r;
-	r.x0 = (x0 - half_size + 127) >> 8;
-	r.y0 = (y0 - half_size + 127) >> 8;
-	r.x1 = (x1 + half_size - 128) >> 8;
-	r.y1 = (y1 + half_size - 128) >> 8;
+	/* Take the pixels with centres in the closed box: round up to the first, down to the last (CONTRACT rule 19). */
+	r.x0 = (x0 - half_size + TS_SUB_FIRST) >> 8;
+	r.y0 = (y0 - half_size + TS_SUB_FIRST) >> 8;
+	r.x1 = (x1 + half_size - TS_SUB_CENTRE) >> 8;
+	r.y1 = (y1 + half_size - TS_SUB_CENTRE) >> 8;
 	return r;
 }
 

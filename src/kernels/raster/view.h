@@ -4,6 +4,13 @@
 #include "kernels/base/records.h"
 #include "kernels/base/vec.h"
 
+/* Snapped coordinates and shifts are in sub-pixels, 1/256 of a pixel (CONTRACT rule 15). Pixel i has its centre at
+ * i * TS_SUB_PIXELS + TS_SUB_CENTRE. Of the pixels with centres from a to b the first is ceil((a - 128) / 256) =
+ * (a + TS_SUB_FIRST) >> 8, since >> rounds down; the last is (b - TS_SUB_CENTRE) >> 8. */
+#define TS_SUB_PIXELS 256
+#define TS_SUB_CENTRE 128
+#define TS_SUB_FIRST 127
+
 #define TS_MAX_CORNERS 8 /* of a triangle that five planes cut */
 
 /* A corner in view space (X, Y, z axial) with its weights on the source triangle. */
@@ -24,12 +31,14 @@ typedef struct {
 TS_FN ts_camera_k ts_k_view(TS_GLOBAL const ts_view *view)
 {
 	ts_camera_k r;
+	/* Copy the place, the axes and the lens. */
 	r.eye = ts_load3(view->eye);
 	r.right = ts_load3(view->right);
 	r.up = ts_load3(view->up);
 	r.back = ts_load3(view->back);
 	r.focal = view->focal;
 	r.near = view->near;
+	/* Let a sample stand for a whole pixel, at its centre; eye_sample.h changes both. */
 	r.side = 1.0f;
 	r.width = (i32)view->width;
 	r.height = (i32)view->height;
@@ -39,6 +48,7 @@ TS_FN ts_camera_k ts_k_view(TS_GLOBAL const ts_view *view)
 	return r;
 }
 
+/* A point of the world in the view, without weights. */
 TS_FN ts_corner ts_k_to_view(const ts_camera_k *view, ts_v3 p)
 {
 	ts_v3 d = ts_sub(p, view->eye);
@@ -50,6 +60,7 @@ TS_FN ts_corner ts_k_to_view(const ts_camera_k *view, ts_v3 p)
 	return r;
 }
 
+/* The place in the image, in pixels from the upper left corner (CONTRACT rule 15). */
 TS_FN ts_v2 ts_k_project(const ts_camera_k *view, const ts_corner *p)
 {
 	f32 z = view->orthographic != 0u ? 1.0f : p->z;

@@ -36,8 +36,10 @@ TS_FN f32 ts_k_reach(const ts_frustum *frustum, f32 side, f32 z)
 /* Whether all corners lie outside one plane of the frustum. A corner on a plane is not outside. */
 TS_FN bool ts_k_outside_plane(const ts_frustum *f, ts_v3 a, ts_v3 b, ts_v3 c)
 {
+	/* Find how far the frustum reaches at the depth of each corner. */
 	f32 ax = ts_k_reach(f, f->x, a.z), bx = ts_k_reach(f, f->x, b.z), cx = ts_k_reach(f, f->x, c.z);
 	f32 ay = ts_k_reach(f, f->y, a.z), by = ts_k_reach(f, f->y, b.z), cy = ts_k_reach(f, f->y, c.z);
+	/* Test right, left, top, bottom and near: strictly, so that a corner on a plane is inside. */
 	if (a.x > ax && b.x > bx && c.x > cx) return true;
 	if (-a.x > ax && -b.x > bx && -c.x > cx) return true;
 	if (a.y > ay && b.y > by && c.y > cy) return true;
@@ -60,17 +62,21 @@ TS_FN bool ts_k_may_see(const ts_frustum *f, ts_v3 a, ts_v3 b, ts_v3 c, u32 vert
 	return ts_k_inside_enlarged(f, a) || ts_k_inside_enlarged(f, b) || ts_k_inside_enlarged(f, c);
 }
 
+/* The faces of a cube that may see the triangle, a bit each. */
 TS_FN u32 ts_k_visible_faces(const ts_corners *t, TS_GLOBAL const ts_face *cube, u32 vertex_mode)
 {
+	/* Move the corners to the cube's centre. */
 	ts_v3 centre = ts_load3(cube->centre);
 	ts_v3 da = ts_sub(t->a, centre);
 	ts_v3 db = ts_sub(t->b, centre);
 	ts_v3 dc = ts_sub(t->c, centre);
 	ts_frustum frustum;
+	/* Take the frustum of a face: 45 degrees to each side. */
 	frustum.x = 1.0f;
 	frustum.y = 1.0f;
 	frustum.near = cube->near;
 	frustum.orthographic = 0u;
+	/* Test each face on its own axes (EPR 3.1). */
 	u32 faces = 0u;
 	for (u32 face = 0u; face < 6u; face++) {
 		ts_v3 a = ts_k_face_axes(face, da);
@@ -101,13 +107,16 @@ TS_FN u32 ts_k_cube_bits(TS_GLOBAL const u64 *words, u32 r)
 /* map over triangles */
 TS_FN void ts_k_visibility_item(const ts_visibility_args *args, u64 i)
 {
+	/* Clear the words; a triangle without area sets no bit. */
 	TS_GLOBAL u64 *words = args->bits + i * args->n_words;
 	for (u32 w = 0u; w < args->n_words; w++) words[w] = 0u;
 	u32 triangle = (u32)i;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (ts_k_is_degenerate(t.n)) return;
 	for (u32 r = 0u; r < args->n_cubes; r++) {
+		/* Find the faces of the cube that may see the triangle (EPR 3.1). */
 		u64 faces = ts_k_visibility(args, triangle, &t, r);
+		/* Set their six bits; above a shift of 58 they run over into the next word. */
 		u32 first = r * 6u;
 		u32 shift = first & 63u;
 		words[first >> 6] |= faces << shift;
