@@ -71,7 +71,7 @@ echo '/* edited */' >> "$tree/src/kernels/base/vec.h"
 	paste -sd' ')" ]
 result $? 'an edited header of base is read by all folders'
 cp -p src/kernels/base/vec.h "$tree/src/kernels/base"
-sed -i 's/ts_k_cover_of(view, &t, 129)/ts_k_cover_of(view, \&t, 130)/' "$tree/src/kernels/points/splat_box.h"
+sed -i 's/ts_k_cover_of(view, &t, TS_SAFE_HALF)/ts_k_cover_of(view, \&t, 130)/' "$tree/src/kernels/points/splat_box.h"
 [ "$(again)" = points ] && made=" $(differ) " && [[ $made = *" splat "*" splat_pieces "* && $made != *" align "* ]]
 result $? 'one of points by points, and the modules of its kernels are others'
 cp src/kernels/points/splat_box.h "$tree/src/kernels/points"

@@ -8,7 +8,8 @@
 
 #define TS_FAR_BITS 20.0f /* far / near is 2 to this power */
 
-/* floor(8191 log(d / near) / log(far / near)), at most 8190: steps of 0.17 per cent. */
+/* floor(8191 log(d / near) / log(far / near)): steps of 0.17 per cent. At most 8190, so that no code with a colour is
+ * all ones, which means an empty texel. */
 TS_FN u32 ts_k_depth_code(f32 distance, f32 near)
 {
 	f32 doublings = ts_log2(ts_max(distance / near, 1.0f));

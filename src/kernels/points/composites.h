@@ -24,6 +24,7 @@ TS_COMPOSITE_FLOAT(ball_spread, ts_k_ball_spread(TS_A, TS_B, TS_C))
 TS_VECTOR(eye_density)
 {
 	ts_density_args args;
+	/* Describe one cube, one eye and the choices of the row. */
 	args.cubes = ts_row_at_ts_face(in, 0u);
 	args.view = ts_row_at_ts_view(in, 16u);
 	args.rho = ts_row_f32(in, 34u);
@@ -33,6 +34,7 @@ TS_VECTOR(eye_density)
 	args.greatest = 0u;
 	args.offaxis = in[37];
 	args.ball = in[38];
+	/* Compute the density of the row's triangle. */
 	ts_eye_density d =
 		ts_k_density(&args, ts_row_at_u64(in, 32u), ts_row_v3(in, 39u), ts_row_v3(in, 42u), ts_row_v3(in, 45u));
 	ts_put_f32(out, 0u, d.s);

@@ -33,22 +33,29 @@
 	ARG(VALUE, u32, shadow, none) /* TS_SHADOW_* of shadow_density.h: the eye limits the density */
 TS_ARGS(ts_density_args);
 
+#define TS_LEAST_AXIAL 0.015625f /* least cosine off the eye's axis: 2^-6 */
+
 /* Length of the shortest way of light from the triangle to the eye by the ball of a reflector. */
 TS_FN f32 ts_k_path_length(ts_v3 eye, ts_v3 centre, f32 radius, ts_v3 a, ts_v3 b, ts_v3 c, bool paper)
 {
+	/* Go straight to the eye from inside the ball. */
 	if (ts_length(ts_sub(eye, centre)) <= radius) return ts_length(ts_sub(eye, ts_k_closest_on_triangle(eye, a, b, c)));
+	/* Begin at the circumcentre (the paper), or at the triangle's point closest to the ball. */
 	ts_v3 t = paper ? ts_k_circumcentre(a, b, c) : ts_k_closest_on_triangle(centre, a, b, c);
 	ts_v3 cp = t;
 	for (u32 step = 0u; step < 2u; step++) {
+		/* Find cp, the ball's point closest to the line from t to the eye (EPR 4.1.1). */
 		ts_v3 near = ts_k_closest_on_segment(centre, t, eye);
 		ts_v3 out = ts_sub(near, centre);
 		f32 distance = ts_length(out);
 		bool meets = distance <= radius;
 		if (meets && (paper || step == 1u)) return ts_length(ts_sub(eye, t));
 		cp = meets ? near : ts_mad(centre, out, radius / distance);
+		/* Stop there (the paper), or move t once to the triangle's point closest to cp. */
 		if (paper) break;
 		if (step == 0u) t = ts_k_closest_on_triangle(cp, a, b, c);
 	}
+	/* Add both parts of the way: d_er + d_rt (EPR 4.1.1, eq. 2). */
 	return ts_length(ts_sub(eye, cp)) + ts_length(ts_sub(cp, t));
 }
 
@@ -81,16 +88,19 @@ TS_FN ts_eye_density ts_k_density(const ts_density_args *args, TS_GLOBAL const u
 		if (ts_k_cube_bits(words, r) == 0u) continue;
 		TS_GLOBAL const ts_face *cube = &args->cubes[r];
 		ts_v3 centre = ts_load3(cube->centre);
-		f32 least = ts_flush(cube->radius * 0.0009765625f);
+		/* Keep both distances at R/1024 at least, since they are divisors. */
+		f32 least = ts_flush(cube->radius * TS_NEAR_OF_RADIUS);
 		f32 to_triangle = ts_length(ts_sub(ts_k_closest_on_triangle(centre, a, b, c), centre));
+		/* Measure the light's way to the eye, with the variants for balls and off the axis. */
 		f32 way = ts_k_path_length(view.eye, centre, cube->radius, a, b, c, args->paper != 0u);
 		f32 distance = ts_length(ts_sub(centre, view.eye));
 		if (args->ball != 0u && cube->radius > 0.0f) way = way + ts_k_ball_spread(cube->radius, distance, to_triangle);
 		if (args->offaxis != 0u) {
 			ts_corner p = ts_k_to_view(&view, centre);
 			bool ahead = p.z > 0.0f && distance > 0.0f; /* behind the eye there are no pixels */
-			way = way * ts_clamp(ahead ? p.z / distance : 1.0f, 0.015625f, 1.0f);
+			way = way * ts_clamp(ahead ? p.z / distance : 1.0f, TS_LEAST_AXIAL, 1.0f);
 		}
+		/* Keep the shortest way (EPR 4.1.1, eq. 3) and the densest cube. */
 		way = ts_max(way, least);
 		u32 side = args->greatest != 0u ? args->greatest : cube->n;
 		f32 need = ((f32)side * 0.5f) / ts_max(to_triangle, least);
@@ -99,6 +109,7 @@ TS_FN ts_eye_density ts_k_density(const ts_density_args *args, TS_GLOBAL const u
 		any = true;
 	}
 	ts_eye_density d;
+	/* Sample at the eye's rate, at most at that of the densest cube (EPR 3.2). */
 	d.s = any ? (args->rho * view.focal) / shortest : 0.0f;
 	d.limited = args->cap != 0u && densest < d.s ? 1u : 0u;
 	d.s = d.limited != 0u ? densest : d.s;

@@ -19,12 +19,13 @@ TS_FN ts_flight ts_k_flight_record(const ts_points_args *from, u64 i)
 	return r;
 }
 
+/* A stored point with its sample, which its key holds. */
 TS_FN ts_flight ts_k_flight_stored(const ts_points_args *from, u64 i)
 {
 	u64 key = *ts_at(from->keys, i);
 	ts_flight r = ts_k_flight_record(from, i);
-	r.x = (i32)(key & 0xffffu) - 32768;
-	r.y = (i32)((key >> 16) & 0xffffu) - 32768;
+	r.x = (i32)(key & 0xffffu) - TS_SAMPLE_BIAS;
+	r.y = (i32)((key >> 16) & 0xffffu) - TS_SAMPLE_BIAS;
 	return r;
 }
 
@@ -49,8 +50,10 @@ TS_FN u32 ts_k_piece_of(const ts_points_args *from, u32 n_pieces, u32 index)
 TS_FN bool ts_k_flight_in_row(const ts_points_args *from, const ts_cover *cover, ts_span touched, ts_flight *point,
                               i32 y, u32 *rank)
 {
+	/* See whether a mask may cut samples away. */
 	u32 triangle = from->pieces[point->piece].triangle;
 	bool masked = (from->scene.materials[from->scene.triangles[triangle].material].flags & TS_MASKED) != 0u;
+	/* Without a mask all samples of the span are points: skip the row, or step to the sample. */
 	u32 n = (u32)(touched.last - touched.first + 1);
 	i32 x = touched.first;
 	if (!masked && *rank >= n) {
@@ -58,11 +61,13 @@ TS_FN bool ts_k_flight_in_row(const ts_points_args *from, const ts_cover *cover,
 		return false;
 	}
 	if (!masked) x += (i32)*rank;
+	/* With a mask count the samples that are left. */
 	for (; masked && x <= touched.last; x++) {
 		if (!ts_k_is_point(from, cover, point->piece, x, y)) continue;
 		if (*rank == 0u) break;
 		*rank -= 1u;
 	}
+	/* Make the point, if the row has that many. */
 	if (x > touched.last) return false;
 	ts_k_flight_start(from, point, x, y);
 	return true;

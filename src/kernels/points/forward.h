@@ -23,6 +23,7 @@ TS_ARGS(ts_forward_args);
  * may see the point; the eye itself where none does. */
 TS_FN ts_v3 ts_k_forward_mirror(const ts_forward_args *args, const ts_flight *point)
 {
+	/* Begin with the eye, for points that no mirror sees. */
 	TS_GLOBAL const u64 *words = args->bits + (u64)args->from.pieces[point->piece].triangle * args->n_words;
 	ts_v3 eye = ts_load3(args->view->eye);
 	ts_v3 nearest = eye;
@@ -30,8 +31,10 @@ TS_FN ts_v3 ts_k_forward_mirror(const ts_forward_args *args, const ts_flight *po
 	bool any = false;
 	for (u32 r = 0u; r < args->n_cubes; r++) {
 		if (ts_k_cube_bits(words, r) == 0u) continue;
+		/* Measure the way d_er + d_rt by the mirror's centre (EPR 4.1.1, eq. 2). */
 		ts_v3 centre = ts_load3(args->cubes[r].centre);
 		f32 way = ts_length(ts_sub(centre, eye)) + ts_length(ts_sub(point->centre, centre));
+		/* Keep the shortest; of equal ways the first mirror's. */
 		if (any && !(way < shortest)) continue;
 		nearest = centre;
 		shortest = way;

@@ -31,6 +31,7 @@
 	ARG(VALUE, u32, adaptive, none)
 TS_ARGS(ts_lookup_args);
 
+/* What the texel in a direction from a cube's centre holds: a point, or its colour; TS_NONE where it is empty. */
 TS_FN u32 ts_k_lookup(const ts_lookup_args *args, u32 cube_index, ts_v3 direction)
 {
 	TS_GLOBAL const ts_face *cube = &args->cubes[cube_index];
@@ -50,6 +51,7 @@ TS_FN void ts_k_lookup_item(const ts_lookup_args *args, u64 i)
 	}
 }
 
+/* The triangle of a point, stored or not. */
 TS_FN u32 ts_k_point_triangle(const ts_lookup_args *args, u32 point)
 {
 	u32 piece = args->n_pieces != 0u ? ts_k_piece_of(&args->from, args->n_pieces, point)
@@ -71,6 +73,7 @@ TS_FN void ts_k_bounce_count_item(const ts_lookup_args *args, u64 i)
 	args->offset[i] = mirror != TS_NONE ? 1u : 0u;
 }
 
+/* The cube that the samples of an entry look up: that of the mirror on which the entry lies. */
 TS_FN u32 ts_k_cube_read(const ts_lookup_args *args, u64 entry)
 {
 	return args->first != 0u ? args->pixels[entry].reflector : args->queue[entry].reflector;
@@ -152,18 +155,22 @@ TS_FN ts_v3 ts_k_mean_radiance(const ts_lookup_args *args, u64 entry, ts_v3 cent
 	ts_v3 seen[TS_N_SAMPLES];
 	u32 n = 0u;
 	while (n < args->n_samples) {
+		/* Add the colour of the next sample. */
 		ts_v3 radiance = ts_k_next_radiance(args, entry * args->n_samples, n, centre, seen);
 		sum = ts_add(sum, radiance);
 		seen[n] = radiance;
 		n++;
+		/* Add to the sums for the variance of r + g + b. */
 		f32 grey = ts_flush((radiance.x + radiance.y) + radiance.z);
 		grey_sum = grey_sum + grey;
 		grey_squares = grey_squares + ts_flush(grey * grey);
+		/* Stop after a batch of four in which the variance stopped declining (EPR 4.1.3). */
 		if (args->adaptive == 0u || (n & 3u) != 0u) continue;
 		f32 variance = ts_k_variance(grey_sum, grey_squares, n);
 		if (n > 4u && !(variance < before)) break;
 		before = variance;
 	}
+	/* Divide once, by the number of samples used (CONTRACT rule 39). */
 	*used = n;
 	f32 count = (f32)n;
 	return ts_v3_make(sum.x / count, sum.y / count, sum.z / count);

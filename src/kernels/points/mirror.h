@@ -42,8 +42,10 @@ TS_FN ts_v3 ts_k_mip_tap(const ts_mip_cube *cube, u32 level, u32 face, i32 i, i3
 	return ts_k_mip_texel(cube, level, ts_k_cube_index(place, (u32)n));
 }
 
+/* a + (b - a) f (CONTRACT rule 39). */
 TS_FN ts_v3 ts_k_lerp(ts_v3 a, ts_v3 b, f32 f) { return ts_mad(a, ts_sub(b, a), f); }
 
+/* The bilinear mean of four texels of a level; x and y are texels from the centre of the first, hence the - 1/2. */
 TS_FN ts_v3 ts_k_mip_bilinear(const ts_mip_cube *cube, u32 level, ts_cube_place place)
 {
 	f32 n = (f32)ts_k_mip_size(cube->n, level);
@@ -66,7 +68,8 @@ TS_FN ts_v3 ts_k_mirror_direction(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, f3
 	return ts_k_offset_ray(pixel, eye, ts_v2_make(x, y)).direction;
 }
 
-/* log2(n/2 max(|dr/dx|, |dr/dy|)), r half a pixel to either side. */
+/* The mip level log2(n/2 max(|dr/dx|, |dr/dy|)): texels that the reflected direction r crosses from half a pixel on one
+ * side to half a pixel on the other; a face of n texels spans 2 (Williams, Pyramidal Parametrics, 1983). */
 TS_FN f32 ts_k_mirror_level(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, u32 n)
 {
 	ts_v3 dx = ts_sub(ts_k_mirror_direction(pixel, eye, 0.5f, 0.0f), ts_k_mirror_direction(pixel, eye, -0.5f, 0.0f));
@@ -88,6 +91,7 @@ TS_FN ts_v3 ts_k_mirror_trilinear(const ts_mip_cube *cube, TS_GLOBAL const ts_pi
 	return ts_k_lerp(sharp, ts_k_mip_bilinear(cube, low + 1u, place), f);
 }
 
+/* The mean of the 25 samples' nearest texels, as EPR filters (EPR 4.1.3). */
 TS_FN ts_v3 ts_k_mirror_supersample(const ts_mip_cube *cube, TS_GLOBAL const ts_pixel *pixel, ts_v3 eye)
 {
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
@@ -99,7 +103,7 @@ TS_FN ts_v3 ts_k_mirror_supersample(const ts_mip_cube *cube, TS_GLOBAL const ts_
 	return ts_v3_make(sum.x / count, sum.y / count, sum.z / count);
 }
 
-/* map over reflective pixels, of which those of the batch look up */
+/* map over reflective pixels; those whose cube is in the batch look it up */
 TS_FN void ts_k_mirror_item(const ts_mirror_args *args, u64 i)
 {
 	TS_GLOBAL const ts_pixel *pixel = &args->pixels[i];

@@ -37,6 +37,7 @@ typedef struct {
 TS_FN ts_glance ts_k_glance(const ts_mirror_pixel_args *args, const ts_eye_place *at, i32 right, i32 down,
                             u32 reflector)
 {
+	/* Find the pixel; outside the image nothing is seen. */
 	const ts_camera_k *view = &at->view;
 	i32 x = at->x + right;
 	i32 y = at->y + down;
@@ -45,19 +46,23 @@ TS_FN ts_glance ts_k_glance(const ts_mirror_pixel_args *args, const ts_eye_place
 	r.p = ts_v3_make(0.0f, 0.0f, 0.0f);
 	r.n = r.p;
 	if (x < 0 || y < 0 || x >= view->width || y >= view->height) return r;
+	/* Leave out a pixel that shows no reflector, or another. */
 	u64 key = args->depth_triangle[at->first + (u64)y * (u64)view->width + (u64)x];
 	if (ts_k_seen_reflector(&args->scene, key) != reflector) return r;
+	/* Compute the surface at the pixel's centre again, without its material. */
 	u32 triangle = (u32)key;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	ts_fragment f = ts_k_fragment_at(view, &t, x, y);
 	ts_sample s = ts_k_sample(&args->scene, triangle, f.w, t.n, ts_k_fragment_footprint(view, &t, &f));
 	ts_surface surface = ts_k_surface_geometry(&args->scene, &s, t.n);
+	/* Turn the normal to the viewer. */
 	r.seen = true;
 	r.p = surface.p;
 	r.n = ts_k_facing_normal(&surface, ts_sub(view->eye, surface.p));
 	return r;
 }
 
+/* The change from pixel to pixel: half the central difference, or a one-sided difference, or 0. */
 TS_FN ts_v3 ts_k_gradient(ts_v3 before, bool has_before, ts_v3 here, ts_v3 after, bool has_after, f32 side)
 {
 	if (has_before && has_after) return ts_scale(ts_sub(after, before), 0.5f * side);

@@ -115,11 +115,14 @@ TS_FN f32 ts_k_filter_radius(const ts_shaded *r, f32 light, f32 blocker)
 /* Number of the filter's taps that see no blocker. */
 TS_CALL u32 ts_k_pcss(const ts_pcss_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at)
 {
+	/* Let all light reach a receiver before the near plane. */
 	ts_shaded r = ts_k_shaded(&args->of, offscreen, at);
 	f32 light = args->lamps[offscreen->light].radius;
 	if (!(r.z >= r.view.near)) return TS_N_FILTER;
+	/* Search for blockers; a receiver without any is lit. */
 	f32 blocker = ts_k_blocker_depth(&r, ts_k_search_radius(&r, light, args->near * r.z));
 	if (!(blocker > 0.0f)) return TS_N_FILTER;
+	/* Count the taps without a blocker within the penumbra's width. */
 	f32 radius = ts_k_filter_radius(&r, light, blocker);
 	u32 lit = 0u;
 	for (u32 k = 0u; k < TS_N_FILTER; k++) {

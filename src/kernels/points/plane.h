@@ -23,6 +23,7 @@ TS_FN ts_image_plane ts_k_image_plane(const ts_camera_k *view, ts_v3 p, ts_v3 n)
 /* The plane's depth at (x, y) in pixels; `otherwise` where the plane is not met ahead. */
 TS_FN f32 ts_k_plane_depth(const ts_camera_k *view, const ts_image_plane *plane, f32 x, f32 y, f32 otherwise)
 {
+	/* Intersect with the ray: z = d f / (n.(x, y, f)), or in parallel z = (d f - n.(x, y, 0)) / (n_z f). */
 	bool parallel = view->orthographic != 0u;
 	f32 right = plane->n.x * (x - (f32)view->width * 0.5f);
 	f32 up = plane->n.y * ((f32)view->height * 0.5f - y);
@@ -31,6 +32,7 @@ TS_FN f32 ts_k_plane_depth(const ts_camera_k *view, const ts_image_plane *plane,
 	f32 reach = plane->d * view->focal;
 	f32 top = parallel ? reach - across : reach;
 	f32 bottom = ts_flush(parallel ? ahead : across + ahead);
+	/* Fall back where the ray runs along the plane or meets it behind the view. */
 	if (bottom == 0.0f) return otherwise;
 	f32 z = ts_flush(top / bottom);
 	return parallel || z > 0.0f ? z : otherwise;

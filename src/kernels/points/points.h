@@ -21,7 +21,10 @@
 	ARG(VALUE, u32, snap, none)        /* not 0: samples beside their piece move to its border */
 TS_ARGS(ts_points_args);
 
-#define TS_POINT_TINY 1u
+#define TS_POINT_TINY 1u /* flag of points of pieces smaller than a sample */
+
+/* Added to the indices of a sample, which are at least -2^15, so that each fits into 16 bits of a key. */
+#define TS_SAMPLE_BIAS 32768
 
 /* The sample touches the piece and is not cut away by its alpha mask. */
 TS_FN bool ts_k_is_point(const ts_points_args *args, const ts_cover *cover, u64 piece, i32 x, i32 y)
@@ -60,6 +63,7 @@ TS_FN f32 ts_k_splat_length(const ts_points_args *args, TS_GLOBAL const ts_piece
 	return tiny && args->paper_splat != 0u ? ts_sqrt(area) : 1.0f / s;
 }
 
+/* The position of the point of sample (x, y). */
 TS_FN ts_v3 ts_k_point_centre(const ts_points_args *args, u64 piece, i32 x, i32 y)
 {
 	return ts_k_sample_centre(&args->pieces[piece], &args->frames[piece], args->snap != 0u, x, y);
@@ -88,6 +92,7 @@ TS_FN ts_flight ts_k_flight_of_piece(const ts_points_args *args, u64 piece)
 	return r;
 }
 
+/* Sets the sample and the centre of a point of a piece. */
 TS_FN void ts_k_flight_start(const ts_points_args *args, ts_flight *point, i32 x, i32 y)
 {
 	ts_v3 centre = ts_k_point_centre(args, point->piece, x, y);
@@ -105,7 +110,7 @@ TS_FN void ts_k_point_write(const ts_points_args *args, const ts_flight *point, 
 	out->flags = point->flags;
 	out->pad[0] = 0u;
 	out->pad[1] = 0u;
-	u64 sample = ((u64)(u32)(point->y + 32768) << 16) | (u64)(u32)(point->x + 32768);
+	u64 sample = ((u64)(u32)(point->y + TS_SAMPLE_BIAS) << 16) | (u64)(u32)(point->x + TS_SAMPLE_BIAS);
 	*ts_at(args->keys, at) = (point->piece << 32) | sample;
 }
 
@@ -118,10 +123,13 @@ TS_FN void ts_k_point_put(const ts_points_args *args, ts_flight *point, i32 x, i
 /* emit over pieces */
 TS_FN void ts_k_points_item(const ts_points_args *args, u64 i)
 {
+	/* Leave out a piece without points. */
 	u64 at = args->offset[i];
 	if (args->offset[i + 1u] == (u32)at) return;
+	/* Set what the piece's points have in common. */
 	ts_cover cover = ts_k_lattice_cover(&args->frames[i], args->half_size);
 	ts_flight point = ts_k_flight_of_piece(args, i);
+	/* Write a point for each sample that touches the piece, row by row (EPR 3.3, 3.4; CONTRACT rule 21). */
 	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(args, &cover, i, x, y)) continue;

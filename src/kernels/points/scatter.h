@@ -95,17 +95,21 @@ TS_FN bool ts_k_scatter_centre(const ts_scatter_args *args, const ts_camera_k *v
 TS_CALL u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_offscreen *offscreen,
                               const ts_flight *point, u64 first_texel)
 {
+	/* Project the point, unless it lies before the near plane. */
 	ts_camera_k view = ts_k_offscreen(offscreen);
 	ts_corner p = ts_k_to_view(&view, point->centre);
 	if (!(p.z >= view.near)) return 0u;
 	ts_v2 at = ts_k_project(&view, &p);
+	/* Find the texel that the point falls into, if it is in the image. */
 	i32 i = ts_floor_i32(at.x);
 	i32 j = ts_floor_i32(at.y);
 	if (i < 0 || j < 0 || i >= view.width || j >= view.height) return 0u;
 	u64 texel = (offscreen->offset - first_texel) + (u64)j * (u64)view.width + (u64)i;
+	/* Let the point stand for its triangle at the texel's centre, where that is asked for. */
 	if (point->at_centre) {
 		return ts_k_scatter_centre(args, &view, args->from.pieces[point->piece].triangle, i, j, texel) ? 1u : 0u;
 	}
+	/* Offer the point's own depth or colour (iVIR 4 and 5). */
 	if (args->depths != NULL) {
 		ts_min_u32(&args->depths[texel], ts_f2u(ts_put(p.z)));
 	} else {
@@ -171,13 +175,16 @@ TS_FN void ts_k_scatter_item(const ts_scatter_args *args, u64 i)
 /* scatter over pieces: their points are made and not stored */
 TS_FN void ts_k_scatter_pieces_item(const ts_scatter_args *args, u64 i)
 {
+	/* Leave out a piece without points. */
 	ts_band band = ts_k_band(i, args->others);
 	TS_GLOBAL const ts_align *frame = &args->from.frames[band.item];
 	if (!(frame->s > 0.0f)) return;
+	/* Set what the piece's points have in common. */
 	ts_cover cover = ts_k_lattice_cover(frame, args->from.half_size);
 	ts_scatter_tally tally = ts_k_scatter_none();
 	ts_flight point = ts_k_flight_of_piece(&args->from, band.item);
 	point.at_centre = ts_k_is_at_centre(args, band.item);
+	/* Make each point of the band's rows, and scatter it at once. */
 	for (i32 y = cover.touched.y0 + band.first; y <= cover.touched.y1; y += band.step) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(&args->from, &cover, band.item, x, y)) continue;

@@ -43,13 +43,16 @@ TS_FN bool ts_k_misses(const ts_camera_k *view, TS_GLOBAL const ts_offscreen *of
                        TS_GLOBAL const ts_piece *piece, f32 cell)
 {
 	ts_corner corner[3];
+	/* Move the corners into the view. */
 	corner[0] = ts_k_to_view(view, ts_load3(piece->a));
 	corner[1] = ts_k_to_view(view, ts_load3(piece->b));
 	corner[2] = ts_k_to_view(view, ts_load3(piece->c));
+	/* Allow for 1.5 sqrt(1 + reach^2) cells beside the piece, which is less than 2 (1 + reach) of them. */
 	f32 x = offscreen->reach[0];
 	f32 y = offscreen->reach[1];
 	f32 past_x = (2.0f * cell) * (1.0f + x);
 	f32 past_y = (2.0f * cell) * (1.0f + y);
+	/* Keep the planes beyond which all corners lie, a bit each; 31 has all five. */
 	u32 outside = 31u;
 	for (u32 k = 0u; k < 3u; k++) {
 		const ts_corner *p = &corner[k];
@@ -63,6 +66,7 @@ TS_FN bool ts_k_misses(const ts_camera_k *view, TS_GLOBAL const ts_offscreen *of
 	return outside != 0u;
 }
 
+/* Begins a piece in the depth map of view v. */
 TS_FN ts_shadow_caster ts_k_shadow_caster(const ts_scatter_args *args, u32 v, const ts_flight *point)
 {
 	ts_shadow_caster r;
@@ -77,17 +81,21 @@ TS_FN ts_shadow_caster ts_k_shadow_caster(const ts_scatter_args *args, u32 v, co
 	return r;
 }
 
+/* Makes what the splats of a piece share in a view. */
 TS_FN void ts_k_shadow_cover(const ts_scatter_args *args, ts_shadow_caster *caster, u64 index)
 {
+	/* Clip the piece; of a piece behind the view nothing is drawn. */
 	TS_GLOBAL const ts_piece *piece = &args->from.pieces[index];
 	TS_GLOBAL const ts_align *frame = &args->from.frames[index];
 	caster->has_cover = true;
 	ts_polygon t = ts_k_polygon(&caster->view, ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c));
 	ts_k_clip_to_range(&caster->view, &t);
 	if (t.n == 0u) return;
-	caster->cover = ts_k_cover_of(&caster->view, &t, 129);
+	/* Snap the outline, and find the plane, by the lattice's axes. */
+	caster->cover = ts_k_cover_of(&caster->view, &t, TS_SAFE_HALF);
 	caster->plane =
 		ts_k_image_plane(&caster->view, ts_load3(piece->a), ts_cross(ts_load3(frame->u), ts_load3(frame->v)));
+	/* Bound the depths of the corners. */
 	caster->nearest = t.corner[0].z;
 	caster->farthest = t.corner[0].z;
 	for (u32 k = 1u; k < t.n; k++) {
@@ -109,6 +117,7 @@ TS_FN bool ts_k_is_within_texel(const ts_camera_k *view, const ts_corner *p, f32
 	return (length * 1.42526209354400634765625f) * scale <= 1.0f;
 }
 
+/* The depth of a texel: that of the piece's plane, within the depths of the piece's corners; or the point's own. */
 TS_FN f32 ts_k_shadow_depth(const ts_shadow_splat_args *args, const ts_shadow_caster *caster, f32 own, i32 i, i32 j)
 {
 	if (args->plane_depth == 0u) return own;
@@ -121,17 +130,20 @@ TS_FN f32 ts_k_shadow_depth(const ts_shadow_splat_args *args, const ts_shadow_ca
 TS_FN u32 ts_k_shadow_square(const ts_shadow_splat_args *args, const ts_shadow_caster *caster, const ts_flight *point,
                              f32 own)
 {
+	/* Bound the projected square; with clipping, or if tiny, within the piece's box. */
 	TS_GLOBAL const ts_align *frame = &args->of.from.frames[point->piece];
 	const ts_camera_k *view = &caster->view;
 	ts_v3 c = ts_k_lattice_point(frame, point->x, point->y);
 	ts_square square = ts_k_square(&args->of.from.pieces[point->piece], frame, c, point->length);
 	ts_box box = ts_k_splat_box(view, &square, args->inset);
 	if (args->clip != 0u || (point->flags & TS_POINT_TINY) != 0u) box = ts_k_box_meet(box, caster->cover.touched);
+	/* Use the point's own depth where the plane is not met, but none before the near plane. */
 	u64 first = caster->offscreen->offset - args->of.views[args->of.first_view].offset;
 	f32 least = ts_max(own, view->near);
 	u32 count = 0u;
 	for (i32 j = box.y0; j <= box.y1; j++) {
 		for (i32 i = box.x0; i <= box.x1; i++) {
+			/* Clip against the triangle's edges, and offer the depth (EPR 3.5). */
 			if (args->clip != 0u && !ts_k_touches(&caster->cover, i, j)) continue;
 			f32 z = ts_k_shadow_depth(args, caster, least, i, j);
 			ts_min_u32(&args->of.depths[first + (u64)j * (u64)view->width + (u64)i], ts_f2u(ts_put(z)));
@@ -145,6 +157,7 @@ TS_FN u32 ts_k_shadow_square(const ts_shadow_splat_args *args, const ts_shadow_c
 TS_CALL void ts_k_shadow_splat_into(const ts_shadow_splat_args *args, ts_shadow_caster *caster, const ts_flight *point,
                                     ts_shadow_tally *tally)
 {
+	/* Write a point whose splat is within a texel alone (EPR 5.1). */
 	ts_corner p = ts_k_to_view(&caster->view, point->centre);
 	tally->of.scatters++;
 	if (ts_k_is_within_texel(&caster->view, &p, point->length)) {
@@ -152,6 +165,7 @@ TS_CALL void ts_k_shadow_splat_into(const ts_shadow_splat_args *args, ts_shadow_
 		tally->of.writes += ts_k_scatter_into(&args->of, caster->offscreen, point, first);
 		return;
 	}
+	/* Draw a larger splat as a square of depths. */
 	if (!caster->has_cover) ts_k_shadow_cover(&args->of, caster, point->piece);
 	if (caster->cover.n == 0u) return;
 	u32 texels = ts_k_shadow_square(args, caster, point, p.z);
@@ -215,22 +229,26 @@ TS_FN void ts_k_shadow_piece_into(const ts_shadow_splat_args *args, const ts_cov
 /* scatter over pieces: their points are made for some views at a time and not stored; the first batch counts them */
 TS_FN void ts_k_shadow_splat_pieces_item(const ts_shadow_splat_args *args, u64 i)
 {
+	/* Leave out a piece without points. */
 	ts_band band = ts_k_band(i, args->of.others);
 	u64 piece = band.item;
 	TS_GLOBAL const ts_align *frame = &args->of.from.frames[piece];
 	if (!(frame->s > 0.0f)) return;
+	/* Set what the piece's points have in common. */
 	TS_GLOBAL const u64 *words = args->of.bits + (u64)args->of.from.pieces[piece].triangle * args->of.n_words;
 	ts_cover cover = ts_k_lattice_cover(frame, args->of.from.half_size);
 	ts_flight point = ts_k_flight_of_piece(&args->of.from, piece);
 	ts_shadow_tally tally = ts_k_shadow_none();
 	ts_shadow_group group;
 	group.n = 0u;
+	/* Gather the views that may see the piece, and splat into each full group. */
 	for (u32 v = args->of.first_view; v < args->of.first_view + args->of.n_views; v++) {
 		if (!ts_k_offscreen_bit(words, v)) continue;
 		group.caster[group.n] = ts_k_shadow_caster(&args->of, v, &point);
 		if (!group.caster[group.n].misses) group.n++;
 		if (group.n == TS_SHADOW_GROUP) ts_k_shadow_piece_into(args, &cover, &point, &band, &group, &tally);
 	}
+	/* Splat into the last group; count the points in the first batch of views alone. */
 	ts_k_shadow_piece_into(args, &cover, &point, &band, &group, &tally);
 	if (args->of.first_view == 0u) tally.of.points = ts_k_points_of(&args->of.from, &band);
 	ts_k_shadow_count(args, &tally);

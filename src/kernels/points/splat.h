@@ -52,17 +52,21 @@ TS_FN u32 ts_k_splat_word(const ts_splat_args *args, u32 index)
 TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const ts_cover *triangle,
                      const ts_flight *point, u32 word, u64 first)
 {
+	/* Bound the projected square; with clipping, or if tiny, within the piece's box (EPR 3.5). */
 	ts_v3 c = point->centre;
 	ts_square square =
 		ts_k_square(&args->from.pieces[point->piece], &args->from.frames[point->piece], c, point->length);
 	ts_box box = ts_k_splat_box(view, &square, args->inset);
 	if (args->clip != 0u || (point->flags & TS_POINT_TINY) != 0u) box = ts_k_box_meet(box, triangle->touched);
+	/* Give the splat one distance: radial, of its centre (CONTRACT rule 26). */
 	f32 distance = ts_put(ts_length(ts_sub(c, view->eye)));
 	ts_v3 n = ts_cross(square.u, square.v);
 	u32 count = 0u;
 	for (i32 j = box.y0; j <= box.y1; j++) {
 		for (i32 i = box.x0; i <= box.x1; i++) {
+			/* Clip against the triangle's edges (EPR 3.5). */
 			if (args->clip != 0u && !ts_k_touches(triangle, i, j)) continue;
+			/* Offer the distance and the point; the least key wins (CONTRACT rule 24). */
 			f32 d = distance;
 			if (args->plane_depth != 0u) d = ts_put(ts_k_plane_distance(view, n, c, distance, point->length, i, j));
 			ts_k_splat_offer(args, first + (u64)j * (u64)view->width + (u64)i, ((u64)ts_f2u(d) << 32) | word);
@@ -76,6 +80,7 @@ TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const t
  * texels offered to. */
 TS_CALL i64 ts_k_splat_everywhere(const ts_splat_args *args, const ts_flight *point, u32 word, i64 *scatters)
 {
+	/* Find the faces whose bits the triangle has. */
 	TS_GLOBAL const ts_piece *piece = &args->from.pieces[point->piece];
 	TS_GLOBAL const u64 *words = args->bits + (u64)piece->triangle * args->n_words;
 	i64 writes = 0;
@@ -84,9 +89,11 @@ TS_CALL i64 ts_k_splat_everywhere(const ts_splat_args *args, const ts_flight *po
 		TS_GLOBAL const ts_face *cube = &args->cubes[r];
 		for (u32 face = 0u; faces != 0u; face++, faces >>= 1) {
 			if ((faces & 1u) == 0u) continue;
+			/* Clip the piece to the view; if nothing is left, its points have no splat. */
 			ts_camera_k view = ts_k_cube_view(cube, face);
 			ts_cover triangle = ts_k_splat_triangle(&view, piece);
 			if (triangle.n == 0u) continue;
+			/* Splat into the face's texels. */
 			u64 offset = cube->offset + (u64)face * cube->n * cube->n;
 			*scatters += 1;
 			writes += ts_k_splat(args, &view, &triangle, point, word, offset);
@@ -109,12 +116,15 @@ TS_FN void ts_k_splat_item(const ts_splat_args *args, u64 i)
  * have */
 TS_FN void ts_k_splat_fragments_item(const ts_splat_args *args, u64 i)
 {
+	/* Leave out a piece without points. */
 	u32 index = args->from.offset[i];
 	if (args->from.offset[i + 1u] == index) return;
+	/* Set what the piece's points have in common. */
 	ts_cover cover = ts_k_lattice_cover(&args->from.frames[i], args->from.half_size);
 	ts_flight point = ts_k_flight_of_piece(&args->from, i);
 	i64 scatters = 0;
 	i64 writes = 0;
+	/* Make each point, and splat it at once (EPR 3.4). */
 	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(&args->from, &cover, i, x, y)) continue;

@@ -5,6 +5,7 @@
 #include "kernels/raster/clip.h"
 #include "kernels/raster/cover.h"
 
+/* A clipped polygon as a cover: its corners projected and snapped. */
 TS_FN ts_cover ts_k_cover_of(const ts_camera_k *view, const ts_polygon *polygon, i32 half_size)
 {
 	ts_cover r;
@@ -24,7 +25,7 @@ TS_FN ts_cover ts_k_splat_triangle(const ts_camera_k *view, TS_GLOBAL const ts_p
 		none.n = 0u;
 		return none;
 	}
-	return ts_k_cover_of(view, &t, 129);
+	return ts_k_cover_of(view, &t, TS_SAFE_HALF);
 }
 
 /* The square of a point of a piece, c +- (l/2) u +- (l/2) v; `slack` bounds the rounding of its corners. */
@@ -64,6 +65,7 @@ TS_FN f32 ts_k_box_inset(f32 widest, f32 focal, f32 slack, f32 z) { return ts_ma
  * `widest` 0, all that the box touches. Empty if the square lies behind that plane. */
 TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, const ts_square *s, f32 widest)
 {
+	/* Make the square c -+ (l/2) u -+ (l/2) v in the view (EPR 3.5). */
 	f32 half_length = s->length * 0.5f;
 	ts_v3 du = ts_scale(s->u, half_length);
 	ts_v3 dv = ts_scale(s->v, half_length);
@@ -73,6 +75,7 @@ TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, const ts_square *s, f32 wid
 	square.corner[1] = ts_k_to_view(view, ts_sub(ts_add(s->c, du), dv));
 	square.corner[2] = ts_k_to_view(view, ts_add(ts_add(s->c, du), dv));
 	square.corner[3] = ts_k_to_view(view, ts_add(ts_sub(s->c, du), dv));
+	/* Clip at the near plane; nothing is left of a square behind it. */
 	ts_k_clip_behind(view, &square, ts_k_near_plane(view));
 	ts_box r;
 	r.x0 = 0;
@@ -80,6 +83,7 @@ TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, const ts_square *s, f32 wid
 	r.x1 = -1;
 	r.y1 = -1;
 	if (square.n == 0u) return r;
+	/* Bound the projected corners, and find the nearest depth. */
 	ts_v2 lo = ts_k_project(view, &square.corner[0]);
 	ts_v2 hi = lo;
 	f32 z = square.corner[0].z;
@@ -89,6 +93,7 @@ TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, const ts_square *s, f32 wid
 		hi = ts_v2_make(ts_max(hi.x, p.x), ts_max(hi.y, p.y));
 		z = ts_min(z, square.corner[k].z);
 	}
+	/* Take texels whose centres lie in the box: half a texel in, less what rounding moves. */
 	f32 inset = ts_k_box_inset(widest, view->focal, s->slack, z);
 	r.x0 = ts_floor_i32(lo.x + inset);
 	r.y0 = ts_floor_i32(lo.y + inset);

@@ -11,6 +11,7 @@
 #define TS_UNEVEN_SAMPLES 64.0f    /* parts with fewer samples are not bisected for unevenness */
 #define TS_MOST_SAMPLES 1048576.0f /* 2^20 */
 
+/* The density that a part of a triangle needs: for shadows, for off-screen views, or for the eye. */
 TS_CALL ts_need ts_k_need(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	if (args->shadow != TS_SHADOW_NONE) return ts_k_shadow_density(args, words, a, b, c);
@@ -62,17 +63,20 @@ TS_FN u32 ts_k_split(const ts_density_args *args, u32 triangle, bool write)
 	ts_part stack[TS_MAX_SPLITS + 1u];
 	u32 n = 1u;
 	u32 count = 0u;
+	/* Begin with the whole triangle. */
 	stack[0].v[0] = t.a;
 	stack[0].v[1] = t.b;
 	stack[0].v[2] = t.c;
 	stack[0].path = 1u;
 	while (n != 0u) {
+		/* Take the next part: its density, its longest edge and its area. */
 		ts_part part = stack[--n];
 		ts_need need = ts_k_part_need(args, words, triangle, &part);
 		f32 s = need.s;
 		f32 length;
 		u32 edge = ts_k_longest_edge(part.v[0], part.v[1], part.v[2], &length);
 		f32 area = ts_k_area(part.v[0], part.v[1], part.v[2]);
+		/* Bisect a part that is too large or uneven; the child pushed last comes first. */
 		bool large = (area * s) * s > TS_SPLIT_SAMPLES || length * s > TS_MOST_WIDTH;
 		bool uneven = need.uneven > TS_UNEVEN && (area * s) * s > TS_UNEVEN_SAMPLES;
 		if ((large || uneven) && args->split != 0u && part.path < (1u << TS_MAX_SPLITS)) {
@@ -80,6 +84,7 @@ TS_FN u32 ts_k_split(const ts_density_args *args, u32 triangle, bool write)
 			stack[n++] = ts_k_child(&part, edge, 0u);
 			continue;
 		}
+		/* Write the piece, at a lower density if it is still too large. */
 		if (write) {
 			u64 index = args->offset[triangle] + count;
 			ts_k_piece_write(args, index, triangle, &part, large ? ts_k_density_limit(args, s, area, length) : s);

@@ -49,6 +49,7 @@ TS_FN ts_polygon ts_k_in_frustum(const ts_camera_k *view, ts_v3 a, ts_v3 b, ts_v
 
 #define TS_ROUNDING 9.5367431640625e-7f /* 2^-20 of the largest coordinate: bound of a sample's rounding error */
 
+/* The greatest absolute coordinate. */
 TS_FN f32 ts_k_largest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)); }
 
 /* Every texel whose centre sees a triangle at p gets a sample of the triangle, if the lattice's spacing is a <= 1 /
@@ -75,6 +76,7 @@ TS_FN ts_need ts_k_watertight(const ts_camera_k *view, const ts_polygon *polygon
 	f32 widest = 0.0f;
 	f32 least = 0.0f;
 	for (u32 k = 0u; k < polygon->n; k++) {
+		/* Take both factors and their product at each corner. */
 		const ts_corner *p = &polygon->corner[k];
 		f32 over_z = 1.0f / ts_max(p->z, view->near);
 		f32 d = ts_length(ts_v3_make(p->x, p->y, p->z)) * over_z;
@@ -83,6 +85,7 @@ TS_FN ts_need ts_k_watertight(const ts_camera_k *view, const ts_polygon *polygon
 		widest = ts_max(widest, d);
 		least = k == 0u ? here : ts_min(least, here);
 	}
+	/* Bound the product by the greatest factors, and compare with the least product. */
 	f32 most = nearest * widest;
 	ts_need r;
 	r.s = ts_k_watertight_rate(view, view->focal * most, a, b, c);
@@ -90,20 +93,24 @@ TS_FN ts_need ts_k_watertight(const ts_camera_k *view, const ts_polygon *polygon
 	return r;
 }
 
+/* The rate of the part of a triangle that lies in the frustum: watertight, or at the least depth of the part. */
 TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c, u32 rate)
 {
+	/* Clip to the frustum; what lies outside needs no samples. */
 	ts_polygon polygon = ts_k_in_frustum(view, a, b, c);
 	ts_need r;
 	r.s = 0.0f;
 	r.uneven = 1.0f;
 	if (polygon.n == 0u) return r;
 	if (rate == TS_RATE_WATERTIGHT) return ts_k_watertight(view, &polygon, a, b, c);
+	/* Find the nearest corner, the first on ties. */
 	f32 z = polygon.corner[0].z;
 	u32 nearest = 0u;
 	for (u32 k = 1u; k < polygon.n; k++) {
 		nearest = polygon.corner[k].z < z ? k : nearest;
 		z = ts_min(z, polygon.corner[k].z);
 	}
+	/* Take the area of a pixel there (iVIR 3.1, eq. 2). */
 	ts_v3 p = ts_blend(polygon.corner[nearest].w, a, b, c);
 	r.s = ts_k_pixel_rate(view, n, p, ts_max(z, view->near));
 	return r;
@@ -124,18 +131,23 @@ TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n
 	return ts_k_pixel_rate(view, n, q, ts_max(ts_k_to_view(view, q).z, least));
 }
 
+/* The density that view v needs, at the rate of args->rate. */
 TS_CALL ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 {
+	/* Assume the same need all over the triangle; only watertight rates vary. */
 	TS_GLOBAL const ts_offscreen *offscreen = &args->views[v];
 	ts_camera_k view = ts_k_offscreen(offscreen);
 	ts_need r;
 	r.uneven = 1.0f;
 	if (view.orthographic != 0u) {
+		/* Take the one rate of an orthographic view, whose pixels cover the same area everywhere. */
 		bool watertight = args->rate == TS_RATE_WATERTIGHT;
 		r.s = watertight ? ts_k_watertight_rate(&view, view.focal, a, b, c) : ts_k_parallel_rate(&view, n, args->rate);
 	} else if (args->rate < TS_RATE_PAPER) {
+		/* Take the rate of the part that lies in the frustum. */
 		r = ts_k_clipped_rate(&view, n, a, b, c, args->rate);
 	} else {
+		/* Take the rate at the point closest to the view, as the papers do. */
 		f32 reach[2];
 		reach[0] = offscreen->reach[0];
 		reach[1] = offscreen->reach[1];
@@ -160,6 +172,7 @@ TS_FN ts_need ts_k_views_density(const ts_density_args *args, TS_GLOBAL const u6
 	return r;
 }
 
+/* The largest need of all views that may see the triangle. */
 TS_FN ts_need ts_k_view_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	return ts_k_views_density(args, words, 0u, args->n_views, a, b, c);
