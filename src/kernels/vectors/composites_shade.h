@@ -46,6 +46,7 @@ TS_VECTOR(brdf)
 {
 	ts_v3 none = ts_v3_make(0.0f, 0.0f, 0.0f);
 	ts_surface s;
+	/* Set what the BRDF reads; it does not read the rest. */
 	s.p = none;
 	s.n = none;
 	s.face = none;
@@ -55,6 +56,7 @@ TS_VECTOR(brdf)
 	s.roughness = ts_row_f32(in, 14u);
 	s.occlusion = 1.0f;
 	s.flags = 0u;
+	/* Evaluate it for the normal, the viewer and the light of the row. */
 	ts_v3 n = ts_row_v3(in, 0u);
 	ts_put_v3(out, ts_k_brdf(&s, n, ts_row_v3(in, 3u), ts_row_v3(in, 6u), ts_row_f32(in, 9u)));
 }

@@ -19,14 +19,17 @@ TS_FN ts_camera_k ts_row_view(TS_GLOBAL const u32 *in)
 {
 	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
 	ts_camera_k r;
+	/* Place the view at the origin; rows have points in view space already. */
 	r.eye = zero;
 	r.right = zero;
 	r.up = zero;
 	r.back = zero;
 	r.near = 0.0f;
+	/* Read the size and the focal length. */
 	r.width = ts_row_i32(in, 0u);
 	r.height = ts_row_i32(in, 1u);
 	r.focal = ts_row_f32(in, 2u);
+	/* Leave the image unmoved, in perspective. */
 	r.side = 1.0f;
 	r.shift_x = 0;
 	r.shift_y = 0;
@@ -116,11 +119,13 @@ TS_VECTOR(touched_row)
 	out[1] = none ? 0u : (u32)(row.last - row.first) + 1u;
 }
 
+/* The fragment at three edges, whose sum is the area, between corners of three depths. out: weights, depth. */
 TS_FN void ts_k_vector_fragment_of(TS_GLOBAL u32 *out, TS_GLOBAL const u32 *in, bool parallel)
 {
 	ts_corner corner[3];
 	ts_setup setup;
 	ts_edges edges;
+	/* Take the edges as they are, with the area that they add up to. */
 	setup.area = 0;
 	for (u32 k = 0u; k < 3u; k++) {
 		setup.from[k] = k;
@@ -128,9 +133,11 @@ TS_FN void ts_k_vector_fragment_of(TS_GLOBAL u32 *out, TS_GLOBAL const u32 *in, 
 		setup.area += edges.e[k];
 		corner[k] = ts_k_vector_corner(ts_v3_make(0.0f, 0.0f, ts_row_f32(in, 6u + k)));
 	}
+	/* Give each corner the whole of its own weight, so that the results are the fragment's weights. */
 	corner[0].w.x = 1.0f;
 	corner[1].w.y = 1.0f;
 	corner[2].w.z = 1.0f;
+	/* Interpolate, and store without ts_put, which is a primitive of its own. */
 	ts_fragment f = parallel ? ts_k_fragment_parallel(&setup, &edges, &corner[0], &corner[1], &corner[2])
 	                         : ts_k_fragment(&setup, &edges, &corner[0], &corner[1], &corner[2]);
 	ts_set_v3(out, f.w);
