@@ -129,7 +129,7 @@ static void view_of_sun(ts_offscreen *view, axes middle, ts_v2 at, f32 radius, c
 	set_axes(view, a);
 	ts_store3(view->eye, ts_mad(box.middle, a.back, half * 1.0625f));
 	view->orthographic = 1;
-	view->near = ts_put(half * 0.0009765625f);
+	view->near = ts_put(half * TS_NEAR_OF_RADIUS);
 	view->focal = ts_put((f32)view->width / (2.0f * half));
 	view->reach[0] = view->reach[1] = ts_put(half);
 }
@@ -166,7 +166,7 @@ void ts_lamp_view(ts_offscreen *view, const ts_light *light, f32 radius, u32 k, 
 	f32 tangent = tangent_of(light, lens);
 	set_axes(view, a);
 	ts_store3(view->eye, ts_mad(ts_mad(position, a.right, at.x * radius), a.up, at.y * radius));
-	view->near = ts_put(diagonal(ts_view_box(info)) * 0.0009765625f);
+	view->near = ts_put(diagonal(ts_view_box(info)) * TS_NEAR_OF_RADIUS);
 	view->focal = ts_put((f32)view->width / (2.0f * tangent));
 	view->reach[0] = view->reach[1] = ts_put(tangent);
 }
@@ -179,7 +179,7 @@ void ts_lamp_cube(ts_face *cube, const ts_light *light, f32 radius, u32 k, u32 n
 	ts_v3 centre = ts_add(ts_load3(light->position), at);
 	memset(cube, 0, sizeof *cube);
 	cube->radius = ts_put(diagonal(ts_view_box(info)));
-	cube->near = ts_put(cube->radius * 0.0009765625f);
+	cube->near = ts_put(cube->radius * TS_NEAR_OF_RADIUS);
 	cube->n = side;
 	cube->object = TS_NONE;
 	ts_store3(cube->centre, centre);

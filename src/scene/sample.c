@@ -7,8 +7,8 @@
 #include "scene/build_parts.h"
 #include "scene/sources.h"
 
-enum { SAFE = 129, CENTRE = 0, MOST_PARTS = 64 }; /* half sizes of a lattice square, in 1/256 */
-#define MOST_SURFELS 268435456.0                  /* 2^28 */
+enum { SAFE = TS_SAFE_HALF, CENTRE = 0, MOST_PARTS = 64 }; /* half sizes of a lattice square, in 1/256 */
+#define MOST_SURFELS 268435456.0                           /* 2^28 */
 
 typedef struct {
 	ts_arrays scene;

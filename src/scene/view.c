@@ -116,7 +116,7 @@ void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params)
 	view->width = TS_PARAM(params, width);
 	view->height = TS_PARAM(params, height);
 	view->focal = ts_put(height / (2.0f * ts_sin_turn(half_turns)));
-	view->near = ts_put(ts_length(ts_view_box(info).half) * 0.0009765625f);
+	view->near = ts_put(ts_length(ts_view_box(info).half) * TS_NEAR_OF_RADIUS);
 }
 
 void ts_view_on_path(ts_view *view, const ts_info *info, const ts_path_eye *path, u32 n, const ts_params *params)

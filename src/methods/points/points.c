@@ -9,7 +9,7 @@ static const ts_launch appended = TS_LAUNCH(points_append, TS_WITH(keys), TS_WIT
 
 ts_points_args ts_points_values(const ts_run *run)
 {
-	static const i32 half_sizes[] = {129, 128, 0};
+	static const i32 half_sizes[] = {TS_SAFE_HALF, TS_SUB_CENTRE, 0};
 	return (ts_points_args){
 		.scene = ts_run_scene(run),
 		.half_size = half_sizes[TS_PARAM(&run->params, points_conservative)],

@@ -38,7 +38,7 @@ TS_WIDE(void, align, (part *restrict p), (p))
 		ts_v3 u = ts_normalize(ts_sub(choose(edge, b, c, a), choose(edge, a, b, c)));
 		ts_v3 n = ts_normalize(ts_cross(ts_sub(b, a), ts_sub(c, a)));
 		ts_v3 v = ts_normalize(ts_cross(n, u));
-		ts_v3 middle = ts_scale(ts_add(ts_add(a, b), c), 0.3333333432674407958984375f);
+		ts_v3 middle = ts_scale(ts_add(ts_add(a, b), c), TS_THIRD);
 		ts_v2 qa = ts_k_lattice(middle, u, v, s, a), qb = ts_k_lattice(middle, u, v, s, b);
 		ts_v2 qc = ts_k_lattice(middle, u, v, s, c);
 		put(p->c, i, middle);

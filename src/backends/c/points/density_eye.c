@@ -91,7 +91,7 @@ static ts_density_cube cube_of(const ts_density_args *args, u32 r)
 	return (ts_density_cube){.eye = ts_load3(args->view->eye),
 	                         .centre = ts_load3(of->centre),
 	                         .radius = of->radius,
-	                         .least = ts_flush(of->radius * 0.0009765625f),
+	                         .least = ts_flush(of->radius * TS_NEAR_OF_RADIUS),
 	                         .half_size = (f32)side * 0.5f};
 }
 

@@ -26,17 +26,19 @@ TS_WIDE(void, find_borders, (edges *restrict e, ts_narrow_pieces *restrict to, i
 {
 	for (u32 i = 0; i < PIECES; i++) {
 		i32 x[] = {e->q[0][i], e->q[2][i], e->q[4][i]}, y[] = {e->q[1][i], e->q[3][i], e->q[5][i]};
-		i32 x0 = (least(x[0], x[1], x[2]) - half_size + 127) >> 8,
-			y0 = (least(y[0], y[1], y[2]) - half_size + 127) >> 8;
-		i32 x1 = (most(x[0], x[1], x[2]) + half_size - 128) >> 8, y1 = (most(y[0], y[1], y[2]) + half_size - 128) >> 8;
+		i32 x0 = (least(x[0], x[1], x[2]) - half_size + TS_SUB_FIRST) >> 8,
+			y0 = (least(y[0], y[1], y[2]) - half_size + TS_SUB_FIRST) >> 8;
+		i32 x1 = (most(x[0], x[1], x[2]) + half_size - TS_SUB_CENTRE) >> 8,
+			y1 = (most(y[0], y[1], y[2]) + half_size - TS_SUB_CENTRE) >> 8;
 		i32 turned = minus(times(x[1] - x[0], y[2] - y[0]), times(y[1] - y[0], x[2] - x[0])) >> 31;
 		for (u32 k = 0; k < 3; k++) {
 			u32 next = k == 2 ? 0 : k + 1;
 			i32 dx = ((x[next] - x[k]) ^ turned) - turned, dy = ((y[next] - y[k]) ^ turned) - turned;
-			i32 meets = times(dx, y0 * 256 + 128 - y[k]), reach = times(half_size, size_of(dx) + size_of(dy));
-			e->at[k][i] = plus(minus(meets, times(dy, x0 * 256 + 128 - x[k])), reach);
-			e->right[k][i] = times(-256, dy);
-			e->down[k][i] = times(256, dx);
+			i32 meets = times(dx, y0 * TS_SUB_PIXELS + TS_SUB_CENTRE - y[k]),
+				reach = times(half_size, size_of(dx) + size_of(dy));
+			e->at[k][i] = plus(minus(meets, times(dy, x0 * TS_SUB_PIXELS + TS_SUB_CENTRE - x[k])), reach);
+			e->right[k][i] = times(-TS_SUB_PIXELS, dy);
+			e->down[k][i] = times(TS_SUB_PIXELS, dx);
 		}
 		e->across[i] = x1 - x0;
 		e->last[i] = y1 - y0;

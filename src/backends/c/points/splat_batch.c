@@ -5,7 +5,7 @@
 #include "backends/wide.h"
 #include "kernels/points/splat_pieces.h"
 
-enum { PIECES = TS_SPLAT_PIECES, LANES = TS_SPLAT_LANES, LONGEST = 1 << 18, HALF_SIZE = 129 };
+enum { PIECES = TS_SPLAT_PIECES, LANES = TS_SPLAT_LANES, LONGEST = 1 << 18, HALF_SIZE = TS_SAFE_HALF };
 
 ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side)
 {
@@ -88,10 +88,10 @@ TS_WIDE(void, place_pieces,
 		u32 small = (x1 - x0 <= LONGEST ? 1u : 0u) & (y1 - y0 <= LONGEST ? 1u : 0u);
 		u32 together = p.ok & q.ok & r.ok & small & f.together;
 		u32 within = f.clip | tiny[at];
-		x0 = ts_max_i32(within != 0u ? (x0 - HALF_SIZE + 127) >> 8 : 0, 0);
-		y0 = ts_max_i32(within != 0u ? (y0 - HALF_SIZE + 127) >> 8 : 0, 0);
-		x1 = ts_min_i32(within != 0u ? (x1 + HALF_SIZE - 128) >> 8 : f.last, f.last);
-		y1 = ts_min_i32(within != 0u ? (y1 + HALF_SIZE - 128) >> 8 : f.last, f.last);
+		x0 = ts_max_i32(within != 0u ? (x0 - HALF_SIZE + TS_SUB_FIRST) >> 8 : 0, 0);
+		y0 = ts_max_i32(within != 0u ? (y0 - HALF_SIZE + TS_SUB_FIRST) >> 8 : 0, 0);
+		x1 = ts_min_i32(within != 0u ? (x1 + HALF_SIZE - TS_SUB_CENTRE) >> 8 : f.last, f.last);
+		y1 = ts_min_i32(within != 0u ? (y1 + HALF_SIZE - TS_SUB_CENTRE) >> 8 : f.last, f.last);
 		u32 seen = (x1 >= x0 ? 1u : 0u) & (y1 >= y0 ? 1u : 0u);
 		i32 turned = area_of(q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y) >> 31;
 		line a = edge(p, q, turned, x0, y0), c = edge(q, r, turned, x0, y0), e = edge(r, p, turned, x0, y0);

@@ -138,7 +138,7 @@ static bool is_left(const drawn *d, i32 i, i32 j)
 	const ts_draw_batch *b = d->batch;
 	const ts_corner *corner = d->of.polygon.corner;
 	const ts_setup *setup = &d->of.setup[d->k];
-	ts_edges e = ts_k_edges(setup, i * 256 + 128, j * 256 + 128);
+	ts_edges e = ts_k_edges(setup, i * TS_SUB_PIXELS + TS_SUB_CENTRE, j * TS_SUB_PIXELS + TS_SUB_CENTRE);
 	ts_fragment f = ts_k_view_fragment(&b->view, setup, &e, &corner[0], &corner[d->k - 1], &corner[d->k]);
 	f32 footprint = ts_k_fragment_footprint(&b->view, &d->of.corners, &f);
 	return !ts_k_is_below_cutoff(b->scene, d->of.triangle, f.w, d->of.corners.n, footprint);

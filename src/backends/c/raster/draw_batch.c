@@ -81,7 +81,8 @@ static inline i32 edge_at(i32 ax, i32 ay, i32 bx, i32 by, i32 x, i32 y)
 static inline void put_edge(placed *restrict to, u32 i, u32 k, snapped a, snapped b)
 {
 	i32 dx = b.x - a.x, dy = b.y - a.y;
-	to->edge[k][i] = edge_at(a.x, a.y, b.x, b.y, to->x0[i] * 256 + 128, to->y0[i] * 256 + 128);
+	to->edge[k][i] = edge_at(a.x, a.y, b.x, b.y, to->x0[i] * TS_SUB_PIXELS + TS_SUB_CENTRE,
+	                         to->y0[i] * TS_SUB_PIXELS + TS_SUB_CENTRE);
 	to->right[k][i] = -dy * 256;
 	to->down[k][i] = dx * 256;
 	to->least[k][i] = 1 + ((i32)(((u32)dy << 16) - (u32)dx) >> 31);
@@ -96,10 +97,10 @@ TS_WIDE(void, place_triangles, (placed *restrict to, const ts_draw_batch *restri
 		snapped r = snap(&f, b->corners.at[6][i], b->corners.at[7][i], b->corners.at[8][i]);
 		i32 x0 = least(p.x, q.x, r.x), x1 = most(p.x, q.x, r.x), y0 = least(p.y, q.y, r.y), y1 = most(p.y, q.y, r.y);
 		u32 large = (u32)(LONGEST - (x1 - x0)) | (u32)(LONGEST - (y1 - y0));
-		x0 = ts_max_i32((x0 + 127) >> 8, f.owned.x0);
-		y0 = ts_max_i32((y0 + 127) >> 8, f.owned.y0);
-		x1 = ts_min_i32((x1 - 128) >> 8, f.owned.x1);
-		y1 = ts_min_i32((y1 - 128) >> 8, f.owned.y1);
+		x0 = ts_max_i32((x0 + TS_SUB_FIRST) >> 8, f.owned.x0);
+		y0 = ts_max_i32((y0 + TS_SUB_FIRST) >> 8, f.owned.y0);
+		x1 = ts_min_i32((x1 - TS_SUB_CENTRE) >> 8, f.owned.x1);
+		y1 = ts_min_i32((y1 - TS_SUB_CENTRE) >> 8, f.owned.y1);
 		to->x0[i] = x0;
 		to->y0[i] = y0;
 		to->x1[i] = x1;

@@ -55,7 +55,10 @@ void ts_draw_flush(ts_draw_batch *batch);
 void ts_draw_alone(const ts_draw_batch *batch, u32 triangle, bool masked, bool clips);
 
 /* 1 if x is a number above 0 after ts_flush; ts_draw_is_below: below 0. */
-static inline u32 ts_draw_is_above(f32 x) { return ts_f2u(x) - 0x0d800000u <= 0x7f800000u - 0x0d800000u ? 1u : 0u; }
+static inline u32 ts_draw_is_above(f32 x)
+{
+	return ts_f2u(x) - TS_FLUSH_BITS <= TS_INFINITE_BITS - TS_FLUSH_BITS ? 1u : 0u;
+}
 static inline u32 ts_draw_is_below(f32 x) { return ts_draw_is_above(-x); }
 
 static inline bool ts_draw_is_nearer(const ts_target *target, u64 at, u32 depth, u32 triangle)

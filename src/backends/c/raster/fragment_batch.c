@@ -23,8 +23,8 @@ static inline snapped snap(const ts_camera_k *view, ts_v3 p, i32 x, i32 y)
 	u32 whole = v.z >= view->near ? 1u : 0u;
 	whole = ts_abs(px) < 8192.0f ? whole : 0u;
 	whole = ts_abs(py) < 8192.0f ? whole : 0u;
-	i32 sx = (i32)ts_rint(whole != 0u ? px * 256.0f : 0.0f) + view->shift_x - (x * 256 + 128);
-	i32 sy = (i32)ts_rint(whole != 0u ? py * 256.0f : 0.0f) + view->shift_y - (y * 256 + 128);
+	i32 sx = (i32)ts_rint(whole != 0u ? px * 256.0f : 0.0f) + view->shift_x - (x * TS_SUB_PIXELS + TS_SUB_CENTRE);
+	i32 sy = (i32)ts_rint(whole != 0u ? py * 256.0f : 0.0f) + view->shift_y - (y * TS_SUB_PIXELS + TS_SUB_CENTRE);
 	return (snapped){(double)sx, (double)sy, v.z, whole};
 }
 

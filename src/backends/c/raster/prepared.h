@@ -35,7 +35,7 @@ static inline ts_fragment ts_prepared_fragment(const ts_prepared *p, const ts_ca
 	const ts_corner *corner = p->polygon.corner;
 	for (u32 k = 2; k < p->polygon.n; k++) {
 		if (p->setup[k].area == 0) continue;
-		ts_edges e = ts_k_edges(&p->setup[k], x * 256 + 128, y * 256 + 128);
+		ts_edges e = ts_k_edges(&p->setup[k], x * TS_SUB_PIXELS + TS_SUB_CENTRE, y * TS_SUB_PIXELS + TS_SUB_CENTRE);
 		if (!ts_k_covers(&p->setup[k], &e)) continue;
 		return ts_k_view_fragment(view, &p->setup[k], &e, &corner[0], &corner[k - 1], &corner[k]);
 	}

@@ -89,7 +89,7 @@ TS_WIDE(void, weigh_lights, (drawn *restrict d, ts_v3 n, f32 least, u32 px), (d,
 		f32 arrives = -ts_dot(direction, n);
 		f32 square = ts_max(ts_dot(way, way), least);
 		f32 cosines = leaves * arrives;
-		f32 projected = cosines * 0.3183098733425140380859375f;
+		f32 projected = cosines * TS_PER_PI;
 		f32 form = ts_flush(projected / square);
 		form = leaves > 0.0f ? form : 0.0f;
 		d->form[i] = arrives > 0.0f ? form : 0.0f;

@@ -12,7 +12,7 @@ static const u64 max_squares = 1ull << 34;
 static u64 squares(const ts_align *frame)
 {
 	if (!(frame->s > 0.0f)) return 0;
-	ts_box box = ts_k_lattice_cover(frame, 129).touched;
+	ts_box box = ts_k_lattice_cover(frame, TS_SAFE_HALF).touched;
 	return box.x1 < box.x0 || box.y1 < box.y0 ? 0 : (u64)(box.x1 - box.x0 + 1) * (u64)(box.y1 - box.y0 + 1);
 }
 
