@@ -109,7 +109,7 @@ TS_FN void ts_k_gather_point(ts_gathered *sum, TS_GLOBAL const ts_light *light, 
 {
 	ts_v3 way;
 	f32 arrives = ts_k_light(light, p, &way);
-	ts_v3 w = ts_scale(ts_load3(light->intensity), arrives * 3.1415927410125732421875f);
+	ts_v3 w = ts_scale(ts_load3(light->intensity), arrives * TS_PI_F32);
 	sum->w = ts_add(sum->w, w);
 	sum->red = ts_mad(sum->red, way, w.x);
 	sum->green = ts_mad(sum->green, way, w.y);

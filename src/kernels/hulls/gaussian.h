@@ -58,7 +58,7 @@ TS_FN f32 ts_k_sg_integral(f32 lambda)
  * float. */
 TS_FN f32 ts_k_sg_printed(f32 lambda, bool lower)
 {
-	f32 scale = 6.283185482025146484375f / (lambda * lambda);
+	f32 scale = TS_TWO_PI / (lambda * lambda);
 	f32 upper = (ts_exp(-lambda) - 1.0f) + lambda;
 	f32 rest = (ts_exp(lambda) - 1.0f) - lambda;
 	f32 faded = scale * ts_flush(ts_exp(-2.0f * lambda));
@@ -78,9 +78,9 @@ TS_FN f32 ts_k_sg_upper(f32 lambda, u32 printed)
 	p = p * lambda; p = p + 0.0416666679084300994873046875f;
 	p = p * lambda; p = p - 0.16666667163372039794921875f;
 	p = p * lambda; p = p + 0.5f;
-	if (lambda < 0.5f) return 6.283185482025146484375f * p;
+	if (lambda < 0.5f) return TS_TWO_PI * p;
 	f32 m = (ts_exp(-lambda) - 1.0f) + lambda;
-	return (6.283185482025146484375f * m) / (lambda * lambda);
+	return (TS_TWO_PI * m) / (lambda * lambda);
 }
 
 /* Eq 10: A_b(lambda) = 2 pi / lambda^2 e^(-2 lambda) (e^lambda - 1 - lambda), where n is -phi; below 1/2 by 2 pi
@@ -97,7 +97,7 @@ TS_FN f32 ts_k_sg_lower(f32 lambda, u32 printed)
 	p = p * lambda; p = p + 0.125f;
 	p = p * lambda; p = p - 0.3333333432674407958984375f;
 	p = p * lambda; p = p + 0.5f;
-	f32 scale = 6.283185482025146484375f * e;
+	f32 scale = TS_TWO_PI * e;
 	if (lambda < 0.5f) return scale * p;
 	f32 le = lambda * e;
 	f32 m = (1.0f - e) - le;
@@ -213,7 +213,7 @@ TS_FN ts_sg ts_k_gloss_lobe(ts_v3 n, ts_v3 v, f32 alpha_squared)
 	f32 across = ts_max(ts_abs(n_v), 0.0009765625f);
 	ts_v3 phi = ts_normalize(ts_sub(ts_scale(n, 2.0f * n_v), v));
 	f32 sharpness = (1.0f - alpha_squared) * (2.0f / alpha_squared + 1.0f);
-	return ts_sg_make(0.3183098733425140380859375f / alpha_squared, sharpness / (4.0f * across), phi);
+	return ts_sg_make(TS_PER_PI / alpha_squared, sharpness / (4.0f * across), phi);
 }
 
 #endif

@@ -10,7 +10,6 @@
 #include "kernels/base/vec.h"
 
 #define TS_SG_NODES 64u
-#define TS_SG_PI 3.1415927410125732421875f
 
 /* The length of u that is integrated: the rest, in which e^(-lambda u) is below 2e-9 of its value at the start, is left
  * out. */
@@ -71,7 +70,7 @@ TS_CALL f32 ts_k_sg_quadrature(f32 lambda, f32 c)
 	f32 to_cap = c > 0.0f ? 1.0f : ts_flush(ts_exp(-(lambda * (1.0f + s))));
 	f32 of_cap = ts_flush((ts_abs(c) * (cap * in_cap)) * to_cap);
 	f32 of_band = ts_flush((band * in_band) * to_band);
-	of_cap = of_cap * TS_SG_PI;
+	of_cap = of_cap * TS_PI_F32;
 	return 2.0f * (of_cap + of_band);
 }
 

@@ -63,8 +63,8 @@ TS_FN ts_glossy ts_k_glossy(TS_GLOBAL const ts_gpixel *pixel, TS_GLOBAL const ts
 /* V F for light from l; the cosines to the normal are at least 2^-10. */
 TS_FN ts_v3 ts_k_gloss_factor(const ts_glossy *at, ts_v3 l)
 {
-	f32 n_l = ts_max(ts_dot(at->n, l), 0.0009765625f);
-	f32 n_v = ts_max(ts_abs(ts_dot(at->n, at->v)), 0.0009765625f);
+	f32 n_l = ts_max(ts_dot(at->n, l), TS_LEAST_GGX_COSINE);
+	f32 n_v = ts_max(ts_abs(ts_dot(at->n, at->v)), TS_LEAST_GGX_COSINE);
 	ts_v3 h = ts_normalize(ts_add(l, at->v));
 	f32 v_h = ts_clamp(ts_dot(at->v, h), 0.0f, 1.0f);
 	return ts_scale(ts_k_schlick(at->f0, v_h), ts_k_smith(n_l, n_v, at->alpha_squared));
@@ -75,7 +75,7 @@ TS_FN ts_v3 ts_k_gloss_factor(const ts_glossy *at, ts_v3 l)
 TS_FN ts_v3 ts_k_gloss_reflected(const ts_glossy *at, const ts_sg *both)
 {
 	f32 integral = ts_k_sg_cosine(both->lambda, ts_dot(at->n, both->phi), at->cosine, at->printed);
-	f32 sent = ts_flush((both->mu * integral) * 0.3183098733425140380859375f);
+	f32 sent = ts_flush((both->mu * integral) * TS_PER_PI);
 	if (!(sent > 0.0f && sent < 4611686018427387904.0f)) return ts_v3_make(0.0f, 0.0f, 0.0f);
 	return ts_scale(ts_k_gloss_factor(at, both->lambda > 0.0f ? both->phi : at->n), sent);
 }
@@ -176,7 +176,7 @@ TS_FN ts_v3 ts_k_gloss_direct(const ts_glossy *at, TS_GLOBAL const ts_patch *pat
 TS_FN ts_v3 ts_k_gloss_direct_point(const ts_glossy *at, TS_GLOBAL const ts_light *point, ts_v3 p, u32 vmf)
 {
 	ts_v3 way;
-	f32 w = ts_k_light(point, p, &way) * 3.1415927410125732421875f;
+	f32 w = ts_k_light(point, p, &way) * TS_PI_F32;
 	ts_sg light = ts_k_fit(w, ts_scale(way, w), vmf);
 	ts_sg both = ts_k_sg_product(&light, &at->lobe);
 	return ts_mul(ts_k_gloss_reflected(at, &both), ts_load3(point->intensity));

@@ -110,7 +110,7 @@ TS_FN ts_sg ts_k_lobe_of_moments(TS_GLOBAL const ts_moment *corner, const ts_sha
 TS_FN f32 ts_k_lobe_irradiance(const ts_hull_args *args, const ts_sg *g, ts_v3 n)
 {
 	f32 integral = ts_k_sg_cosine(g->lambda, ts_dot(n, g->phi), args->cosine, args->printed);
-	f32 e = ts_flush((g->mu * integral) * 0.3183098733425140380859375f);
+	f32 e = ts_flush((g->mu * integral) * TS_PER_PI);
 	return e > 0.0f && e < 4611686018427387904.0f ? e : 0.0f;
 }
 

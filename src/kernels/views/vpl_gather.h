@@ -172,7 +172,7 @@ TS_FN f32 ts_k_vpl_form(ts_v3 way, ts_v3 from, ts_v3 n, f32 near)
 	f32 least = near * near;
 	f32 square = ts_max(ts_dot(way, way), least);
 	f32 cosines = leaves * arrives;
-	f32 projected = cosines * 0.3183098733425140380859375f;
+	f32 projected = cosines * TS_PER_PI;
 	return ts_flush(projected / square);
 }
 
