@@ -3,7 +3,7 @@
 #define TS_KERNELS_BASE_AREA_H
 #include "kernels/base/vec.h"
 
-/* k of the longest edge, which runs from corner k to the next; of equal lengths the lowest k. */
+/* The longest edge: k, where the edge runs from corner k to the next, and its length; of equal lengths the lowest k. */
 TS_FN u32 ts_k_longest_edge(ts_v3 a, ts_v3 b, ts_v3 c, f32 *length)
 {
 	f32 ab = ts_length(ts_sub(b, a));

@@ -8,10 +8,10 @@
 #define TS_ROWS_ts_bench_min_args(ARG) \
 	ARG(OUT, u64, texels, cube_face_depth_triangle) /* all empty before the first launch */ \
 	ARG(VALUE, u32, n_texels, none) \
-	ARG(VALUE, u32, distance, none) /* of every key; less in each launch, so that the texels are as good as empty */
+	ARG(VALUE, u32, distance, none) /* of every key; falls with each launch, so that the keys win */
 TS_ARGS(ts_bench_min_args);
 
-/* scatter over offers; with as many offers as texels, four in five lower their texel, in any order */
+/* scatter over offers; with as many offers as texels, in whatever order, four in five offers lower their texel */
 TS_FN void ts_k_bench_min_item(const ts_bench_min_args *args, u64 i)
 {
 	u64 texel = ((u64)ts_pcg((u32)i) * args->n_texels) >> 32;

@@ -1,5 +1,5 @@
-/* The place where a ray meets the plane of a triangle, and the triangle's weights there (METHODS 17). Truths decide
- * elsewhere which triangle a ray meets; this file only measures, and gives finite numbers for every input. */
+/* The place where a ray meets the plane of a triangle, and the triangle's weights there (METHODS 17). The truths decide
+ * which triangle a ray meets; this file measures where, and gives finite numbers for every input. */
 #ifndef TS_KERNELS_BASE_HIT_H
 #define TS_KERNELS_BASE_HIT_H
 #include "kernels/base/scene.h"

@@ -121,8 +121,8 @@ TS_FN u32 ts_pcg(u32 v)
 	return (w >> 22) ^ w;
 }
 
-/* Streams: 1 cull, 2 light, 3 view, 4 VPL, 5 scene generator, 6 tests, 7 sample sets, 8 particles,
- * 9 items and 10 pixels of truths in part, 11 texels against rays (rule 29). */
+/* Streams (rule 29): 1 cull, 2 light, 3 view, 4 VPL, 5 scene generator, 6 tests, 7 sample sets, 8 particles, 9 items
+ * and 10 pixels of a truth that is computed in part, 11 texels that are compared with rays. */
 TS_FN u32 ts_random(u32 id, u32 stream, u32 seed) { return ts_pcg(id ^ ts_pcg(stream ^ ts_pcg(seed))); }
 
 /* Uniform in [0,1), a multiple of 2^-24. */

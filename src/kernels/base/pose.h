@@ -5,11 +5,11 @@
 #include "kernels/base/records.h"
 #include "kernels/base/vec.h"
 
-/* world = centre + (cos * x + sin * z, y, cos * z - sin * x), or what `motion` says */
+/* world = centre + (cos * x + sin * z, y, cos * z - sin * x), or by the matrices of `motion` */
 typedef struct {
 	ts_v3 centre;
 	f32 cos, sin;
-	u32 moves; /* 0: not at all; 1: on an ellipse; 2: as the motion says */
+	u32 moves; /* 0: not at all; 1: on an ellipse; 2: by the matrices of motion */
 	TS_GLOBAL const ts_motion *motion;
 } ts_pose;
 
@@ -37,7 +37,8 @@ TS_FN ts_pose ts_k_pose(TS_GLOBAL const ts_object *object, u32 frame)
 	return r;
 }
 
-/* Motions are sorted by frame, then by object. n_motion: their number of frames; 0: there are no motions. */
+/* The pose by the file's animation, if there is one. Motions are sorted by frame, then by object. n_motion: their
+ * number of frames; 0: there are no motions. */
 TS_FN ts_pose ts_k_pose_at(TS_GLOBAL const ts_object *objects, u32 n_objects, u32 object,
                            TS_GLOBAL const ts_motion *motions, u32 n_motion, u32 frame)
 {

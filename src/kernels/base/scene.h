@@ -39,7 +39,7 @@ TS_FN ts_corners ts_k_corners(const ts_arrays *scene, u32 triangle)
 	return r;
 }
 
-/* Every stage drops triangles without area (CONTRACT rule 35). */
+/* Whether a triangle with the normal n has no area; every stage drops such triangles (CONTRACT rule 35). */
 TS_FN bool ts_k_is_degenerate(ts_v3 n) { return !(ts_flush(ts_dot(n, n)) > 0.0f); }
 
 TS_FN bool ts_k_is_two_sided(const ts_arrays *scene, u32 triangle)
@@ -47,7 +47,8 @@ TS_FN bool ts_k_is_two_sided(const ts_arrays *scene, u32 triangle)
 	return (scene->materials[scene->triangles[triangle].material].flags & TS_DOUBLE_SIDED) != 0u;
 }
 
-/* Seen from the front, or two-sided (CONTRACT rule 35: never read from screen winding). */
+/* Whether the triangle turns its front to the eye, or is two-sided. The winding on the screen never decides this
+ * (CONTRACT rule 35). */
 TS_FN bool ts_k_is_facing(const ts_arrays *scene, u32 triangle, const ts_corners *t, ts_v3 eye)
 {
 	if (ts_k_is_two_sided(scene, triangle)) return true;

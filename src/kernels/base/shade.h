@@ -16,7 +16,8 @@ TS_FN ts_v3 ts_k_background(void)
 	return ts_v3_make(0.20000000298023223876953125f, 0.300000011920928955078125f, 0.5f);
 }
 
-/* KHR_lights_punctual: *l is the unit vector to the light. Returns the attenuation of its intensity at p. */
+/* Light of KHR_lights_punctual: *l is the unit vector to the light. Returns the factor by which its intensity arrives
+ * at p. */
 TS_FN f32 ts_k_light(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 *l)
 {
 	/* Let directional light arrive in full. */
@@ -44,7 +45,7 @@ TS_FN f32 ts_k_light(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 *l)
 	return ts_flush(arrives);
 }
 
-/* Whether the maps of a light are the faces of a cube: a point light shines in all directions. */
+/* Whether a light's maps are the faces of a cube: those of a point light, which shines in all directions. */
 TS_FN bool ts_k_has_cube(TS_GLOBAL const ts_light *light) { return light->kind == TS_LIGHT_KIND_POINT; }
 
 /* GGX's alpha squared; alpha is the roughness squared, at least 2^-9. */

@@ -116,7 +116,7 @@ TS_FN ts_tangent ts_k_tangent_of_uv(const ts_sample *s, TS_GLOBAL const ts_slot 
 	return r;
 }
 
-/* The tangent of TANGENT, otherwise that of the uv gradient of the triangle (METHODS 4). */
+/* The tangent of the vertices (TANGENT of glTF); without one, that of the uv gradient of the triangle (METHODS 4). */
 TS_FN ts_tangent ts_k_tangent(const ts_sample *s, TS_GLOBAL const ts_slot *slot)
 {
 	ts_tangent r;

@@ -15,7 +15,7 @@ typedef struct {
 #define TS_MIRROR 1u
 #define TS_CLAMP 2u
 
-/* Wraps u, in widths of the image, into [0, 1], before scaling. */
+/* Wraps u, in units of the image's width, into [0, 1]; scaling comes later. */
 TS_FN f32 ts_k_texture_wrap(f32 u, u32 wrap)
 {
 	if (wrap == TS_CLAMP) return ts_clamp(u, 0.0f, 1.0f);
@@ -43,7 +43,7 @@ TS_FN ts_rgba16 ts_k_texture_unpack(u64 t)
 	return r;
 }
 
-/* Weights sum to 65536; 65536 * 65535 + 32768 fits 32 bits. */
+/* The mean of four texels. The weights sum to 65536, and 65536 * 65535 + 32768 for rounding fits 32 bits. */
 TS_FN u32 ts_k_texture_mix4(u32 a, u32 b, u32 c, u32 d, u32 fx, u32 fy)
 {
 	u32 top = a * ((256u - fx) * (256u - fy)) + b * (fx * (256u - fy));

@@ -135,8 +135,8 @@ TS_FN ts_v3 ts_k_next_radiance(const ts_lookup_args *args, u64 first, u32 k, ts_
 	return same < k ? seen[same] : ts_k_sample_radiance(args, first + k, centre);
 }
 
-/* Variance of n numbers r + g + b from their sum and the sum of their squares (EPR 4.1.3: "until color variance stopped
- * declining"). */
+/* The variance of n numbers r + g + b, from their sum and the sum of their squares (EPR 4.1.3: "until color variance
+ * stopped declining"). */
 TS_FN f32 ts_k_variance(f32 sum, f32 squares, u32 n)
 {
 	f32 count = (f32)n;

@@ -89,8 +89,8 @@ TS_FN void ts_k_pixel_gradients(TS_GLOBAL ts_pixel *out, const ts_glance glance[
 	ts_store3(out->normal_dy, ts_k_gradient(above.n, above.seen, here.n, below.n, below.seen, side));
 }
 
-/* Writes the record of element i. tint: its base colour; side: that of the square that a sample stands for, in
- * pixels. */
+/* Writes the record of element i. tint: the surface's base colour; side: side of the square that a sample stands for,
+ * in pixels. */
 TS_FN void ts_k_mirror_pixel_write(const ts_mirror_pixel_args *args, u64 i, const ts_glance glance[TS_N_GLANCES],
                                    ts_v3 tint, f32 side)
 {

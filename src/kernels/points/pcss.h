@@ -16,7 +16,7 @@
 #define TS_N_SEARCH 32u
 #define TS_N_FILTER 64u
 
-/* Seeds of sunflowers, in 1/128 of the radius (Vogel 1979). */
+/* Taps, in 1/128 of the radius: placed like the seeds of a sunflower (Vogel 1979). */
 TS_CONSTANT i32 ts_pcss_search[32][2] = {
 	{16, 0},   {-20, -19}, {3, 36},   {26, -34},   {-47, 8},   {45, 28},   {-15, -56},  {-29, 55},
 	{62, -23}, {-64, -27}, {31, 66},  {23, -73},   {-69, 40},  {81, 18},   {-50, -70},  {-11, 88},

@@ -54,7 +54,8 @@ TS_FN void ts_k_points_count_item(const ts_points_args *args, u64 i)
 	args->offset[i] = ts_k_points_of(args, &all);
 }
 
-/* l = 1/s (eq. 4). A sub-pixel piece is tiny; by the paper its splat is a square of its own area. */
+/* The length of a splat: l = 1/s (EPR 4.1.1, eq. 4). A sub-pixel piece is tiny; by the paper its splat is a square of
+ * its own area. */
 TS_FN f32 ts_k_splat_length(const ts_points_args *args, TS_GLOBAL const ts_piece *piece, f32 s, u32 *flags)
 {
 	f32 area = ts_k_area(ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c));

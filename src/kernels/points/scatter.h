@@ -43,8 +43,7 @@ TS_CALL u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *v
 	return ts_k_colour_code(ts_k_shade(&args->from.scene, &s, ts_normalize(ts_neg(way))), args->exposure);
 }
 
-/* Whether the offer may win. If the texel is nearer it stays, whatever the colour, so the colour need not be
- * computed. */
+/* Whether an offer at this depth may win. If not, its colour need not be computed. */
 TS_FN bool ts_k_is_wanted(const ts_scatter_args *args, u32 depth, u64 texel)
 {
 	return depth <= ts_peek_u32(&args->colours[texel]);

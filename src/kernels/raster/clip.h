@@ -48,7 +48,7 @@ TS_FN f32 ts_k_plane_side(const ts_plane *plane, const ts_corner *p)
 }
 
 /* Cuts from the inside to the outside corner, so that both triangles of an edge get the same bits (rule 16). On a long
- * edge z may round to below that of the near plane, even to 0. */
+ * edge z may round to less than `near`, even to 0, which is no depth; so it is raised to `near`. */
 TS_FN ts_corner ts_k_cut(const ts_corner *in, f32 d_in, const ts_corner *out, f32 d_out, f32 near)
 {
 	f32 t = d_in / (d_in - d_out);

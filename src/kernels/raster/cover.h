@@ -8,7 +8,8 @@
  * snapping moves a corner. */
 #define TS_SAFE_HALF 129
 
-/* The square of half size h around (x, y) meets the half plane of edge a, b; turned: the polygon's area is negative. */
+/* Whether the square of half size h around (x, y) meets the half plane of edge a, b (rule 19). turned: the polygon's
+ * area is negative. */
 TS_FN bool ts_k_square_meets(ts_snapped a, ts_snapped b, bool turned, i32 x, i32 y, i64 half_size)
 {
 	i64 e = ts_k_edge(a, b, x, y);
@@ -36,7 +37,7 @@ TS_FN void ts_k_cover_finish(ts_cover *c, i32 half_size)
 	c->touched = ts_k_touched_box(c->v, c->n, half_size);
 }
 
-/* Does the pixel touch the polygon? The pixel lies in c->touched (rule 19). */
+/* Whether a pixel of c->touched touches the polygon (rule 19). */
 TS_FN bool ts_k_touches(const ts_cover *c, i32 i, i32 j)
 {
 	for (u32 k = 0u; k < c->n; k++) {

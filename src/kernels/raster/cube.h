@@ -4,7 +4,7 @@
 #define TS_KERNELS_RASTER_CUBE_H
 #include "kernels/raster/view.h"
 
-/* Rows (sc, -tc, -ma) of faces +X -X +Y -Y +Z -Z. */
+/* Rows right, up, back of faces +X -X +Y -Y +Z -Z: (sc, -tc, -ma) of OpenGL's table. */
 TS_CONSTANT f32 ts_cube_row[6][9] = {
 	{0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f, -1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.0f},
 	{1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, -1.0f, 0.0f}, {1.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f},
@@ -86,7 +86,7 @@ TS_FN ts_cube_place ts_k_cube_place(ts_v3 d)
 	return r;
 }
 
-/* min(n - 1, floor((s + 1) / 2 * n)) */
+/* The column of s, or the row of t: min(n - 1, floor((s + 1) / 2 * n)). */
 TS_FN u32 ts_k_cube_texel(f32 s, u32 n)
 {
 	f32 unit = (s + 1.0f) * 0.5f;

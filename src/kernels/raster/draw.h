@@ -67,7 +67,7 @@ TS_CALL void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts
 	}
 }
 
-/* The fragment of a triangle at a pixel that it covers, computed again. */
+/* The fragment of a triangle at a pixel that the triangle covers: the same bits as when it was drawn. */
 TS_CALL ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *t, i32 i, i32 j)
 {
 	/* Clip as ts_k_draw does, so that the fan has the same bits. */

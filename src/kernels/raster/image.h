@@ -1,5 +1,5 @@
-/* The picture: mirrors show their reflection; every other surface is shaded where the eye sees it, by the light that
- * reaches it. */
+/* The picture: mirrors show their reflection; every other surface that the eye sees is shaded by the light that reaches
+ * it. */
 #ifndef TS_KERNELS_RASTER_IMAGE_H
 #define TS_KERNELS_RASTER_IMAGE_H
 #include "kernels/base/args.h"

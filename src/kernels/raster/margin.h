@@ -122,7 +122,7 @@ typedef struct {
 	f32 footprint, distance, step;
 } ts_near;
 
-/* Where the alpha is near its cutoff the distance is 0. Returns whether the mask leaves the fragment. */
+/* Sets the distance to 0 where the alpha is near its cutoff. Returns whether the mask leaves the fragment. */
 TS_FN bool ts_k_margin_mask(const ts_arrays *scene, const ts_corners *t, ts_near *near)
 {
 	ts_sample s = ts_k_sample(scene, near->triangle, near->f.w, t->n, near->footprint);

@@ -29,7 +29,7 @@ TS_FN u32 ts_k_mip_levels(u32 n)
 	return levels;
 }
 
-/* First texel of a cube's chain in the batch. */
+/* First texel of a cube's mip chain in the batch. */
 TS_FN u64 ts_k_mip_first(TS_GLOBAL const ts_face *cubes, u32 first_cube, u32 cube)
 {
 	u64 sum = 0u;

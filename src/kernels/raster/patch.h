@@ -18,7 +18,7 @@ TS_FN f32 ts_k_texel_area(const ts_camera_k *view, ts_v3 p, f32 cosine)
 	return (across * facing) / ts_max(cosine, TS_LEAST_LIT);
 }
 
-/* A unit axis at right angles to n and to +y; to n and to +x if n is near the y axis. */
+/* A unit axis at right angles to n and to the y axis; to n and to the x axis if n is near the y axis. */
 TS_FN ts_v3 ts_k_across(ts_v3 n)
 {
 	ts_v3 pole = ts_abs(n.y) < 0.75f ? ts_v3_make(0.0f, 1.0f, 0.0f) : ts_v3_make(1.0f, 0.0f, 0.0f);

@@ -75,7 +75,7 @@ TS_FN bool ts_k_reaches(const ts_shadow_test_args *args, TS_GLOBAL const ts_offs
 	return depth == TS_NONE || p.z <= ts_u2f(depth) + ts_k_shadow_bias(args, &view, at, p.z);
 }
 
-/* The view that answers for the sample of view v; of a cube the face that the point falls into. */
+/* The view whose map decides about the sample of view v: v itself, or of a cube the face that the point falls into. */
 TS_FN TS_GLOBAL const ts_offscreen *ts_k_asked_view(const ts_shadow_test_args *args, u32 v, const ts_receiver *at)
 {
 	u32 face = args->cubes != 0u ? ts_k_cube_place(ts_sub(at->p, ts_load3(args->views[v].eye))).face : 0u;

@@ -1,4 +1,4 @@
-/* Buffers that are drawn into: keys depth << 32 | triangle, or depths alone (CONTRACT rule 24). */
+/* What triangles are drawn into: keys depth << 32 | triangle, or depths alone (CONTRACT rule 24). */
 #ifndef TS_KERNELS_RASTER_TARGET_H
 #define TS_KERNELS_RASTER_TARGET_H
 #include "kernels/base/num.h"

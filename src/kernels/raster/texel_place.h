@@ -1,4 +1,4 @@
-/* Texels of a batch of cubes, and what shades them. */
+/* The places of the texels of a batch of cubes, and the arguments of the kernels that shade them. */
 #ifndef TS_KERNELS_RASTER_TEXEL_PLACE_H
 #define TS_KERNELS_RASTER_TEXEL_PLACE_H
 #include "kernels/base/args.h"
@@ -12,7 +12,7 @@
 	ARG(OUT, f32, mip, cube_face_mip)                      /* of the batch: 4 floats per texel */ \
 	ARG(VALUE, u32, first_cube, none) \
 	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
-	ARG(VALUE, u32, level, none)   /* that the kernel mip makes from the finer level */
+	ARG(VALUE, u32, level, none)   /* made by the kernel mip from the finer level */
 TS_ARGS(ts_illuminate_args);
 
 /* The place of a texel of the batch. */

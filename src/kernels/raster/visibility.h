@@ -22,7 +22,8 @@ TS_FN ts_v3 ts_k_face_axes(u32 face, ts_v3 d)
 	return ts_v3_make(ts_dot(ts_k_cube_row(face, 0u), d), ts_dot(ts_k_cube_row(face, 1u), d), -ts_dot(back, d));
 }
 
-/* The sides of a frustum, x and y from the axis one unit ahead, or everywhere in an orthographic view; and near. */
+/* A frustum: how far it reaches to the sides and up, one unit ahead or, in an orthographic view, everywhere; and
+ * near. */
 typedef struct {
 	f32 x, y, near;
 	u32 orthographic;
@@ -47,7 +48,7 @@ TS_FN bool ts_k_outside_plane(const ts_frustum *f, ts_v3 a, ts_v3 b, ts_v3 c)
 	return a.z < f->near && b.z < f->near && c.z < f->near;
 }
 
-/* Whether p lies in the frustum enlarged by a fifth (EPR 3.1). */
+/* Whether p lies in the frustum made wider and higher by a fifth (EPR 3.1). */
 TS_FN bool ts_k_inside_enlarged(const ts_frustum *f, ts_v3 p)
 {
 	f32 fifth_more = 1.2000000476837158203125f;
