@@ -29,7 +29,7 @@
 	ARG(VALUE, u32, rectangle, none) /* hull.corners=rectangle */
 TS_ARGS(ts_corner_args);
 
-/* The point of a pixel's ray at depth zn. */
+/* The point at depth zn on a pixel's ray. */
 TS_FN ts_v3 ts_k_pixel_point(const ts_camera_k *view, u32 x, u32 y, f32 depth)
 {
 	f32 z = view->near / (1.0f - depth);
@@ -74,12 +74,13 @@ TS_FN ts_box_corner ts_k_box_corner(const ts_camera_k *view, TS_GLOBAL const ts_
 	return r;
 }
 
-/* Sums over triangles of w, and of w times direction for each channel. */
+/* Moments of the gathered light: for each channel the sum of w, and the sum of w times direction (SSAGH eq. 4). */
 typedef struct {
 	ts_v3 w, red, green, blue;
 } ts_gathered;
 
-/* The share of a triangle that counts at a corner `height` above its plane, from 0 to 1. */
+/* The share, from 0 to 1, of a triangle of light that counts at a corner `height` above its plane. It rises from 0 at a
+ * sixteenth of the triangle's side to 1 at five sixteenths. */
 TS_FN f32 ts_k_facing(f32 height, f32 side)
 {
 	f32 above = height - side * 0.0625f;
@@ -89,16 +90,21 @@ TS_FN f32 ts_k_facing(f32 height, f32 side)
 
 TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 p, bool ramp)
 {
+	/* Load the triangle, and find how high above its plane the corner is. */
 	ts_v3 a = ts_load3(patch->a);
 	ts_v3 b = ts_load3(patch->b);
 	ts_v3 c = ts_load3(patch->c);
 	ts_v3 normal = ts_load3(patch->normal);
 	f32 height = ts_flush(ts_dot(normal, ts_sub(p, a)));
+	/* Find the share that counts: by the ramp, since rounding must not let a corner see its own surface as half a
+	 * sphere of light, or by the paper's test of the side. */
 	f32 in_front = ts_k_is_in_front(p, a, normal) ? 1.0f : 0.0f;
 	f32 facing = ramp ? ts_k_facing(height, ts_length(ts_sub(b, a))) : in_front;
 	if (facing == 0.0f) return;
+	/* Weight the triangle by exitance times solid angle (SSAGH 3). */
 	ts_v3 w = ts_scale(ts_load3(patch->exitance), ts_k_solid_angle(p, a, b, c) * facing);
 	ts_v3 ways = ts_k_ways(p, a, b, c);
+	/* Accumulate the sums of SSAGH eq. 4, a third of w from the direction of each vertex. */
 	sum->w = ts_add(sum->w, w);
 	sum->red = ts_mad(sum->red, ways, w.x / 3.0f);
 	sum->green = ts_mad(sum->green, ways, w.y / 3.0f);
@@ -118,16 +124,20 @@ TS_FN void ts_k_gather_point(ts_gathered *sum, TS_GLOBAL const ts_light *light, 
 
 TS_FN void ts_k_gather_all(TS_GLOBAL ts_moment *out, const ts_corner_args *args, ts_box_corner corner)
 {
+	/* Start from no light. */
 	ts_gathered sum;
 	sum.w = ts_v3_make(0.0f, 0.0f, 0.0f);
 	sum.red = sum.w;
 	sum.green = sum.w;
 	sum.blue = sum.w;
+	/* Gather from every triangle in order (SSAGH 3). Lamps need no ramp: no corner lies on one. */
 	bool ramp = args->paper == 0u && args->n_lamps == 0u;
 	for (u64 k = 0u; k < args->n_patches; k++) ts_k_gather(&sum, &args->patches[k], corner.p, ramp);
+	/* Add the lights without extent, which have no triangles. */
 	for (u32 k = 0u; k < args->n_lamps; k++) {
 		if (!(args->shapes[k].radius > 0.0f)) ts_k_gather_point(&sum, &args->lamps[k], corner.p);
 	}
+	/* Store the corner and its moments, the sums of SSAGH eq. 4. */
 	ts_store3(out->position, corner.p);
 	out->depth = ts_put(corner.depth);
 	ts_store3(out->sum, sum.w);

@@ -34,13 +34,16 @@ TS_FN ts_v3 ts_k_direct_point(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 n)
 /* map over pixels and their samples */
 TS_FN void ts_k_direct_item(const ts_direct_args *args, u64 i)
 {
+	/* Read the surface of the pixel; the sky gathers nothing. */
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];
 	ts_v3 p = ts_load3(pixel->position);
 	ts_v3 n = ts_load3(pixel->normal);
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
 	bool sky = pixel->depth == TS_SKY;
+	/* Sum exitance times form factor over all triangles, in order (SSAGH 5). */
 	u64 end = sky ? 0u : args->n_patches;
 	for (u64 k = 0u; k < end; k++) sum = ts_add(sum, ts_k_direct(&args->patches[k], p, n));
+	/* Add the lights without extent, each of which is one direction and has no form factor. */
 	for (u32 k = 0u; k < args->n_lamps && !sky; k++) {
 		if (!(args->shapes[k].radius > 0.0f)) sum = ts_add(sum, ts_k_direct_point(&args->lamps[k], p, n));
 	}

@@ -1,7 +1,7 @@
 /* Spherical Gaussians (SSAGH, section 4; CONTRACT rule 41): G(mu, lambda, phi) is mu e^(lambda (phi.w - 1)) in
  * direction w, phi a unit vector. The integrals are over the sphere, and with the cosine to a normal n over the
  * hemisphere about n, for the height mu = 1 and sharpness lambda from 0 to 1e5. Where the paper's forms cancel or
- * overflow in single precision, equal forms that do not replace them; errors are within 8e-7. */
+ * overflow in single precision, equal forms take their place that do not; errors are within 8e-7. */
 #ifndef TS_KERNELS_HULLS_GAUSSIAN_H
 #define TS_KERNELS_HULLS_GAUSSIAN_H
 #include "kernels/hulls/gaussian_quadrature.h"
@@ -38,9 +38,11 @@ TS_FN ts_sg ts_k_sg_product(const ts_sg *a, const ts_sg *b)
 }
 
 /* clang-format off */
-/* Eq 2: A(lambda) = 2 pi / lambda (1 - e^(-2 lambda)); below 1/4 by 4 pi times the sum of (-2 lambda)^j / (j + 1)!. */
+/* Eq 2: A(lambda) = 2 pi / lambda (1 - e^(-2 lambda)). If lambda is below 1/4, A is computed as 4 pi times the sum of
+ * (-2 lambda)^j / (j + 1)!, j from 0 to 7. */
 TS_FN f32 ts_k_sg_integral(f32 lambda)
 {
+	/* Evaluate the series of (1 - e^-x) / x by Horner's rule, for small x, where the closed form cancels. */
 	f32 x = 2.0f * lambda;
 	f32 p = -0.000024801587642286904156208038330078125f;
 	p = p * x; p = p + 0.000198412701138295233249664306640625f;
@@ -50,12 +52,14 @@ TS_FN f32 ts_k_sg_integral(f32 lambda)
 	p = p * x; p = p + 0.16666667163372039794921875f;
 	p = p * x; p = p - 0.5f;
 	p = p * x; p = p + 1.0f;
+	/* Evaluate the closed form; x is not 0 where it is chosen. */
 	f32 closed = x > 0.0f ? (1.0f - ts_exp(-x)) / x : 1.0f;
+	/* Choose one of the two; 4 pi is the integral where lambda is 0. */
 	return 12.56637096405029296875f * (x < 0.5f ? p : closed);
 }
 
-/* Eqs 9 and 10 as printed, for lambda above 0. They cancel where lambda is small; e^lambda saturates at the largest
- * float. */
+/* Eq 9, or eq 10 for the lower side, as printed, for lambda above 0. Both cancel where lambda is small; e^lambda
+ * saturates at the largest float. */
 TS_FN f32 ts_k_sg_printed(f32 lambda, bool lower)
 {
 	f32 scale = TS_TWO_PI / (lambda * lambda);
@@ -65,11 +69,13 @@ TS_FN f32 ts_k_sg_printed(f32 lambda, bool lower)
 	return lower ? faded * rest : scale * upper;
 }
 
-/* Eq 9: A_u(lambda) = 2 pi / lambda^2 (e^-lambda - 1 + lambda), where n is phi; below 1/2 by 2 pi times the sum of
- * (-lambda)^j / (j + 2)!. */
+/* Eq 9: A_u(lambda) = 2 pi / lambda^2 (e^-lambda - 1 + lambda), for n = phi. If lambda is below 1/2, A_u is computed as
+ * 2 pi times the sum of (-lambda)^j / (j + 2)!, j from 0 to 7. */
 TS_FN f32 ts_k_sg_upper(f32 lambda, u32 printed)
 {
+	/* Follow SSAGH eq. 9 as printed, if asked to. */
 	if (printed != 0u && lambda > 0.0f) return ts_k_sg_printed(lambda, false);
+	/* Evaluate the series by Horner's rule, for small lambda, where the closed form cancels. */
 	f32 p = -0.000002755731884462875314056873321533203125f;
 	p = p * lambda; p = p + 0.000024801587642286904156208038330078125f;
 	p = p * lambda; p = p - 0.000198412701138295233249664306640625f;
@@ -79,16 +85,20 @@ TS_FN f32 ts_k_sg_upper(f32 lambda, u32 printed)
 	p = p * lambda; p = p - 0.16666667163372039794921875f;
 	p = p * lambda; p = p + 0.5f;
 	if (lambda < 0.5f) return TS_TWO_PI * p;
+	/* Evaluate the closed form of SSAGH eq. 9; its digits suffice from 1/2 on. */
 	f32 m = (ts_exp(-lambda) - 1.0f) + lambda;
 	return (TS_TWO_PI * m) / (lambda * lambda);
 }
 
-/* Eq 10: A_b(lambda) = 2 pi / lambda^2 e^(-2 lambda) (e^lambda - 1 - lambda), where n is -phi; below 1/2 by 2 pi
- * e^-lambda times the sum of (-lambda)^j (j + 1) / (j + 2)!. */
+/* Eq 10: A_b(lambda) = 2 pi / lambda^2 e^(-2 lambda) (e^lambda - 1 - lambda), for n = -phi. If lambda is below 1/2, A_b
+ * is computed as 2 pi e^-lambda times the sum of (-lambda)^j (j + 1) / (j + 2)!, j from 0 to 7. */
 TS_FN f32 ts_k_sg_lower(f32 lambda, u32 printed)
 {
+	/* Follow SSAGH eq. 10 as printed, if asked to. */
 	if (printed != 0u && lambda > 0.0f) return ts_k_sg_printed(lambda, true);
+	/* Compute e^-lambda, which is flushed to 0 for sharp lobes: they send nothing to the other side. */
 	f32 e = ts_flush(ts_exp(-lambda));
+	/* Evaluate the series by Horner's rule, for small lambda, where the closed form cancels. */
 	f32 p = -0.000022045855075703002512454986572265625f;
 	p = p * lambda; p = p + 0.000173611115314997732639312744140625f;
 	p = p * lambda; p = p - 0.001190476235933601856231689453125f;
@@ -99,6 +109,7 @@ TS_FN f32 ts_k_sg_lower(f32 lambda, u32 printed)
 	p = p * lambda; p = p + 0.5f;
 	f32 scale = TS_TWO_PI * e;
 	if (lambda < 0.5f) return scale * p;
+	/* Evaluate the closed form of SSAGH eq. 10, with e^(-2 lambda) e^lambda as e^-lambda, so that nothing overflows. */
 	f32 le = lambda * e;
 	f32 m = (1.0f - e) - le;
 	return (scale * m) / (lambda * lambda);
@@ -151,8 +162,8 @@ TS_FN f32 ts_k_sg_as_sg(f32 lambda, f32 cos_beta)
 	return both.mu * ts_k_sg_integral(both.lambda);
 }
 
-/* A_h, the integral of G(1, lambda, phi) with the clamped cosine to n, cos_beta = n.phi, by one of TS_COSINE_*.
- * printed: not 0 for eqs 9 and 10 as printed. */
+/* A_h, the integral of G(1, lambda, phi) times the clamped cosine to n, where cos_beta = n.phi. The method is one of
+ * TS_COSINE_*; if printed is not 0, eqs 9 and 10 are taken as printed. */
 TS_FN f32 ts_k_sg_cosine(f32 lambda, f32 cos_beta, u32 method, u32 printed)
 {
 	f32 c = ts_clamp(cos_beta, -1.0f, 1.0f);
@@ -162,30 +173,35 @@ TS_FN f32 ts_k_sg_cosine(f32 lambda, f32 cos_beta, u32 method, u32 printed)
 	return ts_k_sg_ours(lambda, c, printed);
 }
 
-/* The length of the mean of a von Mises-Fisher distribution, which is a normalized Gaussian: coth k - 1 / k; below 1/2
- * by its series. */
+/* The length of the mean of a von Mises-Fisher distribution (Fisher 1953), which is a normalized spherical Gaussian of
+ * sharpness k: coth k - 1 / k, or its series if k is below 1/2. */
 TS_FN f32 ts_k_sg_mean(f32 k)
 {
+	/* Evaluate the series in k^2 by Horner's rule, for small k, where coth k and 1 / k cancel. */
 	f32 z = k * k;
 	f32 p = -0.000211640217457897961139678955078125f;
 	p = p * z; p = p + 0.0021164021454751491546630859375f;
 	p = p * z; p = p - 0.02222222276031970977783203125f;
 	p = p * z; p = p + 0.3333333432674407958984375f;
 	if (k < 0.5f) return p * k;
+	/* Compute coth k from e^(-2 k), which cannot overflow, and subtract 1 / k. */
 	f32 e = ts_exp(-2.0f * k);
 	f32 coth = (1.0f + e) / (1.0f - e);
 	return coth - 1.0f / k;
 }
 /* clang-format on */
 
-/* The inverse of ts_k_sg_mean: three Newton steps with the slope 1 - 2 r / k - r^2 from k = r (3 - r^2) / (1 - r^2),
- * which is within 5 %; above 0.9, where coth k is 1 within 4e-9, 1 / (1 - r). */
+/* The inverse of ts_k_sg_mean: the estimate k = r (3 - r^2) / (1 - r^2) of Banerjee, Dhillon, Ghosh and Sra (2005),
+ * which is within 5 %, improved by three Newton steps. Above r = 0.9 coth k is 1 within 4e-9, so k is 1 / (1 - r). */
 TS_FN f32 ts_k_sg_vmf(f32 r)
 {
+	/* Answer both ends directly: without a direction there is no sharpness, and near 1 coth k is 1. */
 	if (!(r > 0.0f)) return 0.0f;
 	if (r > 0.89999997615814208984375f) return 1.0f / (1.0f - r);
+	/* Start from the estimate of Banerjee, Dhillon, Ghosh and Sra (2005). */
 	f32 r2 = r * r;
 	f32 k = (r * (3.0f - r2)) / (1.0f - r2);
+	/* Improve the estimate by Newton's method; the mean R has the derivative 1 - R^2 - 2 R / k. */
 	for (u32 i = 0u; i < 3u; i++) {
 		f32 at = ts_k_sg_mean(k);
 		f32 square = at * at;
@@ -195,18 +211,20 @@ TS_FN f32 ts_k_sg_vmf(f32 r)
 	return k;
 }
 
-/* Eq 4: the sharpness of light whose directions have a mean of length r, clamped to 1 - 1e-5: Toksvig's r / (1 - r), or
- * that of the von Mises-Fisher distribution with this mean. */
+/* Eq 4: the sharpness of light whose directions have a mean of length r, clamped to 1 - 1e-5. It is r / (1 - r)
+ * (Toksvig 2005), or that of the von Mises-Fisher distribution with this mean. */
 TS_FN f32 ts_k_sg_sharpness(f32 r, u32 vmf)
 {
 	f32 at = ts_clamp(r, 0.0f, 0.999989986419677734375f);
 	return vmf != 0u ? ts_k_sg_vmf(at) : at / (1.0f - at);
 }
 
-/* GGX's distribution of normals has the peak 1 / (pi a2), a2 = alpha^2, and the integral 1 with the cosine. The
+/* The lobe of a glossy surface about the reflected direction to the eye. GGX's distribution of normals (Walter,
+ * Marschner, Li and Torrance 2007) has the peak 1 / (pi a2), a2 = alpha^2, and the integral 1 with the cosine. The
  * Gaussian about the normal with the same peak and integral has a sharpness of (1 - a2) (2 / a2 + 1) within 1.4 %, and
  * exactly where a2 is 0 or 1. A half vector turns by half the angle of the direction of light, and by less across the
- * plane of the eye, so about the reflected eye the sharpness is divided by 4 n.v. n, v: unit; n.v is at least 2^-10. */
+ * plane of the eye, so the sharpness is divided by 4 n.v (Wang, Ren, Gong, Snyder and Guo 2009). n and v are unit
+ * vectors; n.v counts as at least 2^-10. */
 TS_FN ts_sg ts_k_gloss_lobe(ts_v3 n, ts_v3 v, f32 alpha_squared)
 {
 	f32 n_v = ts_dot(n, v);

@@ -70,8 +70,8 @@ TS_FN ts_v3 ts_k_gloss_factor(const ts_glossy *at, ts_v3 l)
 	return ts_scale(ts_k_schlick(at->f0, v_h), ts_k_smith(n_l, n_v, at->alpha_squared));
 }
 
-/* The light reflected of a lobe of exitance that is already multiplied with the surface's lobe. A lobe without an axis
- * counts as from above. NaN gives 0. */
+/* The light that the surface reflects, from the product of a lobe of exitance and the surface's lobe. If the product
+ * has no axis, V and F take the light from above. Anything but a number from 0 to 2^62 counts as 0. */
 TS_FN ts_v3 ts_k_gloss_reflected(const ts_glossy *at, const ts_sg *both)
 {
 	f32 integral = ts_k_sg_cosine(both->lambda, ts_dot(at->n, both->phi), at->cosine, at->printed);
@@ -91,15 +91,19 @@ TS_ARGS(ts_gloss_hull_args);
 /* map over pixels and their samples: reflects the lobes of their boxes */
 TS_FN void ts_k_gloss_hull_item(const ts_gloss_hull_args *args, u64 i)
 {
+	/* Begin without light; the sky, and pixels without a box, stay so. */
 	u32 box = args->box[i];
 	TS_GLOBAL f32 *specular = args->specular + i * 3u;
 	ts_store3(specular, ts_v3_make(0.0f, 0.0f, 0.0f));
 	if (box == TS_NONE) return;
+	/* Find the lobe of the pixel's surface, and the shares of the box's corners. */
 	ts_v3 eye = ts_load3(args->view->eye);
 	ts_glossy at = ts_k_glossy(&args->of.pixels[i], &args->gloss[i], eye, args->of.cosine, args->of.printed);
 	u32 x = (u32)(i % args->of.width);
 	u32 y = (u32)(i / args->of.width % args->of.height);
 	ts_shares shares = ts_k_box_shares(&args->of, box, x, y);
+	/* Reflect the lobe of each colour channel: its product with the surface's lobe (SSAGH eq. 3), integrated with the
+	 * cosine (SSAGH eq. 6). */
 	for (u32 channel = 0u; channel < 3u; channel++) {
 		ts_sg light = ts_k_hull_lobe(&args->of, box, &shares, channel);
 		ts_sg both = ts_k_sg_product(&light, &at.lobe);
@@ -134,10 +138,12 @@ TS_FN void ts_k_gloss_see(ts_gloss_seen *sum, ts_v3 a, ts_v3 b, ts_v3 c)
 	sum->ways = ts_mad(sum->ways, ways, angle / 3.0f);
 }
 
-/* Sums the part above the horizon of n, as a fan from its first corner. A triangle in the surface's own plane is not
- * above the horizon, whatever rounding does. */
+/* Sums the part of a triangle above the horizon of n, clipped by Sutherland and Hodgman's algorithm (1974), as a fan
+ * from the first corner of that part. A triangle in the surface's own plane is not above the horizon, whatever rounding
+ * does. */
 TS_FN ts_gloss_seen ts_k_gloss_above(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 {
+	/* Start without corners and without light. */
 	ts_gloss_seen sum;
 	ts_v3 first = ts_sub(a, p);
 	ts_v3 last = first;
@@ -145,15 +151,20 @@ TS_FN ts_gloss_seen ts_k_gloss_above(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c
 	sum.ways = ts_v3_make(0.0f, 0.0f, 0.0f);
 	sum.angle = 0.0f;
 	for (u32 i = 0u; i < 6u; i++) {
+		/* Visit every edge twice: for its first end, then for its cut by the horizon (Sutherland and Hodgman 1974). */
 		ts_v3 from = ts_sub(i < 2u ? a : i < 4u ? b : c, p);
 		ts_v3 to = ts_sub(i < 2u ? b : i < 4u ? c : a, p);
 		f32 d_from = ts_flush(ts_dot(n, from));
 		f32 d_to = ts_flush(ts_dot(n, to));
+		/* Keep ends above the horizon, and cuts. A height of 0 is below, so that a triangle in the surface's own plane
+		 * vanishes. */
 		bool cuts = i % 2u != 0u;
 		if (cuts ? (d_from > 0.0f) == (d_to > 0.0f) : !(d_from > 0.0f)) continue;
+		/* Cut from the upper end, so that two triangles with a common edge cut it at the same place. */
 		ts_v3 at = !cuts           ? from
 		           : d_from > 0.0f ? ts_mad(from, ts_sub(to, from), ts_k_form_share(d_from, d_to))
 		                           : ts_mad(to, ts_sub(from, to), ts_k_form_share(d_to, d_from));
+		/* Add the next triangle of the fan about the first corner. */
 		if (corners == 0u) first = at;
 		if (corners > 1u) ts_k_gloss_see(&sum, first, last, at);
 		last = at;
@@ -185,13 +196,16 @@ TS_FN ts_v3 ts_k_gloss_direct_point(const ts_glossy *at, TS_GLOBAL const ts_ligh
 /* map over pixels and their samples: reflects every triangle of light */
 TS_FN void ts_k_gloss_direct_item(const ts_gloss_direct_args *args, u64 i)
 {
+	/* Read the pixel; the sky reflects nothing. */
 	TS_GLOBAL const ts_gpixel *pixel = &args->of.pixels[i];
 	ts_v3 p = ts_load3(pixel->position);
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
 	bool sky = pixel->depth == TS_SKY;
 	u64 end = sky ? 0u : args->of.n_patches;
+	/* Reflect every triangle of light, in order (SSAGH 5). */
 	ts_glossy at = ts_k_glossy(pixel, &args->gloss[i], ts_load3(args->view->eye), args->cosine, args->printed);
 	for (u64 k = 0u; k < end; k++) sum = ts_add(sum, ts_k_gloss_direct(&at, &args->of.patches[k], p, args->vmf));
+	/* Reflect the lights without extent, which have no triangles. */
 	for (u32 k = 0u; k < args->of.n_lamps && !sky; k++) {
 		if (args->of.shapes[k].radius > 0.0f) continue;
 		sum = ts_add(sum, ts_k_gloss_direct_point(&at, &args->of.lamps[k], p, args->vmf));

@@ -30,12 +30,12 @@
 	ARG(VALUE, u32, rectangle, none)  /* hull.corners=rectangle */
 TS_ARGS(ts_hull_args);
 
-/* Shares of the corners of a box, of sum 1. */
+/* Shares of the corners of a box, whose sum is 1. */
 typedef struct {
 	f32 of[4];
 } ts_shares;
 
-/* The place of pixel i between the pixels of two corners, 0 to 1. */
+/* The place, from 0 to 1, of pixel i between the pixels at which two corners gather. */
 TS_FN f32 ts_k_box_place(u32 i, u32 pixels, u32 grid, u32 low, u32 high)
 {
 	f32 first = (f32)ts_k_resample(low, grid, pixels);
@@ -106,7 +106,8 @@ TS_FN ts_sg ts_k_lobe_of_moments(TS_GLOBAL const ts_moment *corner, const ts_sha
 	return ts_k_fit(m, directions, vmf);
 }
 
-/* The irradiance of a lobe. Printed forms divide by lambda squared, which may be nearly 0; NaN gives 0. */
+/* The irradiance of a lobe, at least 0 and below 2^62. Eqs 9 and 10 as printed divide by lambda squared, which may be
+ * nearly 0; NaN and infinity count as 0. */
 TS_FN f32 ts_k_lobe_irradiance(const ts_hull_args *args, const ts_sg *g, ts_v3 n)
 {
 	f32 integral = ts_k_sg_cosine(g->lambda, ts_dot(n, g->phi), args->cosine, args->printed);

@@ -1,8 +1,8 @@
-/* The box whose lobes light a pixel (SSAGH section 3; METHODS 11): of the boxes of the pixel's block that contain its
- * column, row and depth the thinnest in depth, then that of the least label; the paper names no order. If there is
- * none, hull.surface=robust takes a box that covers the pixel and, widened by t (1 - zn), contains its depth; otherwise
- * the box that covers the pixel and is nearest in depth; otherwise another box of the block, then of the blocks around
- * it, ring by ring. */
+/* The box whose lobes light a pixel (SSAGH section 3; METHODS 11). If several boxes of the pixel's block contain its
+ * column, row and depth, the thinnest in depth is chosen, and among equally thin ones that of the least label; the
+ * paper names no order. If no box contains the pixel, hull.surface=robust chooses a box that covers the pixel and,
+ * widened by t (1 - zn), contains its depth; failing that, the box nearest in depth of those that cover the pixel;
+ * failing that, the box nearest in depth of the block, then of the blocks around it, ring by ring. */
 #ifndef TS_KERNELS_HULLS_HULL_CHOICE_H
 #define TS_KERNELS_HULLS_HULL_CHOICE_H
 #include "kernels/base/args.h"
@@ -22,8 +22,9 @@ typedef struct {
 	f32 depth;
 } ts_grid_place;
 
-/* Ranks of a box: 0 it contains the place, 1 it contains it if widened, 2 it covers it, 3 it lies elsewhere. The least
- * measure of the least rank wins; of equal measures the first box. */
+/* Ranks of a box: 0 it contains the place, 1 it contains the place if widened, 2 it covers the place, 3 it lies
+ * elsewhere. The measure is the box's thickness for ranks 0 and 1, otherwise the gap in depth between box and place.
+ * The least rank wins, then the least measure, then the first box. */
 typedef struct {
 	u32 box, rank;
 	f32 measure;

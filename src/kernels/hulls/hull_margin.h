@@ -1,7 +1,7 @@
 /* Margins of hull_choice.h, for ports that round otherwise (PORTING 7): how near the choice of a pixel's box was to
  * another. This second pass takes boxes and depths as given and changes no decision. Whether a box contains a depth
- * involves no rounding, and of boxes of the same measure the first is taken; the slack and measures that differ are
- * rounded. */
+ * involves no rounding, and among boxes of equal measure the first is right; rounding matters only in the slack and
+ * between measures that differ. */
 #ifndef TS_KERNELS_HULLS_HULL_MARGIN_H
 #define TS_KERNELS_HULLS_HULL_MARGIN_H
 #include "kernels/base/args.h"
@@ -18,7 +18,7 @@
 	ARG(VALUE, u32, height, none)
 TS_ARGS(ts_hull_margin_args);
 
-/* Rank and measure of a box that alone is offered, and the margin of its gap against the slack. */
+/* Rank and measure of a box as if no other were offered, the margin of its gap against the slack, and its thickness. */
 typedef struct {
 	ts_choice as;
 	f32 slack_margin, thickness;
@@ -44,7 +44,8 @@ TS_FN f32 ts_k_measure_margin(f32 measure, f32 best)
 	return measure == best ? TS_MARGIN_FAR : ts_k_margin_between(measure, best);
 }
 
-/* How near a box is to being chosen instead: as it is, or widened if the widened box nearly contains the depth. */
+/* How near a box is to being chosen instead of the best: as it is, or widened, if the widened box nearly contains the
+ * depth. */
 TS_FN f32 ts_k_rival_margin(const ts_choice_args *args, ts_grid_place at, u32 b, const ts_choice *best)
 {
 	ts_offered rival = ts_k_offered(args, at, b);
@@ -70,6 +71,7 @@ TS_FN f32 ts_k_block_margin(const ts_choice_args *args, ts_grid_place at, u32 bl
 /* Rivals are in blocks at the distance of the box's own block; nearer blocks have no boxes. */
 TS_FN f32 ts_k_choice_margin(const ts_choice_args *args, ts_grid_place at, u32 box)
 {
+	/* Find the ring of blocks, about the pixel's own block, in which the box was chosen. */
 	i32 side = (i32)(args->grid / TS_BLOCK);
 	i32 x = (i32)(at.x / TS_BLOCK);
 	i32 y = (i32)(at.y / TS_BLOCK);
@@ -77,8 +79,10 @@ TS_FN f32 ts_k_choice_margin(const ts_choice_args *args, ts_grid_place at, u32 b
 	i32 across = (i32)(block % (u32)side) - x;
 	i32 down = (i32)(block / (u32)side) - y;
 	i32 ring = ts_max_i32(ts_max_i32(across, -across), ts_max_i32(down, -down));
+	/* Start with the box's margin against the slack, if only the slack admitted it. */
 	ts_offered best = ts_k_offered(args, at, box);
 	f32 least = best.as.rank == 1u ? best.slack_margin : TS_MARGIN_FAR;
+	/* Take the least margin of all rivals, up to that ring; nearer blocks have no boxes. */
 	for (i32 j = ts_max_i32(y - ring, 0); j <= ts_min_i32(y + ring, side - 1); j++) {
 		for (i32 i = ts_max_i32(x - ring, 0); i <= ts_min_i32(x + ring, side - 1); i++) {
 			least = ts_min(least, ts_k_block_margin(args, at, (u32)(j * side + i), &best.as));

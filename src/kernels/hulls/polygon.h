@@ -37,6 +37,7 @@ TS_FN void ts_k_polygon_disc(TS_GLOBAL ts_patch *patch, ts_v3 p, ts_v3 n, f32 r,
 /* Triangle k of the octahedron about p with the surface of a ball of radius r: circumradius r sqrt(pi / sqrt 3). */
 TS_FN void ts_k_polygon_ball(TS_GLOBAL ts_patch *patch, ts_v3 p, f32 r, u32 k)
 {
+	/* Place a corner on each of the three half axes that the bits of k name. */
 	f32 reach = r * 1.34677374362945556640625f;
 	f32 x = (k & 1u) != 0u ? 1.0f : -1.0f;
 	f32 y = (k & 2u) != 0u ? 1.0f : -1.0f;
@@ -44,16 +45,19 @@ TS_FN void ts_k_polygon_ball(TS_GLOBAL ts_patch *patch, ts_v3 p, f32 r, u32 k)
 	ts_v3 on_x = ts_mad(p, ts_v3_make(x, 0.0f, 0.0f), reach);
 	ts_v3 on_y = ts_mad(p, ts_v3_make(0.0f, y, 0.0f), reach);
 	ts_v3 on_z = ts_mad(p, ts_v3_make(0.0f, 0.0f, z), reach);
+	/* Order them to turn left as seen from outside: an odd number of negative axes mirrors the triangle. */
 	bool left = x * y * z > 0.0f;
 	ts_store3(patch->a, on_x);
 	ts_store3(patch->b, left ? on_y : on_z);
 	ts_store3(patch->c, left ? on_z : on_y);
+	/* Point the normal out of the octant, made a unit vector by 1 / sqrt 3. */
 	ts_store3(patch->normal, ts_scale(ts_v3_make(x, y, z), 0.57735025882720947265625f));
 }
 
 /* map over triangles of lamps */
 TS_FN void ts_k_polygon_item(const ts_polygon_args *args, u64 i)
 {
+	/* Find the lamp; one without extent has no triangles, and all fields stay 0. */
 	TS_GLOBAL ts_patch *patch = &args->patches[i];
 	TS_GLOBAL const ts_light *light = &args->lamps[i / TS_LAMP_TRIANGLES];
 	f32 r = args->shapes[i / TS_LAMP_TRIANGLES].radius;
@@ -61,17 +65,20 @@ TS_FN void ts_k_polygon_item(const ts_polygon_args *args, u64 i)
 	u32 k = (u32)(i % TS_LAMP_TRIANGLES);
 	ts_k_patch_clear(patch);
 	if (!(square > 0.0f)) return;
+	/* Move a sun's disc far off, and scale it, so that the scene sees its disc at the same angle from everywhere. */
 	ts_v3 p = ts_load3(light->position);
 	ts_v3 n = ts_load3(light->direction);
 	if (light->kind == TS_LIGHT_KIND_DIRECTIONAL) {
 		p = ts_mad(args->middle, n, -args->away);
 		r = r * args->away;
 	}
+	/* Make a triangle of a ball's octahedron, or of a disc's octagon. */
 	if (light->kind == TS_LIGHT_KIND_POINT) {
 		ts_k_polygon_ball(patch, p, r, k);
 	} else {
 		ts_k_polygon_disc(patch, p, n, r, k);
 	}
+	/* Set the exitance I / r^2. For a sun both I and r^2 would grow by away^2, which cancels. */
 	ts_v3 intensity = ts_load3(light->intensity);
 	ts_store3(patch->exitance, ts_v3_make(intensity.x / square, intensity.y / square, intensity.z / square));
 }

@@ -20,19 +20,23 @@ TS_FN bool ts_k_is_apart(f32 from, f32 to, f32 step)
 	return ts_abs(from - to) > room;
 }
 
-/* map over lines of blocks: one sweep along each. A label is at first the texel's own place, 32 y + x. */
+/* map over lines of blocks: one sweep along each (SSAGH algorithm 1). At first the label of a texel is its own place in
+ * the block, 32 y + x. */
 TS_FN void ts_k_segment_item(const ts_segment_args *args, u64 i)
 {
+	/* Choose the line of the block and the direction of the sweep (Propagate in SSAGH algorithm 1). */
 	u32 block = (u32)(i / TS_BLOCK);
 	u32 line = (u32)(i % TS_BLOCK);
 	bool along_rows = (args->sweep & 1u) == 0u;
 	f32 before = 0.0f;
 	u32 label = 0u;
 	for (u32 k = 0u; k < TS_BLOCK; k++) {
+		/* Step to the next texel of the line. */
 		u32 along = args->sweep < 2u ? k : TS_BLOCK - 1u - k;
 		u32 x = along_rows ? along : line;
 		u32 y = along_rows ? line : along;
 		u64 at = ts_k_block_texel(args->grid, block, x, y);
+		/* Carry the label on, or take the texel's own label beyond a step of depth (SwapLabel in SSAGH algorithm 1). */
 		u32 own = args->sweep == 0u ? y * TS_BLOCK + x : args->labels[at];
 		f32 depth = args->depths[at];
 		label = k == 0u || ts_k_is_apart(before, depth, args->step) ? own : label;
@@ -68,7 +72,8 @@ TS_FN void ts_k_segment_join(const ts_segment_args *args, u32 block, u32 p, u32 
 	args->labels[ts_k_block_texel(args->grid, block, more % TS_BLOCK, more / TS_BLOCK)] = less;
 }
 
-/* map over blocks: the connected components, each labelled by its least place */
+/* map over blocks: the connected components, each labelled by its least place, with the union-find (He, Chao and Suzuki
+ * 2008) that the paper leaves out, since threads contend for it */
 TS_FN void ts_k_segment_components_item(const ts_segment_args *args, u64 i)
 {
 	u32 block = (u32)i;

@@ -1,6 +1,7 @@
 /* Margins of segment.h, for ports that round otherwise (PORTING 7): how near the segments of a block were to others.
- * This second pass takes depths as given and changes no decision. If one test of two neighbours turns, the labels of
- * all texels connected with either may change, by sweeps as by components; the rest of the block stays. */
+ * This second pass takes depths as given and changes no decision. If a port decides the test of two neighbours
+ * otherwise, the labels of all texels that are connected with either may change, with sweeps as well as with
+ * components; the rest of the block keeps its labels. */
 #ifndef TS_KERNELS_HULLS_SEGMENT_MARGIN_H
 #define TS_KERNELS_HULLS_SEGMENT_MARGIN_H
 #include "kernels/base/args.h"
@@ -30,7 +31,7 @@ TS_FN f32 ts_k_apart_margin(f32 from, f32 to, f32 step)
 	return ts_k_margin_between(ts_abs(from - to), room);
 }
 
-/* Two neighbours of a block, as texels of the grid. is: false if they would be of two blocks. */
+/* Two neighbours of a block, as texels of the grid; `is` is false if the second lies in another block. */
 typedef struct {
 	u64 p, q;
 	bool is;
@@ -77,13 +78,17 @@ TS_FN void ts_k_segment_margin_item(const ts_segment_margin_args *args, u64 i)
 {
 	u32 block = (u32)i;
 	bool spreads = true;
+	/* Start with no test. */
 	for (u32 p = 0u; p < TS_BLOCK_TEXELS; p++) {
 		args->margin[ts_k_block_texel(args->grid, block, p % TS_BLOCK, p / TS_BLOCK)] = TS_MARGIN_FAR;
 	}
+	/* Give both texels of each pair the least margin of their tests. */
 	for (u32 k = 0u; k < TS_BLOCK_PAIRS; k++) {
 		ts_neighbours pair = ts_k_neighbours(args->grid, block, k);
 		if (pair.is) ts_k_segment_margin_pair(args, &pair);
 	}
+	/* Spread the least margin over connected texels, since one test decided otherwise may give them all other labels;
+	 * going forth and back needs few passes. */
 	for (u32 pass = 0u; spreads; pass++) {
 		spreads = false;
 		for (u32 k = 0u; k < TS_BLOCK_PAIRS; k++) {
