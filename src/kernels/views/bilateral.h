@@ -1,6 +1,6 @@
-/* The cross-bilateral filter of gathered light (MegaViews section 5.1), along rows, then along columns. A neighbour's
- * weight falls with its distance in pixels, with its angle off the pixel's tangent plane, and with the angle between
- * their normals. The sky takes no part. */
+/* The cross-bilateral filter of gathered light (Eisemann and Durand 2004, Petschnigg et al. 2004; MegaViews section
+ * 5.1, which gives no weights), along rows, then along columns. A neighbour's weight falls with its distance in pixels,
+ * with its angle off the pixel's tangent plane, and with the angle between their normals. The sky takes no part. */
 #ifndef TS_KERNELS_VIEWS_BILATERAL_H
 #define TS_KERNELS_VIEWS_BILATERAL_H
 #include "kernels/base/args.h"
@@ -21,7 +21,7 @@
 	ARG(VALUE, u32, columns, none) /* not 0: along columns, not along rows */
 TS_ARGS(ts_bilateral_args);
 
-/* The negated logarithm of the weight, without the part of the distance in pixels. */
+/* Minus the logarithm of a neighbour's weight, except for the part that depends on the distance in pixels. */
 TS_FN f32 ts_k_bilateral_apart(TS_GLOBAL const ts_gpixel *a, TS_GLOBAL const ts_gpixel *b)
 {
 	ts_v3 n = ts_load3(a->normal);
@@ -47,11 +47,13 @@ TS_FN f32 ts_k_bilateral_weight(const ts_bilateral_args *args, u64 a, u64 b, i32
 /* map over pixels and their samples: each sample's picture is filtered by itself */
 TS_FN void ts_k_bilateral_item(const ts_bilateral_args *args, u64 i)
 {
+	/* Find the neighbours along the row or column: as far as the radius reaches, and within the image. */
 	i32 place = (i32)(args->columns != 0u ? i / args->width % args->height : i % args->width);
 	i32 end = (i32)(args->columns != 0u ? args->height : args->width);
 	i64 step = args->columns != 0u ? (i64)args->width : 1;
 	i32 low = ts_max_i32(-(i32)args->radius, -place);
 	i32 high = ts_min_i32((i32)args->radius, end - 1 - place);
+	/* Sum them by their weights (MegaViews 5.1); the sky has no light and takes no part. */
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
 	f32 weights = 0.0f;
 	bool sky = args->pixels[i].depth == TS_SKY;
@@ -62,6 +64,7 @@ TS_FN void ts_k_bilateral_item(const ts_bilateral_args *args, u64 i)
 		sum = ts_mad(sum, ts_load3(args->from + other * 3u), weight);
 		weights = weights + weight;
 	}
+	/* Divide by the sum of weights, which is at least 1, the weight of the pixel itself. */
 	f32 divisor = sky ? 1.0f : weights;
 	ts_store3(args->to + i * 3u, ts_v3_make(sum.x / divisor, sum.y / divisor, sum.z / divisor));
 }

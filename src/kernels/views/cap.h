@@ -17,11 +17,15 @@ typedef struct {
 
 TS_FN ts_cap ts_k_cap(ts_v3 vs, f32 radius, bool back)
 {
+	/* Measure the ball; d^2 - radius^2 as a product keeps its digits where the view is near the ball. */
 	f32 d = ts_length(vs);
 	f32 nearest = d - radius;
 	f32 square = nearest * (d + radius);
+	/* Compute x along the axis of this map, and e, the length of the tangents from the view to the ball. */
 	f32 along = back ? -vs.x : vs.x;
 	f32 edge = ts_sqrt(ts_flush(ts_max(square, 0.0f)));
+	/* Set the circle's b = x + e and c = x - e. From inside the ball every direction meets it; c = 1 and zeros then
+	 * make every texel inside. */
 	bool all = !(nearest > 0.0f);
 	ts_cap r;
 	r.b = all ? 0.0f : along + edge;
@@ -76,8 +80,8 @@ TS_FN ts_reach ts_k_circle_reach(f32 middle, f32 radius, u32 n)
 	return r;
 }
 
-/* The box of texels in which the cap may be, in a map of n texels per side: that of its circle; or the whole map, if
- * any place of it may be inside. */
+/* The box of texels in which the cap may be, in a map of n texels per side: the box of its circle, if b is so far above
+ * its rounding error that there is one; otherwise the whole map, or nothing if no place of the map can be inside. */
 TS_FN ts_cap_box ts_k_cap_box(const ts_cap *cap, u32 n)
 {
 	ts_cap_box r;

@@ -49,7 +49,7 @@ TS_FN ts_cast_ray ts_k_cast_ray(ts_v3 o, ts_v3 d)
 	return r;
 }
 
-/* Whether the ray meets a node's box between 0 and `most`. */
+/* Whether the ray meets a node's box between 0 and `most`, by slabs (Kay and Kajiya 1986). */
 TS_FN bool ts_k_cast_meets(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node, f32 most)
 {
 	f32 half_side = node->radius * 0.581860840320587158203125f; /* 129 / 128 of 1 / sqrt 3 */
@@ -64,8 +64,8 @@ TS_FN bool ts_k_cast_meets(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node
 	return enters <= leaves;
 }
 
-/* Whether the ray passes all edges on the same side. d.(b x a) and the others have the same bits for the neighbour,
- * except for the sign. */
+/* Whether the ray passes all edges on the same side. For each edge, as d.(b x a), the neighbour across the edge
+ * computes the same bits with the opposite sign. A ray through an edge, where the number is 0, passes on both sides. */
 TS_FN bool ts_k_cast_inside(const ts_cast_ray *ray, const ts_corners *t)
 {
 	ts_v3 a = ts_sub(t->a, ray->o);
@@ -79,18 +79,24 @@ TS_FN bool ts_k_cast_inside(const ts_cast_ray *ray, const ts_corners *t)
 
 TS_FN void ts_k_cast_triangle(const ts_cast_args *args, const ts_cast_ray *ray, u32 triangle, ts_cast_hit *best)
 {
+	/* Leave out triangles without area, the backs of single-sided ones, and those whose edges the ray does not pass on
+	 * one side. */
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (ts_k_is_degenerate(t.n) || !ts_k_is_facing(&args->scene, triangle, &t, ray->o)) return;
 	if (!ts_k_cast_inside(ray, &t)) return;
+	/* Keep the hit if it is the first on the ray; of equal distances the lower index wins, so that the order of the
+	 * search changes nothing. */
 	ts_hit hit = ts_k_hit(ray->o, ray->d, &t);
 	if (!(hit.t > 0.0f) || hit.t > best->t || (hit.t == best->t && triangle >= best->triangle)) return;
+	/* Let the ray pass where a mask cuts the surface away; this comes last, since it reads a texture. */
 	if (ts_k_is_cut(&args->scene, triangle, hit.weights, t.n, args->leaf)) return;
 	best->t = hit.t;
 	best->triangle = triangle;
 	best->weights = hit.weights;
 }
 
-/* Pushes the children of a node, the nearest last: octants in the reverse of the ray's order. */
+/* Pushes the children of a node, the nearest last: the octants in the reverse of the order in which the ray meets
+ * them. */
 TS_FN u32 ts_k_cast_push(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node, u32 *stack, u32 n)
 {
 	u32 turn = (ray->d.x < 0.0f ? 1u : 0u) | (ray->d.y < 0.0f ? 2u : 0u) | (ray->d.z < 0.0f ? 4u : 0u);
@@ -106,6 +112,7 @@ TS_FN u32 ts_k_cast_push(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node, 
 /* The first hit of the ray from o in the unit direction d. */
 TS_FN ts_cast_hit ts_k_cast(const ts_cast_args *args, ts_v3 o, ts_v3 d)
 {
+	/* Start at the root, with no hit: 2^62 stands for infinity. */
 	u32 stack[TS_CAST_STACK];
 	u32 n = 1u;
 	ts_cast_ray ray = ts_k_cast_ray(o, d);
@@ -115,14 +122,17 @@ TS_FN ts_cast_hit ts_k_cast(const ts_cast_args *args, ts_v3 o, ts_v3 d)
 	best.weights = ts_v3_make(0.0f, 0.0f, 0.0f);
 	stack[0] = 0u;
 	while (n > 0u) {
+		/* Take the next node; leave it out unless the ray enters its box before the best hit. */
 		n--;
 		u32 id = stack[n];
 		TS_GLOBAL const ts_node *node = &args->nodes[id];
 		if (!ts_k_cast_meets(&ray, node, best.t)) continue;
+		/* Descend into an inner node. */
 		if (node->children != 0u) {
 			n = ts_k_cast_push(&ray, node, stack, n);
 			continue;
 		}
+		/* Test the triangles of a leaf. */
 		u32 leaf = id - args->first_leaf;
 		for (u32 k = args->offset[leaf]; k < args->offset[leaf + 1u]; k++) {
 			ts_k_cast_triangle(args, &ray, args->triangles[k], &best);

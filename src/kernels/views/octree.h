@@ -43,11 +43,13 @@ TS_FN void ts_k_octree_links(const ts_octree_args *args, TS_GLOBAL ts_node *node
 /* emit over words of the mask */
 TS_FN void ts_k_octree_item(const ts_octree_args *args, u64 i)
 {
+	/* Find the level of the word's voxels, and the Morton code of the first. */
 	u64 bits = args->mask[i];
 	u32 level = 0u;
 	TS_GLOBAL ts_node *node = args->nodes + args->before[i];
 	while (level < args->levels && ts_k_mask_first(level + 1u) <= i) level++;
 	u64 code = (i - ts_k_mask_first(level)) << 6;
+	/* Write a node for each set bit, in the order of the bits, by which nodes are numbered. */
 	for (; bits != 0u; bits >>= 1, code++) {
 		if ((bits & 1u) == 0u) continue;
 		ts_k_octree_ball(node, args->root, level, code);

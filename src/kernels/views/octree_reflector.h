@@ -1,6 +1,6 @@
 /* The reflector to which each node of the scene's octree belongs, so that the view from the reflector's middle leaves
- * the node out, as EPR's cubes do (METHODS 14): for a leaf that of all its triangles, for an inner node that of all its
- * children. */
+ * the node out, as EPR's cubes do (METHODS 14). A leaf has the reflector to which all its triangles belong, an inner
+ * node that of all its children; if there are several, or other triangles, it is TS_NONE. */
 #ifndef TS_KERNELS_VIEWS_OCTREE_REFLECTOR_H
 #define TS_KERNELS_VIEWS_OCTREE_REFLECTOR_H
 #include "kernels/base/args.h"

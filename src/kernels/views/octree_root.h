@@ -36,12 +36,13 @@ TS_FN void ts_k_octree_root_least_item(const ts_octree_root_args *args, u64 i)
 	for (u32 axis = 0u; axis < 3u; axis++) ts_k_root_least(args->least, axis, args->vertices[i].position[axis]);
 }
 
-/* item 0. With the greatest extent e and the greatest coordinate m of either sign, the side is e (1 + 2^-10) + m
- * 2^-20: what rounding takes, at most 3 m 2^-24, leaves every vertex inside, even after it is snapped at 2^11 voxels
- * a side. */
+/* item 0. With the greatest extent e and the greatest coordinate m of either sign, the side is e (1 + 2^-10) + m 2^-20.
+ * Rounding moves a vertex by at most 3 m 2^-24, so every vertex stays inside, even after it is snapped with 2^11 voxels
+ * per side. */
 TS_FN void ts_k_octree_root_item(const ts_octree_root_args *args, u64 i)
 {
 	if (i != 0u) return;
+	/* Read the extent of the vertices; without vertices it is a point at 0. */
 	bool any = args->least[0] != TS_NONE;
 	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
 	TS_GLOBAL const u32 *least = args->least;
@@ -49,14 +50,17 @@ TS_FN void ts_k_octree_root_item(const ts_octree_root_args *args, u64 i)
 	ts_v3 high = ts_v3_make(ts_k_of_ordered(~least[3]), ts_k_of_ordered(~least[4]), ts_k_of_ordered(~least[5]));
 	low = any ? low : zero;
 	high = any ? high : zero;
+	/* Find the greatest extent, and the greatest coordinate of either sign, which bounds the rounding. */
 	ts_v3 size = ts_sub(high, low);
 	ts_v3 most = ts_max3(high, ts_neg(low));
 	f32 extent = ts_max(size.x, ts_max(size.y, size.z));
 	f32 far = ts_max(most.x, ts_max(most.y, most.z));
+	/* Enlarge the side by both margins, so that every vertex stays inside; a scene of one point gets the side 1. */
 	f32 side = extent * 1.0009765625f;
 	f32 room = far * 9.5367431640625e-7f;
 	side = ts_flush(side + room);
 	side = side > 0.0f ? side : 1.0f;
+	/* Place the cube about the middle of the vertices. */
 	ts_v3 centre = ts_scale(ts_add(low, high), 0.5f);
 	f32 half_side = side * 0.5f;
 	ts_store3(args->root->lower, ts_sub(centre, ts_v3_make(half_side, half_side, half_side)));

@@ -28,7 +28,7 @@ typedef struct {
 #define TS_PAIR_CULL 3u
 #define TS_PAIR_NEAR 4u
 
-/* Cosines and what is computed from them are rounded: no pair is culled that is nearer to the bounds than this. */
+/* Cosines and what is computed from them are rounded, so a pair that is nearer to the bounds than this is kept. */
 #define TS_CULL_COSINE 0.0000002384185791015625f
 #define TS_CULL_DISTANCE 0.00000095367431640625f
 
@@ -63,9 +63,9 @@ TS_FN ts_aperture ts_k_pair_psi(const ts_cone_k *cone, const ts_aperture *phi)
 	return r;
 }
 
-/* Figure 4: fs, the distance of the ball's middle from the cone outside; at most 0 inside. psi passes pi where its sine
- * is not positive, alpha is at most psi where the sine of alpha - psi is not positive, and alpha - psi passes a right
- * angle where its cosine is not positive. */
+/* Figure 4: fs, how far the ball's middle lies outside the cone; at most 0 if it lies inside. No angle is computed: psi
+ * is pi or more if its sine is not positive, alpha is at most psi if the sine of alpha - psi is not positive, and alpha
+ * - psi is a right angle or more if its cosine is not positive. Then the cone's apex is nearest, at distance d. */
 TS_FN f32 ts_k_pair_outside_psi(ts_v3 vs, ts_v3 axis, ts_aperture psi)
 {
 	f32 d = ts_length(vs);

@@ -1,7 +1,7 @@
-/* Dual-paraboloid maps, with the same parametrisation for all views (MegaViews section 3.1; METHODS 13). The front map
- * looks along +x, the back map along -x. A direction d is at (d.y, d.z) / (|d| + |d.x|) of the unit disc, which fills N
- * x N texels, columns along y and rows along z. Texels are stored front map first, then back map, each row by row. The
- * mapping is stereographic: circles stay circles. */
+/* Dual-paraboloid maps (Heidrich and Seidel 1998; Brabec, Annen and Seidel 2002), with the same parametrisation for all
+ * views (MegaViews section 3.1; METHODS 13). The front map looks along +x, the back map along -x. A direction d is at
+ * (d.y, d.z) / (|d| + |d.x|) of the unit disc, which fills N x N texels, columns along y and rows along z. Texels are
+ * stored front map first, then back map, each row by row. The mapping is stereographic: circles stay circles. */
 #ifndef TS_KERNELS_VIEWS_PARABOLOID_H
 #define TS_KERNELS_VIEWS_PARABOLOID_H
 #include "kernels/base/vec.h"

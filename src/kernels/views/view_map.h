@@ -1,7 +1,7 @@
 /* Renders pairs into dual-paraboloid maps, one map per node of views (MegaViews section 3.2; METHODS 13): the distance
- * between the middles of the two nodes, by 64-bit minimum, in the texels whose middle meets the scene node's ball. By
- * the paper (view_map.texel=point) it is in the texel of the node's middle; a leaf wider than a texel is rendered into
- * all texels that it covers. */
+ * between the middles of the two nodes, by 64-bit minimum, in the texels whose middle meets the scene node's ball.
+ * The paper's rule (view_map.texel=point) writes it only into the texel of the node's middle, and a leaf wider than a
+ * texel into all texels that it covers. */
 #ifndef TS_KERNELS_VIEWS_VIEW_MAP_H
 #define TS_KERNELS_VIEWS_VIEW_MAP_H
 #include "kernels/base/args.h"
@@ -63,7 +63,7 @@ TS_FN bool ts_k_pair_is_own(const ts_own_args *own, TS_GLOBAL const ts_node *vie
 	ARG(VALUE, ts_pyramid, pyramid, none)
 TS_ARGS(ts_view_map_args);
 
-/* Whether the texel is inside, and no coarser texel that contains it. */
+/* Whether the cap fills the texel, but not the coarser texel that contains it. */
 TS_FN bool ts_k_cap_is_filled(const ts_cap *cap, const ts_pyramid *pyramid, u32 level, u32 column, u32 row)
 {
 	if (!(ts_k_cap_inside(cap, pyramid->n, level, column, row) >= 0.0f)) return false;
@@ -97,16 +97,22 @@ TS_FN f32 ts_k_map_width(const ts_pyramid *pyramid, ts_v3 vs, f32 radius)
 
 TS_FN void ts_k_map_pair(const ts_view_map_args *args, u64 pair)
 {
+	/* Make the key from the distance between the middles and the node: the nearest node wins, and of equally near ones
+	 * the lowest. */
 	TS_GLOBAL const ts_node *node = &args->nodes[ts_k_pair_node(pair)];
 	u32 v = ts_k_pair_views(pair);
 	ts_v3 vs = ts_sub(ts_load3(node->centre), ts_load3(args->views[v].centre));
 	u64 key = ((u64)ts_f2u(ts_put(ts_length(vs))) << 32) | ts_k_pair_node(pair);
+	/* Find the map of the node of views, and the radius of the ball to fill. */
 	TS_GLOBAL u64 *map = args->texels + (u64)v * ts_k_pyramid_texels(&args->pyramid);
 	f32 radius = node->radius * args->pyramid.fill;
+	/* Render the middle as a point, as the paper does; go on to fill the ball only if it is wider than a texel
+	 * (MegaViews 3.2, "Multi-Pixel Filling"). */
 	if (args->pyramid.point != 0u) {
 		ts_min_u64(&map[ts_k_paraboloid_texel(vs, args->pyramid.n)], key);
 		if (!(radius > 0.0f) || !(ts_k_map_width(&args->pyramid, vs, radius) > 1.0f)) return;
 	}
+	/* Fill the texels of both maps whose middle is a direction that meets the ball. */
 	for (u32 side = 0u; side < 2u; side++) {
 		ts_cap cap = ts_k_cap(vs, radius, side == 1u);
 		ts_k_cap_fill(map, &args->pyramid, &cap, side == 1u, key);

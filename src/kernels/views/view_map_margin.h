@@ -1,15 +1,15 @@
 /* Margins of view_map.h, for ports that round otherwise (PORTING 7): how near the texels of maps were to another
- * answer. This second pass over the pairs takes the octrees as given and changes no decision. If the fate of a pair
- * turns, it and all pairs below it may appear or disappear, in texels that its ball may cover in the maps of its views.
- * If a texel of a rendered pair turns, the pair may leave the texel, or come to it. A pair behind the shown one changes
- * nothing. */
+ * answer. This second pass over the pairs takes the octrees as given and changes no decision. A test "turns" if a port
+ * decides it otherwise. If the fate of a pair turns, the pair and all pairs below it may appear or disappear, in the
+ * texels that its ball may cover in the maps of its views. If the test of a texel turns, a rendered pair may leave that
+ * texel or come to it. A pair behind the one that a texel shows changes nothing. */
 #ifndef TS_KERNELS_VIEWS_VIEW_MAP_MARGIN_H
 #define TS_KERNELS_VIEWS_VIEW_MAP_MARGIN_H
 #include "kernels/base/args.h"
 #include "kernels/raster/shadow_map_margin.h"
 #include "kernels/views/view_map.h"
 
-#define TS_MARGIN_SINE 0.0000002384185791015625f /* divided by its sine: the rounding error of the sine of a cone */
+#define TS_MARGIN_SINE 0.0000002384185791015625f /* the rounding error of a cone's sine, times that sine */
 #define TS_MARGIN_LEAST_SINE 0.00048828125f
 
 #define TS_ROWS_ts_view_map_margin_args(ARG) \
@@ -69,13 +69,16 @@ TS_FN f32 ts_k_fate_margin(const ts_traverse_args *args, u64 pair, u32 fate)
 TS_FN void ts_k_ball_margin_map(const ts_view_map_margin_args *args, u64 first, ts_v3 vs, f32 r, u32 level, bool back,
                                 f32 margin)
 {
+	/* Find the least depth that the ball may have; what is nearer hides it, however the pair is decided. */
 	u32 n = args->pyramid.n >> level;
 	f32 d = ts_length(vs);
 	f32 rounding = d * TS_MARGIN_ROUNDING;
 	u32 least = ts_f2u(ts_put(ts_max((d - r) - rounding, 0.0f)));
+	/* Find the texels of this level, in the front or the back map, in which the ball may be. */
 	u64 map = first + ts_k_pyramid_first(&args->pyramid, level) + (back ? (u64)n * n : 0u);
 	ts_cap cap = ts_k_cap(vs, r, back);
 	ts_cap_box box = ts_k_cap_box(&cap, n);
+	/* Lower the margin of those that do not show a nearer node. */
 	for (i32 j = box.y.from; j < box.y.to; j++) {
 		for (i32 i = box.x.from; i < box.x.to; i++) {
 			u64 texel = map + (u64)j * n + (u64)i;
@@ -125,8 +128,9 @@ typedef struct {
 	f32 width; /* of the ball that is filled, in texels; more than 1 where every ball is filled */
 } ts_placed;
 
-/* The margin of a texel by a pair that is in the texel or not, and turns within `margin`. The shown pair may leave.
- * Another pair may come if it is not behind the shown pair, or so near behind that this order turns too. */
+/* Lowers the margin of a texel for a pair that is in the texel or not, and whose test there turns within `turns`. The
+ * pair that the texel shows may leave. Another pair may come, if it is not behind the shown one, or so little that
+ * their order may turn, too. */
 TS_FN void ts_k_place_turns(const ts_view_map_margin_args *args, const ts_placed *pair, u64 texel, bool is_there,
                             f32 turns)
 {
@@ -142,6 +146,7 @@ TS_FN void ts_k_place_turns(const ts_view_map_margin_args *args, const ts_placed
 /* Margins in the texel of the pair's middle, and in those into which rounding may move the middle. */
 TS_FN void ts_k_middle_margin(const ts_view_map_margin_args *args, const ts_placed *pair, u64 first, ts_v3 vs)
 {
+	/* Find the texel of the middle, and the margins against its nearest edge along each axis. */
 	u32 n = args->pyramid.n;
 	ts_v2 at = ts_k_paraboloid_at(vs, n);
 	ts_beside x = ts_k_beside(at.x);
@@ -149,14 +154,18 @@ TS_FN void ts_k_middle_margin(const ts_view_map_margin_args *args, const ts_plac
 	f32 of_x = ts_k_place_margin(vs.y, &x, n);
 	f32 of_y = ts_k_place_margin(vs.z, &y, n);
 	u32 own = ts_k_paraboloid_index(vs, x.own, y.own, n);
+	/* Judge the texels beyond these edges: to reach the one across the corner, both edges must be passed, so the
+	 * greater margin counts. */
 	f32 leaves = TS_MARGIN_NOWHERE;
 	for (u32 k = 1u; k < 4u; k++) {
 		f32 turns = ts_max((k & 1u) != 0u ? of_x : 0.0f, (k & 2u) != 0u ? of_y : 0.0f);
 		u32 texel = ts_k_paraboloid_index(vs, (k & 1u) != 0u ? x.next : x.own, (k & 2u) != 0u ? y.next : y.own, n);
+		/* Leave out texels beyond the border, which are clamped to the own texel. */
 		if (texel == own) continue;
 		leaves = ts_min(leaves, turns);
 		ts_k_place_turns(args, pair, first + texel, false, turns);
 	}
+	/* Judge the own texel, which the pair leaves across the nearest edge. */
 	ts_k_place_turns(args, pair, first + own, true, leaves);
 }
 
@@ -169,24 +178,30 @@ TS_FN f32 ts_k_cap_margin(const ts_cap *cap, f32 d, f32 inside)
 	return unit > 0.0f ? ts_abs(inside) / unit : TS_MARGIN_NOWHERE;
 }
 
-/* The margin of a ball's being filled: of its width against a texel, in 16 ulps. */
+/* The margin of the test whether a ball is filled: of its width against one texel, in 16 ulps. */
 TS_FN f32 ts_k_width_margin(const ts_placed *pair) { return ts_abs(pair->width - 1.0f) / (2.0f * TS_MARGIN_ROUNDING); }
 
 /* Margins in a texel that a wide ball fills, unless a coarser texel that contains it is filled. */
 TS_FN void ts_k_texel_margin(const ts_view_map_margin_args *args, const ts_placed *pair, const ts_cap *cap, u64 texel,
                              u32 level, u32 column, u32 row)
 {
+	/* Evaluate the cap in the texel, and in the coarser texel that contains it, if there is one. */
 	bool last = level + 1u == args->pyramid.levels;
 	f32 inside = ts_k_cap_inside(cap, args->pyramid.n, level, column, row);
 	f32 above = last ? -1.0f : ts_k_cap_inside(cap, args->pyramid.n, level + 1u, column >> 1u, row >> 1u);
+	/* Find the margins of these two tests where they matter: of the texel if the coarser one is not filled, of the
+	 * coarser one if the texel is inside. */
 	f32 of_inside = above < 0.0f ? ts_k_cap_margin(cap, pair->d, inside) : TS_MARGIN_NOWHERE;
 	f32 of_above = !last && inside >= 0.0f ? ts_k_cap_margin(cap, pair->d, above) : TS_MARGIN_NOWHERE;
+	/* Take the least of both and of the test whether the view is in the ball. */
 	f32 turns = ts_min(ts_min(of_inside, of_above), ts_abs(pair->d - cap->radius) / (cap->radius * TS_MARGIN_ROUNDING));
+	/* Add the test of the width: a texel that is not filled needs all tests that keep the ball out to change. */
 	bool covered = inside >= 0.0f && above < 0.0f;
 	bool wide = pair->width > 1.0f;
 	f32 of_width = ts_k_width_margin(pair);
 	f32 comes = ts_max(covered ? 0.0f : turns, wide ? 0.0f : of_width);
 	bool is_there = covered && wide;
+	/* Judge the texel, unless the node is shown there as a point, which ts_k_middle_margin judges. */
 	bool of_middle = args->texels[texel] != TS_EMPTY && (u32)args->texels[texel] == pair->node && !is_there;
 	if (!of_middle) ts_k_place_turns(args, pair, texel, is_there, is_there ? ts_min(turns, of_width) : comes);
 }
@@ -211,9 +226,11 @@ TS_FN void ts_k_fill_margin(const ts_view_map_margin_args *args, const ts_placed
 /* Margins of a pair in the texels that it is in, and in those to which rounding may move it. */
 TS_FN void ts_k_placed_margin(const ts_view_map_margin_args *args, u64 pair, f32 fate_margin, bool rendered)
 {
+	/* Find the map of the pair, and the way from its middle to the node. */
 	TS_GLOBAL const ts_node *node = &args->of.nodes[ts_k_pair_node(pair)];
 	u64 first = (u64)ts_k_pair_views(pair) * ts_k_pyramid_texels(&args->pyramid);
 	ts_v3 vs = ts_sub(ts_load3(node->centre), ts_load3(args->of.views[ts_k_pair_views(pair)].centre));
+	/* Describe the pair; a ball counts as wide where every ball is filled. */
 	ts_placed placed;
 	placed.node = ts_k_pair_node(pair);
 	placed.d = ts_length(vs);
@@ -221,12 +238,14 @@ TS_FN void ts_k_placed_margin(const ts_view_map_margin_args *args, u64 pair, f32
 	placed.rendered = rendered;
 	f32 radius = node->radius * args->pyramid.fill;
 	placed.width = 2.0f * (f32)args->pyramid.n;
+	/* Judge the texel of the middle, if points are rendered; leave out a ball whose width is far below a texel. */
 	if (args->pyramid.point != 0u) {
 		ts_k_middle_margin(args, &placed, first, vs);
 		placed.width = ts_k_map_width(&args->pyramid, vs, radius);
 		bool narrow = !(placed.width > 1.0f) && ts_k_width_margin(&placed) > TS_MARGIN_REACH;
 		if (!(radius > 0.0f) || narrow) return;
 	}
+	/* Judge the texels of the ball in both maps. */
 	ts_k_fill_margin(args, &placed, first, vs, radius, false);
 	ts_k_fill_margin(args, &placed, first, vs, radius, true);
 }
@@ -234,15 +253,20 @@ TS_FN void ts_k_placed_margin(const ts_view_map_margin_args *args, u64 pair, f32
 /* scatter over pairs, before they are decided. Two leaves have no pairs below them. */
 TS_FN void ts_k_view_map_margin_item(const ts_view_map_margin_args *args, u64 i)
 {
+	/* Take the pair from the queue, or by its number if there is none. */
 	u64 pair = ts_k_pair(args->first + (u32)(i % args->n_nodes), (u32)(i / args->n_nodes));
 	if (args->pairs != NULL) pair = args->pairs[i];
+	/* Decide the pair again, and find the margin of the decision. */
 	u32 fate = ts_k_pair_fate(&args->of, pair);
 	f32 margin = ts_k_fate_margin(&args->of, pair, fate);
+	/* Lower the margins of all pairs below, if the decision is near; below two leaves there are none. */
 	bool leaf = args->of.nodes[ts_k_pair_node(pair)].children == 0u;
 	bool leaves = leaf && args->of.views[ts_k_pair_views(pair)].children == 0u;
 	bool turns = margin <= TS_MARGIN_REACH;
 	if (turns && !leaves) ts_k_fate_margin_spread(args, pair, margin);
+	/* Leave out the view's own reflector, which is not rendered. */
 	if (ts_k_pair_is_own(&args->own, args->of.views, pair)) return;
+	/* Judge the texels of a pair that is rendered, or would be if its fate turned. */
 	if (fate == TS_PAIR_RENDER || (turns && leaves)) ts_k_placed_margin(args, pair, margin, fate == TS_PAIR_RENDER);
 }
 

@@ -10,10 +10,10 @@
 	ARG(IN, ts_root, root, octree_root) \
 	ARG(IN, ts_vpl, views, vpl_light) \
 	ARG(SUM, u64, mask, view_octree_voxel_mask) \
-	ARG(IN, u64, bits, view_octree_voxel_mask) /* it, done */ \
+	ARG(IN, u64, bits, view_octree_voxel_mask) /* the finished mask */ \
 	ARG(IN, u32, before, view_octree_voxel_before) \
 	ARG(OUT, u32, leaf, view_octree_leaf) \
-	ARG(SUM, u32, offset, view_octree_offset) /* one later */ \
+	ARG(SUM, u32, offset, view_octree_offset) /* [k + 1]: count, start, then end of list k */ \
 	ARG(OUT, u32, entries, view_octree_view) \
 	ARG(VALUE, u32, levels, none) \
 	ARG(VALUE, u32, first_leaf, none) /* a node */
@@ -39,7 +39,7 @@ TS_FN void ts_k_view_octree_leaf_item(const ts_view_octree_args *args, u64 i)
 	(void)ts_next_u32(&args->offset[leaf - args->first_leaf + 1u]);
 }
 
-/* scatter over views: lists of the leaves, in the order of arrival, which leaf_sort ends */
+/* scatter over views: lists of the leaves, in the order of arrival, until leaf_sort sorts them */
 TS_FN void ts_k_view_octree_list_item(const ts_view_octree_args *args, u64 i)
 {
 	args->entries[ts_next_u32(&args->offset[args->leaf[i] - args->first_leaf + 1u])] = (u32)i;

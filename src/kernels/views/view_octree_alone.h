@@ -1,6 +1,6 @@
 /* Views without a hierarchy, as ManyLoDs renders them (MegaViews section 4.1; METHODS 13): every virtual point light is
- * a root and a leaf by itself, of radius 0. For maps by brute force, every pair of a leaf of the scene and such a
- * view. */
+ * a root and a leaf by itself, of radius 0. Brute force renders maps of these views from every leaf of the scene,
+ * without the scene's hierarchy. */
 #ifndef TS_KERNELS_VIEWS_VIEW_OCTREE_ALONE_H
 #define TS_KERNELS_VIEWS_VIEW_OCTREE_ALONE_H
 #include "kernels/base/args.h"
@@ -17,6 +17,7 @@ TS_ARGS(ts_view_octree_alone_args);
 /* map over virtual point lights */
 TS_FN void ts_k_view_octree_alone_item(const ts_view_octree_alone_args *args, u64 i)
 {
+	/* Make the light a node of its own, a root and a leaf, as small as a point. */
 	TS_GLOBAL ts_node *node = &args->nodes[i];
 	TS_GLOBAL ts_cone *cone = &args->cones[i];
 	ts_store3(node->centre, ts_load3(args->lights[i].position));
@@ -25,12 +26,14 @@ TS_FN void ts_k_view_octree_alone_item(const ts_view_octree_alone_args *args, u6
 	node->children = 0u;
 	node->parent = TS_NONE;
 	node->level = 0u;
+	/* Give it a cone of the one direction (MegaViews 3.1). */
 	ts_store3(cone->axis, ts_load3(args->lights[i].normal));
 	cone->cosine = 1.0f;
 	cone->first = (u32)i;
 	cone->views = 1u;
 	cone->pad[0] = 0u;
 	cone->pad[1] = 0u;
+	/* List the light as the only view of its leaf. */
 	args->views[i] = (u32)i;
 	args->leaves[i] = (u32)i;
 }

@@ -2,11 +2,11 @@
  * (octree_root.h). The posed triangle is at most half a step and the rounding error away from the snapped one, less
  * than a hundredth of a voxel.
  *
- * Box and triangle meet unless one of 13 axes separates them: the three of the box, the normal, and the products of
- * edges and box axes, which are the normals of the edges seen along each axis (Schwarz and Seidel 2010). Each test asks
- * whether a linear form of the voxel's indices is in a range, so voxels are found by narrowing ranges: rows, then
- * columns along the normal's longest component, then the few voxels of a column. Triangles that are a line or a point
- * in the lattice are treated alike.
+ * Box and triangle meet unless one of 13 axes separates them (Akenine-Moller 2001): the three of the box, the normal,
+ * and the products of edges and box axes, which are the normals of the edges seen along each axis (Schwarz and Seidel
+ * 2010). Each test asks whether a linear form of the voxel's indices is in a range, so voxels are found by narrowing
+ * ranges: rows, then columns along the normal's longest component, then the few voxels of a column. Triangles that are
+ * a line or a point in the lattice are treated alike.
  *
  * Coordinates are at most 2^19 in the lattice. The factors of an edge's form are at most 2^27, its values 2^40; those
  * of the normal's form 2^47 and 3 2^58, so that differences of two values stay below 2^62. */
@@ -41,16 +41,20 @@ TS_FN i64 ts_k_most_i64(i64 a, i64 b) { return a < b ? b : a; }
 /* The part of a range with low <= step k <= high. */
 TS_FN ts_range ts_k_narrow(ts_range r, i64 step, i64 low, i64 high)
 {
+	/* Turn both bounds so that the step is positive, or 0. */
 	i64 from = step < 0 ? -high : low;
 	i64 to = step < 0 ? -low : high;
 	i64 size = step < 0 ? -step : step;
+	/* Measure the bounds from the first voxel of the range. */
 	i64 above = from - size * r.first;
 	i64 room = to - size * r.first;
+	/* Return early if nothing fits, or if a step of 0 keeps the whole range. */
 	ts_range none;
 	none.first = 0;
 	none.last = -1;
 	if (room < 0 || (size == 0 && above > 0)) return none;
 	if (size == 0) return r;
+	/* Round the quotients inward. None of the numbers is negative here, and unsigned division is the same in GLSL. */
 	r.last = ts_k_least_i64(r.last, r.first + (i64)((u64)room / (u64)size));
 	r.first = above > 0 ? r.first + (i64)((u64)(above + size - 1) / (u64)size) : r.first;
 	return r;
@@ -150,16 +154,20 @@ TS_FN u32 ts_k_touch_turn(ts_l3 n)
 TS_FN ts_touch ts_k_touch(ts_i3 a, ts_i3 b, ts_i3 c, i32 last)
 {
 	ts_touch r;
+	/* Turn the axes so that the normal's longest component is the third: then a column meets few voxels. */
 	r.turn = ts_k_touch_turn(ts_k_lattice_normal(a, b, c));
 	a = ts_k_turned(a, r.turn);
 	b = ts_k_turned(b, r.turn);
 	c = ts_k_turned(c, r.turn);
+	/* Set the tests of the box's three axes (Akenine-Moller 2001; Schwarz and Seidel 2010). */
 	r.box[0] = ts_k_touch_range(a.x, b.x, c.x, last);
 	r.box[1] = ts_k_touch_range(a.y, b.y, c.y, last);
 	r.box[2] = ts_k_touch_range(a.z, b.z, c.z, last);
+	/* Set the tests of the nine products of edges and axes. */
 	ts_k_touch_edge(&r, 0u, &a, &b, &c);
 	ts_k_touch_edge(&r, 1u, &b, &c, &a);
 	ts_k_touch_edge(&r, 2u, &c, &a, &b);
+	/* Set the test of the normal, along which the triangle is a point. */
 	ts_l3 n = ts_k_lattice_normal(a, b, c);
 	i64 at = n.x * a.x + n.y * a.y + n.z * a.z;
 	r.plane = ts_k_form(n.x, n.y, n.z, at, at);
@@ -197,10 +205,10 @@ TS_FN bool ts_k_touch_voxel(const ts_touch *t, i64 i, i64 j, i64 k)
 #define TS_ROWS_ts_voxel_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_root, root, octree_root) \
-	ARG(SUM_OPT, u64, mask, voxel_mask) /* NULL: it is done, and lists are made */ \
-	ARG(IN, u64, bits, voxel_mask)      /* it, done */ \
+	ARG(SUM_OPT, u64, mask, voxel_mask) /* NULL: the mask is finished; lists are made */ \
+	ARG(IN, u64, bits, voxel_mask)      /* the finished mask */ \
 	ARG(IN, u32, before, voxel_before) \
-	ARG(SUM, u32, offset, octree_offset)          /* one later */ \
+	ARG(SUM, u32, offset, octree_offset)          /* [k + 1]: count, start, then end of list k */ \
 	ARG(OUT_OPT, u32, triangles, octree_triangle) /* NULL: they are counted */ \
 	ARG(VALUE, u32, levels, none) \
 	ARG(VALUE, u32, first_leaf, none) /* a node */
@@ -212,8 +220,8 @@ TS_FN ts_v3 ts_k_nearest_weights(const ts_corners *t, ts_v3 p)
 	return ts_k_hit_barycentrics(ts_k_closest_on_triangle(p, t->a, t->b, t->c), t);
 }
 
-/* Whether a masked triangle shows a hole to the voxel's middle, with the footprint of a voxel; then it is not in the
- * voxel. */
+/* Whether a masked triangle has a hole at its point nearest to the voxel's middle, with the footprint of a voxel. Such
+ * a triangle is not in the voxel. */
 TS_FN bool ts_k_voxel_is_cut(const ts_voxel_args *args, u32 triangle, const ts_corners *t, ts_i3 voxel)
 {
 	if (!ts_k_is_masked(&args->scene, triangle)) return false;
@@ -221,7 +229,7 @@ TS_FN bool ts_k_voxel_is_cut(const ts_voxel_args *args, u32 triangle, const ts_c
 	return ts_k_is_below_cutoff(&args->scene, triangle, w, t->n, ts_k_voxel_side(args->root, args->levels));
 }
 
-/* Into the mask, the count of a leaf, or its list, in the order of arrival, which leaf_sort ends. */
+/* Adds to the mask, to the count of a leaf, or to its list, in the order of arrival, until leaf_sort sorts the list. */
 TS_FN void ts_k_voxel_meet(const ts_voxel_args *args, u32 triangle, const ts_corners *t, ts_i3 voxel)
 {
 	if (ts_k_voxel_is_cut(args, triangle, t, voxel)) return;
@@ -238,17 +246,21 @@ TS_FN void ts_k_voxel_meet(const ts_voxel_args *args, u32 triangle, const ts_cor
 /* scatter over triangles: into the mask, the counts of the leaves, or their lists */
 TS_FN void ts_k_voxel_item(const ts_voxel_args *args, u64 i)
 {
+	/* Leave out triangles without area. */
 	ts_corners t = ts_k_corners(&args->scene, (u32)i);
 	if (ts_k_is_degenerate(t.n)) return;
+	/* Snap the corners to the lattice, on which all tests are exact integers. */
 	ts_i3 a = ts_k_root_place(args->root, args->levels, t.a);
 	ts_i3 b = ts_k_root_place(args->root, args->levels, t.b);
 	ts_i3 c = ts_k_root_place(args->root, args->levels, t.c);
 	ts_touch touch = ts_k_touch(a, b, c, (i32)(1u << args->levels) - 1);
+	/* Narrow the voxels to rows, to ranges of columns, and to the few voxels of a column. */
 	for (i64 y = touch.box[1].first; y <= touch.box[1].last; y++) {
 		ts_range row = ts_k_touch_row(&touch, y);
 		for (i64 x = row.first; x <= row.last; x++) {
 			ts_range column = ts_k_touch_column(&touch, x, y);
 			for (i64 z = column.first; z <= column.last; z++) {
+				/* Test the axes that are left, and enter the voxel, its axes turned back. */
 				if (!ts_k_touch_voxel(&touch, x, y, z)) continue;
 				ts_k_voxel_meet(args, (u32)i, &t, ts_k_turned_back(ts_i3_make((i32)x, (i32)y, (i32)z), touch.turn));
 			}

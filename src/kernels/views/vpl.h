@@ -1,6 +1,6 @@
-/* Virtual point lights (instant radiosity, MegaViews section 4.1; METHODS 12). Paths begin at the texels of the
- * reflective shadow maps that reflect light, at all of them or at n random ones, with repetition; or at random places
- * on all surfaces, by area. A path leaves a light at its beginning and at each later reflection. Directions are
+/* Virtual point lights (instant radiosity, Keller 1997; MegaViews section 4.1; METHODS 12). Paths begin at the texels
+ * of the reflective shadow maps that reflect light, at all of them or at n random ones, with repetition; or at random
+ * places on all surfaces, by area. A path leaves a light at its beginning and at each later reflection. Directions are
  * cosine-distributed, so that a reflection multiplies the flux by the albedo alone. Lights stand half a leaf's side
  * above the surface, since in the voxel of its own surface a light would be in its shadow (METHODS 13). */
 #ifndef TS_KERNELS_VIEWS_VPL_H
@@ -44,7 +44,7 @@ TS_FN void ts_k_vpl_count_item(const ts_vpl_args *args, u64 i)
 	args->offset[i] = exitance[0] > 0.0f || exitance[1] > 0.0f || exitance[2] > 0.0f ? 1u : 0u;
 }
 
-/* Of the texels that reflect light the one with `rank` others before it. */
+/* The texel that reflects light and has `rank` such texels before it, by binary search in their prefix sums. */
 TS_FN u64 ts_k_vpl_texel(const ts_vpl_args *args, u32 rank)
 {
 	u64 low = 0u;
@@ -74,13 +74,16 @@ TS_FN u64 ts_k_vpl_start(const ts_vpl_args *args, u32 path)
 /* The first light of a path that begins at a texel. */
 TS_FN ts_light_k ts_k_vpl_of_texel(const ts_vpl_args *args, u32 path)
 {
+	/* Find the triangle of light at which the path begins, and its middle. */
 	TS_GLOBAL const ts_patch *patch = &args->patches[ts_k_vpl_start(args, path)];
 	ts_v3 a = ts_load3(patch->a);
 	ts_v3 b = ts_load3(patch->b);
 	ts_v3 c = ts_load3(patch->c);
 	ts_v3 third = ts_k_hit_weights(0.0f, 0.0f, 0.0f);
+	/* Find its area, and the number of lit texels for which the path stands. */
 	f32 area = ts_length(ts_cross(ts_sub(b, a), ts_sub(c, a))) * 0.5f;
 	f32 share = (f32)args->n_lit / (f32)args->n;
+	/* Place the light half a leaf above the surface, with the flux exitance times area. */
 	ts_light_k r;
 	r.n = ts_load3(patch->normal);
 	r.p = ts_mad(ts_blend(third, a, b, c), r.n, args->cast.leaf * 0.5f);
@@ -89,8 +92,9 @@ TS_FN ts_light_k ts_k_vpl_of_texel(const ts_vpl_args *args, u32 path)
 	return r;
 }
 
-/* Whether nothing is between a lamp and a place on a triangle. The ray begins at the lamp, like the lamp's map: the
- * backs of single-sided triangles let light pass. */
+/* Whether nothing is between a lamp and a place on a triangle. The ray begins at the lamp, like the lamp's map, so the
+ * backs of single-sided triangles let light pass. A hit within 2^-12 of the distance counts as the place itself. The
+ * ray of a sun begins outside the scene. */
 TS_FN bool ts_k_vpl_is_lit(const ts_cast_args *cast, TS_GLOBAL const ts_light *lamp, u32 triangle, ts_v3 p)
 {
 	ts_v3 away = ts_scale(ts_load3(lamp->direction), -4.0f * cast->nodes[0].radius);
@@ -115,7 +119,7 @@ TS_FN ts_v3 ts_k_vpl_received(const ts_vpl_args *args, u32 triangle, ts_v3 p, ts
 	return sum;
 }
 
-/* Weights of a random place in a triangle, uniform by area. */
+/* Weights of a random place in a triangle, uniform by area (Turk 1990). */
 TS_FN ts_v3 ts_k_vpl_weights(const ts_vpl_args *args, u32 path)
 {
 	f32 across = ts_sqrt(ts_uniform(ts_k_vpl_random(args, path, TS_VPL_PLACE)));
@@ -137,19 +141,23 @@ TS_FN u32 ts_k_vpl_surface(const ts_vpl_args *args, u32 path)
  * begin there. */
 TS_FN ts_light_k ts_k_vpl_anywhere(const ts_vpl_args *args, u32 path)
 {
+	/* Choose a triangle by area, a place on it, and a side, all uniformly. */
 	const ts_arrays *scene = &args->cast.scene;
 	u32 triangle = ts_k_vpl_surface(args, path);
 	ts_corners t = ts_k_corners(scene, triangle);
 	ts_v3 weights = ts_k_vpl_weights(args, path);
 	ts_surface s = ts_k_surface(scene, triangle, weights, args->cast.leaf);
 	bool back = ts_k_is_two_sided(scene, triangle) && (ts_k_vpl_random(args, path, TS_VPL_PLACE + 2u) & 1u) != 0u;
+	/* Find the area for which the path stands: the triangle's over the expected number of paths that begin on it. */
 	f32 parts = (f32)(args->areas[triangle + 1u] - args->areas[triangle]);
 	f32 shares = parts > 0.0f ? (f32)args->areas[scene->n_triangles] / parts : 0.0f;
 	f32 area = ts_flush(ts_k_vpl_sides(scene, triangle, &t) * shares) / (f32)args->n;
+	/* Place the light half a leaf above the chosen side; holes of masks have none. */
 	ts_light_k r;
 	r.n = back ? ts_neg(s.face) : s.face;
 	r.p = ts_mad(s.p, r.n, args->cast.leaf * 0.5f);
 	r.bounce = ts_k_is_cut(scene, triangle, weights, t.n, args->cast.leaf) ? 0u : 1u;
+	/* Send on the lamps' irradiance, times albedo and area. */
 	r.flux = ts_scale(ts_mul(ts_k_albedo(&s), ts_k_vpl_received(args, triangle, s.p, r.n)), ts_flush(area));
 	return r;
 }
@@ -160,7 +168,8 @@ TS_FN ts_light_k ts_k_vpl_first(const ts_vpl_args *args, u32 path)
 	return args->areas != NULL ? ts_k_vpl_anywhere(args, path) : ts_k_vpl_of_texel(args, path);
 }
 
-/* A direction that is cosine-distributed about n: a point of the unit disc across n, projected up to the sphere. */
+/* A direction that is cosine-distributed about n (Malley's method): a uniform point of the unit disc across n,
+ * projected up to the sphere. */
 TS_FN ts_v3 ts_k_vpl_direction(const ts_vpl_args *args, u32 path, u32 bounce, ts_v3 n)
 {
 	f32 square = ts_uniform(ts_k_vpl_random(args, path, 2u * bounce - 1u));

@@ -1,6 +1,6 @@
 /* Areas of the scene's triangles, by which paths begin at random on its surfaces (MegaViews section 4.1, figure 11;
- * METHODS 12), in units of 2^-24 of a face of the root cube, plus one unit if the triangle has area. Of two-sided
- * triangles both sides count. */
+ * METHODS 12), in units of 2^-24 of a face of the root cube, plus one unit if the triangle has area. Both sides of a
+ * two-sided triangle count. */
 #ifndef TS_KERNELS_VIEWS_VPL_AREA_H
 #define TS_KERNELS_VIEWS_VPL_AREA_H
 #include "kernels/base/args.h"

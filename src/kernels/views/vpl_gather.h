@@ -1,7 +1,7 @@
 /* Light that pixels gather from virtual point lights (MegaViews section 5.1; METHODS 14). A pixel takes `draws` random
  * views of the list of its node, with repetition, or all of them. A light with a direction is a small Lambertian patch,
- * E = flux / pi cos cos / d^2; a light without a direction sends the same to all sides, E = flux / (4 pi) cos / d^2. d
- * is bounded from below, so that a near light is no bright spot. Shadows are those of the fused map of the light's
+ * E = flux cos cos / (pi d^2); a light without a direction sends the same to all sides, E = flux cos / (4 pi d^2). d is
+ * bounded from below, so that a near light is no bright spot. Shadows are those of the fused map of the light's
  * leaf, moved to the light; where maps are not fused, the maps from the root down are looked up. */
 #ifndef TS_KERNELS_VIEWS_VPL_GATHER_H
 #define TS_KERNELS_VIEWS_VPL_GATHER_H
@@ -53,7 +53,7 @@ TS_FN f32 ts_k_leaf_diagonal(const ts_vpl_gather_args *args)
 	return ts_k_leaf_side(args) * 1.73205077648162841796875f;
 }
 
-/* The entries from `from` up to `to`, not included; both TS_NONE: all views. */
+/* The entries from `from` up to `to`, which is not included, and the number of their views; both TS_NONE: all views. */
 typedef struct {
 	u32 from, to, views;
 } ts_view_list;
@@ -81,7 +81,7 @@ TS_FN ts_view_list ts_k_pixel_list(const ts_vpl_gather_args *args, ts_v3 p)
 	return r;
 }
 
-/* The view of a list with `rank` others before it. */
+/* The view of a list with `rank` others before it, by binary search in the prefix sums of the list's nodes. */
 TS_FN u32 ts_k_list_view(const ts_vpl_gather_args *args, const ts_view_list *list, u32 rank)
 {
 	if (list->from == TS_NONE) return rank;
@@ -122,8 +122,8 @@ TS_FN u64 ts_k_vpl_shown(const ts_vpl_gather_args *args, u32 view, u32 texel)
 	return ((u64)args->depths[at] << 32) | args->shown[at];
 }
 
-/* The distance up to which a light reaches in the direction of p: that of the node that a texel of its leaf's map
- * shows, plus the bias. */
+/* The distance up to which a light reaches in the direction of p: the distance from the light of the node that a texel
+ * of its leaf's map shows, plus the bias. */
 TS_FN f32 ts_k_vpl_reach(const ts_vpl_gather_args *args, u32 view, u64 shown, u32 texel, ts_v3 p, ts_v3 n)
 {
 	ts_v3 centre = ts_load3(args->nodes[args->leaves[view]].centre);

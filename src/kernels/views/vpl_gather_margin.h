@@ -1,7 +1,7 @@
-/* Margins of vpl_gather.h, for ports that round otherwise (PORTING 7): how near the light of pixels was to another.
- * This second pass takes lists and maps as given and changes no decision. A pixel may fall into another node, and so
- * take another list; each of its lights may fall into another texel, or be seen or not. Light that appears or
- * disappears at cosine 0 is none. */
+/* Margins of vpl_gather.h, for ports that round otherwise (PORTING 7): how near the light of a pixel was to another
+ * answer. This second pass takes lists and maps as given and changes no decision. A pixel may fall into another node,
+ * and so take another list; each of its lights may fall into another texel, or be seen or not. A light that appears or
+ * disappears where a cosine is 0 changes nothing, since it is 0 there. */
 #ifndef TS_KERNELS_VIEWS_VPL_GATHER_MARGIN_H
 #define TS_KERNELS_VIEWS_VPL_GATHER_MARGIN_H
 #include "kernels/base/args.h"
@@ -90,17 +90,22 @@ TS_FN ts_answer ts_k_vpl_answer(const ts_vpl_gather_args *args, u32 view, u32 te
 /* The margin over the texel into which a light's way falls and the texels beyond its nearest edges. */
 TS_FN f32 ts_k_vpl_reach_margin(const ts_vpl_gather_args *args, u32 view, ts_v3 p, ts_v3 n)
 {
+	/* Find the texel into which the way falls, and the nearest edges. */
 	ts_v3 way = ts_sub(p, ts_load3(args->lights[view].position));
 	ts_v2 at = ts_k_paraboloid_at(way, args->n);
 	ts_beside x = ts_k_beside(at.x);
 	ts_beside y = ts_k_beside(at.y);
+	/* Ask this texel whether the light reaches p. */
 	ts_answer own = ts_k_vpl_answer(args, view, ts_k_paraboloid_texel(way, args->n), p, n);
 	f32 least = own.margin;
 	for (u32 k = 1u; k < 4u; k++) {
+		/* Find how near the way is to another texel; to reach the one across the corner, both edges must be passed. */
 		f32 of_x = (k & 1u) != 0u ? ts_k_place_margin(way.y, &x, args->n) : 0.0f;
 		f32 of_y = (k & 2u) != 0u ? ts_k_place_margin(way.z, &y, args->n) : 0.0f;
 		f32 turns = ts_max(of_x, of_y);
 		if (turns > TS_MARGIN_REACH) continue;
+		/* Ask the other texel, too: if it answers otherwise, passing the edge is enough; if not, its answer must turn
+		 * as well. */
 		u32 texel =
 			ts_k_paraboloid_index(way, (k & 1u) != 0u ? x.next : x.own, (k & 2u) != 0u ? y.next : y.own, args->n);
 		ts_answer other = ts_k_vpl_answer(args, view, texel, p, n);
@@ -120,14 +125,17 @@ TS_FN f32 ts_k_vpl_light_margin(const ts_vpl_gather_args *args, u32 view, ts_v3 
 /* map over pixels, as ts_k_vpl_gather_item */
 TS_FN void ts_k_vpl_gather_margin_item(const ts_vpl_gather_margin_args *args, u64 i)
 {
+	/* Begin far from another answer; the sky stays there. */
 	const ts_vpl_gather_args *of = &args->of;
 	TS_GLOBAL const ts_gpixel *pixel = &of->pixels[i];
 	f32 least = TS_MARGIN_NOWHERE;
 	if (pixel->depth != TS_SKY) {
+		/* Find the list of the pixel, the number of its lights, and how near another list is. */
 		ts_v3 p = ts_load3(pixel->position);
 		ts_view_list list = ts_k_pixel_list(of, p);
 		u32 draws = list.views == 0u ? 0u : ts_k_list_draws(of, &list);
 		least = ts_k_list_margin(of, p);
+		/* Take the least margin of the lights that the pixel draws. */
 		for (u32 k = 0u; k < draws; k++) {
 			u32 view = ts_k_drawn_view(of, &list, (u32)i, k);
 			least = ts_min(least, ts_k_vpl_light_margin(of, view, p, ts_load3(pixel->normal)));
