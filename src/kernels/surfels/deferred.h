@@ -30,9 +30,10 @@
 	ARG(VALUE, f32, exposure, none)
 TS_ARGS(ts_deferred_args);
 
-/* The cosine, rounded up to one of TS_TONES equal tones. */
+/* The cosine, rounded up to the next of TS_TONES equal tones; at a bound, to the brighter one. */
 TS_FN f32 ts_k_tone(f32 cosine) { return ts_min(ts_floor(cosine * TS_TONES + 1.0f), TS_TONES) / TS_TONES; }
 
+/* The highlight (r.v)^32 (Phong 1975), r the reflected direction of the light, by five squarings. */
 TS_FN f32 ts_k_highlight(ts_v3 n, ts_v3 v, ts_v3 l)
 {
 	f32 x = ts_max(ts_dot(ts_reflect(ts_neg(l), n), v), 0.0f);
@@ -72,16 +73,20 @@ typedef struct {
 /* The border to neighbour k: 0 left, 1 right, 2 above, 3 below. */
 TS_FN ts_border ts_k_border(const ts_deferred_args *args, u64 i, u32 k)
 {
+	/* Find the neighbour; beyond the image there is none, and the pixel stands in for it. */
 	ts_border r;
 	r.x = (i32)(i % (u64)args->view->width) + (k == 0u ? -1 : k == 1u ? 1 : 0);
 	r.y = (i32)(i / (u64)args->view->width) + (k == 2u ? -1 : k == 3u ? 1 : 0);
 	r.is = r.x >= 0 && r.y >= 0 && r.x < (i32)args->view->width && r.y < (i32)args->view->height;
 	TS_GLOBAL const ts_gpixel *at = &args->pixels[i];
 	TS_GLOBAL const ts_gpixel *next = r.is ? &args->pixels[(u64)r.y * (u64)args->view->width + (u64)r.x] : at;
+	/* Compare 1 - zn, which is proportional to 1 / z, so that the step is relative to the depth. */
 	f32 near = 1.0f - at->depth;
 	f32 far = 1.0f - next->depth;
 	r.farther = near - far;
 	r.step = TS_OUTLINE_STEP * near;
+	/* Find how far the neighbour lies below the tangent plane: a floor that continues has no outline, however steep the
+	 * view. */
 	r.below = ts_dot(ts_load3(at->normal), ts_sub(ts_load3(at->position), ts_load3(next->position)));
 	r.drop = TS_OUTLINE_DROP * ts_length(ts_sub(ts_load3(args->view->eye), ts_load3(at->position)));
 	r.sky = next->depth == TS_SKY;
@@ -105,13 +110,17 @@ TS_FN bool ts_k_is_outline(const ts_deferred_args *args, u64 i)
 
 TS_FN ts_v3 ts_k_deferred(const ts_deferred_args *args, u64 i)
 {
+	/* Show the background where no surfel is. */
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];
 	if (pixel->depth == TS_SKY) return ts_k_background();
+	/* Read the blended attributes, which are shaded once per pixel (NV40: Deferred Shading). */
 	ts_v3 p = ts_load3(pixel->position);
 	ts_v3 n = ts_load3(pixel->normal);
 	ts_v3 albedo = ts_load3(pixel->albedo);
 	ts_v3 v = ts_normalize(ts_sub(ts_load3(args->view->eye), p));
+	/* Draw outlines in black (NV40: NPR Shading). */
 	if (args->npr != 0u && ts_k_is_outline(args, i)) return ts_v3_make(0.0f, 0.0f, 0.0f);
+	/* Add ambient light, then the lights in order (NV40: Phong Shading). */
 	ts_v3 sum = ts_scale(albedo, args->ambient);
 	for (u32 k = 0u; k < args->n_lights; k++) sum = ts_add(sum, ts_k_deferred_light(args, i, k, p, n, v, albedo));
 	return sum;

@@ -25,8 +25,8 @@ TS_FN f32 ts_k_border_margin(const ts_border *next)
 	return ts_max(farther ? 0.0f : of_step, below ? 0.0f : of_drop);
 }
 
-/* The margin of an outline: it disappears if the surface continues to every neighbour, and appears if the surface ends
- * before one. */
+/* The margin of an outline: it disappears only if the surface continues to all neighbours, and appears if the surface
+ * ends before any of them. */
 TS_FN f32 ts_k_outline_margin(const ts_deferred_args *args, u64 i, bool outline)
 {
 	f32 r = outline ? 0.0f : TS_MARGIN_NOWHERE;
@@ -85,13 +85,17 @@ TS_ARGS(ts_deferred_lit_margin_args);
 /* map over pixels, as ts_k_deferred_lit_item */
 TS_FN void ts_k_deferred_lit_margin_item(const ts_deferred_lit_margin_args *args, u64 i)
 {
+	/* Leave out the sky, which receives no light. */
 	u32 v = 0u;
 	ts_shadow_test_args of = args->of.of;
 	ts_receiver at = ts_k_deferred_receiver(&args->of.pixels[i]);
 	if (!at.seen) return;
+	/* Find how far rounding may move the surface. */
 	ts_camera_k eye = ts_k_view(args->view);
 	f32 moves = ts_k_receiver_step(&eye, &at);
 	for (u32 k = 0u; k < of.n_lamps; k++) {
+		/* Judge the one map that the light's test reads: its only view, or the face of its cube into which the position
+		 * falls. */
 		of.cubes = ts_k_has_cube(&args->of.lights[k]) ? 1u : 0u;
 		TS_GLOBAL const ts_offscreen *view = ts_k_asked_view(&of, v, &at);
 		ts_k_reach_margin(&of, view, &at, moves, of.views[0].offset, args->margin + (i * of.n_lamps + k) * 2u);

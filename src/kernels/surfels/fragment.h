@@ -1,7 +1,8 @@
 /* Fragments of surfels (NV40: Approximate EWA Filtering; METHODS 16, FIGURES 12):
  *     r3D = sqrt(a a + b b),  r2D = |d| / sigma,  r = min(r3D, r2D),  w = exp(-1/2 (r / ewa.sigma_k)^2) where r <= 1,
  * d the offset of the pixel's middle from the projected centre. Exact EWA weighs by the peak times exp(-1/2 d V^-1 d),
- * where d V^-1 d <= 4. Where r3D > 1 a fragment has the depth of the centre. */
+ * where d V^-1 d <= 4. Where r3D > 1 a fragment has the depth of the centre,
+ * since its ray meets the plane outside the surfel. */
 #ifndef TS_KERNELS_SURFELS_FRAGMENT_H
 #define TS_KERNELS_SURFELS_FRAGMENT_H
 #include "kernels/surfels/surfel_setup.h"
@@ -22,15 +23,19 @@ typedef struct {
 
 TS_FN ts_disc_hit ts_k_disc_hit(const ts_disc *disc, f32 near, f32 dx, f32 dy)
 {
+	/* Find where the ray meets the plane: in front of the eye if 1 + G.d is above 0 (NV40: Perspectively Correct
+	 * Rendering). */
 	ts_disc_hit r;
 	bool parallel = (disc->flags & TS_DISC_PARALLEL) != 0u;
 	f32 tilt = disc->g[0] * dx + disc->g[1] * dy;
 	f32 divisor = parallel ? 1.0f : 1.0f + tilt;
 	r.meets = divisor > 0.0f && (disc->flags & TS_DISC_FLAT) == 0u;
+	/* Find the plane coordinates by one division; about the farthest point, add the coordinates of that point. */
 	bool crosses = (disc->flags & TS_DISC_CROSSES) != 0u;
 	f32 inverse = 1.0f / (r.meets ? divisor : 1.0f);
 	r.a = (disc->a[0] * dx + disc->a[1] * dy) * inverse + (crosses ? disc->conic[0] : 0.0f);
 	r.b = (disc->b[0] * dx + disc->b[1] * dy) * inverse + (crosses ? disc->conic[1] : 0.0f);
+	/* Find r3D^2 and the depth; inside the ellipse and beyond the near plane, the surfel covers the pixel. */
 	r.r2 = r.a * r.a + r.b * r.b;
 	r.z = disc->depth * (parallel ? 1.0f - tilt : inverse);
 	r.inside = r.meets && r.r2 <= 1.0f && r.z >= near;

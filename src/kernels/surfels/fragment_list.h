@@ -8,12 +8,13 @@
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, ts_disc, discs, surfel_setup_disc) \
 	ARG(IN, u64, keys, surfel_depth_surfel) \
-	ARG(SUM, u32, offset, fragment_list_offset)      /* one later */ \
+	ARG(SUM, u32, offset, fragment_list_offset)      /* [k + 1]: count, start, then end of list k */ \
 	ARG(OUT_OPT, u32, surfels, fragment_list_surfel) /* NULL: they are counted */ \
 	ARG(VALUE, ts_filter, filter, none)
 TS_ARGS(ts_fragment_list_args);
 
-/* scatter over surfels: into the counts of the pixels, or their lists, in the order of arrival, which leaf_sort ends */
+/* scatter over surfels: into the counts of the pixels, or into their lists, in the order of arrival, until leaf_sort
+ * sorts them */
 TS_FN void ts_k_fragment_list_item(const ts_fragment_list_args *args, u64 i)
 {
 	ts_camera_k view = ts_k_view(args->view);

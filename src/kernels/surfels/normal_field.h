@@ -4,8 +4,8 @@
  *     minimize  sum w (n_j - n - a_j n_a - b_j n_b)^2 + r sum w (a_j a_j + b_j b_j) (n_a^2 + n_b^2).
  *
  * (a_j, b_j) is the place of neighbour j in the surfel's plane. w = max(n . n_j, 0), since the back of a thin sheet
- * does not affect its front. r is small, so that neighbours along a line give the shortest slopes. Nothing is
- * decided. */
+ * does not affect its front. The second sum (ridge regression, Hoerl and Kennard 1970) has a small factor r; where
+ * neighbours stand along a line it gives the shortest slopes. The kernel takes no decision, so it has no margin. */
 #ifndef TS_KERNELS_SURFELS_NORMAL_FIELD_H
 #define TS_KERNELS_SURFELS_NORMAL_FIELD_H
 #include "kernels/base/args.h"
@@ -32,15 +32,19 @@ TS_FN ts_v3 ts_k_san3(ts_v3 a) { return ts_v3_make(ts_san(a.x), ts_san(a.y), ts_
 /* Adds a neighbour to the sums. */
 TS_FN void ts_k_field_add(ts_field_sums *sums, TS_GLOBAL const ts_surfel *surfel, TS_GLOBAL const ts_surfel *other)
 {
+	/* Load the axes of the surfel, and both normals. */
 	ts_v3 u = ts_load3(surfel->u);
 	ts_v3 v = ts_load3(surfel->v);
 	ts_v3 n = ts_k_disc_normal(surfel);
 	ts_v3 n_j = ts_k_disc_normal(other);
+	/* Find the neighbour's place (a_j, b_j) in the surfel's plane, and the change of the normal. */
 	ts_v3 d = ts_sub(ts_load3(other->centre), ts_load3(surfel->centre));
 	ts_v3 change = ts_k_san3(ts_sub(n_j, n));
 	f32 a = ts_san(ts_dot(d, u) / ts_dot(u, u));
 	f32 b = ts_san(ts_dot(d, v) / ts_dot(v, v));
+	/* Weight by the cosine between the normals, so that the back of a thin sheet does not count. */
 	f32 w = ts_max(ts_san(ts_dot(n, n_j)), 0.0f);
+	/* Add to the normal equations of the fit. */
 	sums->aa = sums->aa + w * (a * a);
 	sums->ab = sums->ab + w * (a * b);
 	sums->bb = sums->bb + w * (b * b);

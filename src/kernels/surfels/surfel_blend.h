@@ -69,12 +69,14 @@ TS_FN void ts_k_blend_add(const ts_surfel_blend_args *args, u64 pixel, u32 surfe
 /* scatter over surfels */
 TS_FN void ts_k_surfel_blend_item(const ts_surfel_blend_args *args, u64 i)
 {
+	/* Load the surfel in the view, and the attributes that it adds. */
 	ts_camera_k view = ts_k_view(args->view);
 	ts_disc disc = args->discs[i];
 	ts_attributes attributes = ts_k_attributes(&args->surfels[i], &disc);
 	i64 n = 0;
 	for (i32 y = disc.low[1]; y <= disc.high[1]; y++) {
 		for (i32 x = disc.low[0]; x <= disc.high[0]; x++) {
+			/* Blend each fragment that the visibility pass allows (NV40: 3-Pass Deferred Shading). */
 			u64 pixel = (u64)y * (u64)view.width + (u64)x;
 			ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &args->filter, view.near, x, y);
 			if (!f.covers || !ts_k_is_visible(&args->filter, args->keys[pixel], f.z)) continue;
@@ -82,6 +84,7 @@ TS_FN void ts_k_surfel_blend_item(const ts_surfel_blend_args *args, u64 i)
 			n++;
 		}
 	}
+	/* Count the fragments, and the pixels of the box; surfels that are not drawn have none. */
 	if (disc.high[0] < disc.low[0]) return;
 	ts_add_i64(&args->tally[0], n);
 	ts_add_i64(&args->tally[1], (i64)(disc.high[0] - disc.low[0] + 1) * (i64)(disc.high[1] - disc.low[1] + 1));

@@ -37,20 +37,25 @@ TS_FN ts_v3 ts_k_mean(TS_GLOBAL const i64 *sums, f32 weight)
 /* map over pixels */
 TS_FN void ts_k_surfel_blend_mean_item(const ts_surfel_blend_mean_args *args, u64 i)
 {
+	/* Find the pixel and its sums. */
 	ts_camera_k view = ts_k_view(args->view);
 	i32 x = (i32)(i % (u64)view.width);
 	i32 y = (i32)(i / (u64)view.width);
 	TS_GLOBAL const i64 *sums = args->sums + i * TS_BLEND_SUMS;
 	TS_GLOBAL ts_gpixel *pixel = &args->pixels[i];
 	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
+	/* Store the sky where there is no fragment, or all weights were rounded to 0. */
 	if (args->heaviest[i] == TS_EMPTY || sums[TS_BLEND_WEIGHT] <= 0) {
 		ts_k_gpixel_store(pixel, zero, TS_SKY, zero, zero);
 		return;
 	}
+	/* Divide by the sum of weights (NV40: 3-Pass Deferred Shading). */
 	f32 weight = (f32)sums[TS_BLEND_WEIGHT];
 	ts_v3 albedo = ts_k_mean(sums, weight);
 	ts_v3 n = ts_k_mean(sums + 3, weight);
+	/* Take the heaviest fragment's normal where normals cancel: a mean shorter than 1e-6 has no direction. */
 	if (ts_length(n) < TS_LEAST_NORMAL) n = ts_load3(args->discs[(u32)args->heaviest[i]].normal);
+	/* Place the position on the pixel's ray, at the depth of the nearest surfel. */
 	f32 z = ts_k_pixel_depth(args, &view, i, x, y);
 	ts_v2 way = ts_k_pixel_way(&view, x, y);
 	ts_v3 across = ts_mad(ts_scale(view.right, way.x), view.up, way.y);

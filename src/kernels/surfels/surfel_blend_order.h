@@ -100,21 +100,26 @@ TS_FN void ts_k_blend_end(u32 accumulation, const ts_blend_target *target, u32 n
 /* map over pixels */
 TS_FN void ts_k_surfel_blend_order_item(const ts_surfel_blend_order_args *args, u64 i)
 {
+	/* Start with an empty target. */
 	ts_camera_k view = ts_k_view(args->view);
 	i32 x = (i32)(i % (u64)view.width);
 	i32 y = (i32)(i / (u64)view.width);
 	ts_blend_target target = ts_k_blend_none();
 	u64 heaviest = TS_EMPTY;
 	for (u32 at = args->offset[i]; at < args->offset[i + 1u]; at++) {
+		/* Find the fragment of the next surfel. */
 		u32 surfel = args->list[at];
 		ts_disc disc = args->discs[surfel];
 		ts_attributes attributes = ts_k_attributes(&args->surfels[surfel], &disc);
 		ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &args->filter, view.near, x, y);
 		f32 weight = ts_k_fragment_weight(&f);
+		/* Blend it in the format of the target (NV40: Floating Point Precision), and keep the heaviest; of equal
+		 * weights the lower surfel. */
 		ts_k_blend_next(args->accumulation, &target, &attributes, weight);
 		u64 heavy = ts_k_heavy(weight, surfel);
 		heaviest = heavy < heaviest ? heavy : heaviest;
 	}
+	/* Store the sums as if they were integer sums. */
 	ts_k_blend_end(args->accumulation, &target, args->offset[i + 1u] - args->offset[i], args->sums + i * TS_BLEND_SUMS);
 	args->heaviest[i] = heaviest;
 }

@@ -1,8 +1,8 @@
-/* Margins of surfel_depth.h and surfel_blend.h, for ports that round otherwise (PORTING 7): how near surfels were to be
- * seen, blended or hidden otherwise. This second pass changes no decision. A step is the change by 8 ulps: of the
- * surfel's distance from the eye and from the origin, which move its image and its depth; of its radius, which changes
- * its shape; and of each result. Boxes are taken as given: outside a box nothing is covered, except where boxes cut off
- * exact EWA, or those of surfel_setup.bounds=botsch cut off ellipses. */
+/* Margins of surfel_depth.h and surfel_blend.h, for ports that round otherwise (PORTING 7): how near each surfel was to
+ * being seen, blended or hidden otherwise. This second pass changes no decision. A step is what changes of 8 ulps make:
+ * of the surfel's distances from the eye and from the origin, which move its image and its depth; of its radius, which
+ * changes its shape; and of each result. Boxes are taken as given: outside a box nothing is covered, except where boxes
+ * cut off exact EWA, or those of surfel_setup.bounds=botsch cut off ellipses. */
 #ifndef TS_KERNELS_SURFELS_SURFEL_MARGIN_H
 #define TS_KERNELS_SURFELS_SURFEL_MARGIN_H
 #include "kernels/base/args.h"
@@ -36,17 +36,22 @@ typedef struct {
 	f32 a_step, b_step, r2_step, z_step, flat, flat_step, weight_step, peak_margin;
 } ts_nearly_there;
 
-/* The least margin of all tests if they drew the surfel, or the greatest of those that did not. */
+/* The least margin of all tests if the surfel is drawn, otherwise the greatest margin of the tests that kept it out. */
 TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *frame, f32 slant,
                          f32 deep, f32 distance)
 {
+	/* Find the margin of facing the eye: a step turns the direction to the eye by deep / distance. */
 	f32 turned = (ts_abs(slant) * distance) / deep;
+	/* Find the margins against the near plane: of the centre, which decides whether the surfel crosses the plane, and
+	 * of the point that stands for it. */
 	f32 centre = frame->c.z - (frame->a * frame->u.z + frame->b * frame->v.z);
 	f32 crossing = frame->crosses ? ts_abs(centre - view->near) / deep : TS_MARGIN_NOWHERE;
 	f32 before = ts_abs(frame->c.z - view->near) / deep;
+	/* Find the margin of staying away from the eye's plane, which exact EWA needs; a step is 32 ulps of 1. */
 	bool close = filter->filter == TS_FILTER_EWA && view->orthographic == 0u && frame->c.z > 0.0f;
 	f32 room = close ? 1.0f - ts_k_disc_closeness(frame, filter) : 1.0f;
 	f32 closing = close ? ts_abs(room) / (4.0f * TS_MARGIN_ROUNDING) : TS_MARGIN_NOWHERE;
+	/* Combine them: the surfel is drawn if all tests hold. */
 	bool faces = slant > 0.0f;
 	bool behind = frame->c.z >= view->near;
 	bool affine = room > 0.0f;
@@ -58,6 +63,7 @@ TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const
  * empty box. */
 TS_FN ts_nearly ts_k_nearly(const ts_surfel_margin_args *args, const ts_camera_k *view, u32 i)
 {
+	/* Set up the surfel again, and find its slant, distance and radius. */
 	TS_GLOBAL const ts_surfel *surfel = &args->surfels[i];
 	ts_disc_frame frame = ts_k_disc_frame(view, &args->filter, surfel);
 	ts_v3 centre = ts_load3(surfel->centre);
@@ -65,15 +71,18 @@ TS_FN ts_nearly ts_k_nearly(const ts_surfel_margin_args *args, const ts_camera_k
 	f32 slant = ts_k_disc_slant(view, centre, n);
 	f32 distance = ts_length(ts_sub(centre, view->eye));
 	f32 radius = ts_sqrt(ts_max(ts_flush(ts_dot(frame.u, frame.u)), ts_flush(ts_dot(frame.v, frame.v))));
+	/* Take the disc that was drawn, and find how near that decision was. */
 	ts_nearly r;
 	r.disc = args->discs[i];
 	r.drawn = r.disc.low[0] <= r.disc.high[0];
 	r.deep = TS_MARGIN_ROUNDING * ((distance + ts_length(centre)) + radius);
 	r.fate = ts_k_disc_fate(view, &args->filter, &frame, slant, r.deep, distance);
+	/* Make the disc of a surfel that is nearly drawn, to find the pixels that it would cover. */
 	if (!r.drawn && r.fate <= TS_MARGIN_REACH && frame.c.z > 0.0f) {
 		ts_k_disc_clear(&r.disc);
 		ts_k_disc_make(&r.disc, view, &args->filter, &frame, n, slant);
 	}
+	/* Convert the step and the radius to pixels. */
 	f32 z = ts_max(frame.z, view->near);
 	r.off = (r.deep * view->focal) / z;
 	r.wide = (radius * view->focal) / z;
@@ -85,16 +94,20 @@ TS_FN f32 ts_k_sizes(const f32 *row) { return ts_abs(row[0]) + ts_abs(row[1]); }
 /* Sets the steps of the ray cast: those of the centre's image, of the divisor, and of the results. */
 TS_FN void ts_k_nearly_hit(ts_nearly_there *r, const ts_nearly *surfel, ts_v2 d)
 {
+	/* Find the change of 1 + G.d, as the offset moves and as the sum is rounded. */
 	const ts_disc *disc = &surfel->disc;
 	bool parallel = (disc->flags & TS_DISC_PARALLEL) != 0u;
 	f32 tilt = ts_abs(disc->g[0] * d.x) + ts_abs(disc->g[1] * d.y);
 	f32 leaning = ts_k_sizes(disc->g) * surfel->off + TS_MARGIN_ROUNDING * (1.0f + tilt);
+	/* Find the relative change of the quotients, and the move of the offset divided by 1 + G.d. */
 	f32 nearer = ts_max(r->hit.z / disc->depth, 0.0f); /* 1 / divisor */
 	f32 divided = parallel ? TS_MARGIN_ROUNDING : leaning * nearer;
 	f32 by = parallel ? surfel->off : surfel->off * nearer;
+	/* Set the steps of a and b, by the 1-norms of A and B. */
 	f32 from = (disc->flags & TS_DISC_CROSSES) != 0u ? 1.0f : 0.0f; /* greatest |a| or |b| of the farthest point */
 	r->a_step = ts_k_sizes(disc->a) * by + (ts_abs(r->hit.a) + from) * divided;
 	r->b_step = ts_k_sizes(disc->b) * by + (ts_abs(r->hit.b) + from) * divided;
+	/* Set the steps of r3D^2 and of the depth, to first order. */
 	f32 rounding = TS_MARGIN_ROUNDING * (r->hit.r2 + from);
 	r->r2_step = 2.0f * (ts_abs(r->hit.a) * r->a_step + ts_abs(r->hit.b) * r->b_step) + rounding;
 	r->z_step = surfel->deep + (parallel ? disc->depth * leaning : ts_abs(r->hit.z) * divided);
@@ -103,17 +116,22 @@ TS_FN void ts_k_nearly_hit(ts_nearly_there *r, const ts_nearly *surfel, ts_v2 d)
 /* Sets the steps of exact EWA: of d V^-1 d as the centre moves, and as V changes. */
 TS_FN void ts_k_nearly_gaussian(ts_nearly_there *r, const ts_filter *filter, const ts_nearly *surfel, ts_v2 d)
 {
+	/* Find V^-1 d, half the gradient of d V^-1 d. */
 	const ts_disc *disc = &surfel->disc;
 	f32 x = disc->conic[0] * d.x + disc->conic[1] * d.y;
 	f32 y = disc->conic[1] * d.x + disc->conic[2] * d.y;
 	f32 both = ts_abs(x) + ts_abs(y);
+	/* Bound the change of V, and the change of d V^-1 d that V, the move of d and rounding make. */
 	f32 v = TS_MARGIN_ROUNDING * ((4.0f * filter->object2) * (surfel->wide * surfel->wide) + filter->screen2);
 	f32 q_step = ((both * both) * v + (2.0f * both) * surfel->off) + (2.0f * TS_MARGIN_ROUNDING) * r->is.exponent;
+	/* Set the number that is compared with 1, a quarter of d V^-1 d, and its step. */
 	r->flat = r->is.exponent * 0.5f;
 	r->flat_step = q_step * 0.25f;
+	/* Set the step of the weight: of its exponent, its peak, and rounding. */
 	f32 axes = (ts_k_sizes(disc->a) + ts_k_sizes(disc->b)) * (TS_MARGIN_ROUNDING * surfel->wide);
 	f32 peak = axes + (0.5f * v) * (disc->conic[0] + disc->conic[2]);
 	r->weight_step = (0.5f * q_step + peak) + TS_MARGIN_ROUNDING;
+	/* Set the margin of the peak against 0, where the fragment disappears. */
 	f32 det = ts_diff_of_products(disc->conic[0], disc->conic[2], disc->conic[1], disc->conic[1]);
 	f32 peak_step = ((2.0f * filter->object2) * (surfel->wide * surfel->wide)) * ts_sqrt(ts_flush(ts_max(det, 0.0f)));
 	r->peak_margin = peak_step > 0.0f ? disc->peak / (peak_step * TS_MARGIN_ROUNDING) : TS_MARGIN_NOWHERE;
@@ -177,21 +195,26 @@ TS_FN void ts_k_least_step(TS_GLOBAL u64 *least, f32 margin)
 TS_FN void ts_k_surfel_depth_margin_pixel(const ts_surfel_margin_args *args, const ts_camera_k *view, u32 i,
                                           const ts_nearly *surfel, i32 x, i32 y)
 {
+	/* See whether the surfel covers the pixel, and whether it is the nearest there. */
 	u64 pixel = (u64)y * (u64)view->width + (u64)x;
 	u64 key = args->keys[pixel];
 	ts_nearly_there there = ts_k_nearly_there(args, view, surfel, x, y);
 	f32 rim = ts_k_inside_margin(&there, view->near);
 	bool shows = surfel->drawn && there.hit.inside;
 	bool nearest = key != TS_EMPTY && (u32)key == i;
+	/* Find how near the surfel is to covering the pixel, or to not covering it. */
 	f32 comes = ts_max(there.hit.inside ? 0.0f : rim, surfel->drawn ? 0.0f : surfel->fate);
 	f32 turns = shows ? ts_min(rim, surfel->fate) : comes;
 	if (!shows && turns > TS_MARGIN_REACH) return;
+	/* Find how far it lies behind the nearest surfel; far behind it changes nothing. */
 	f32 z = there.hit.z + ts_k_pixel_shift(view, args->epsilon[0], x, y);
 	f32 behind = key == TS_EMPTY || nearest ? 0.0f : z - ts_u2f((u32)(key >> 32));
 	if (behind > z * TS_MARGIN_NEAR) return;
+	/* Measure this distance in steps of both depths. */
 	f32 step = there.z_step + z * TS_MARGIN_ROUNDING;
 	if (behind > 0.0f) step = step + ts_k_nearest_step(args, view, key, x, y);
 	f32 tie = ts_max(behind, 0.0f) / step;
+	/* Lower the pixel's margins: for surfels that may come or go, and for another depth that may be the nearest. */
 	if (nearest || (!shows && tie <= 1.0f)) ts_k_least_step(&args->margin[pixel * 2u], turns);
 	if (!nearest && shows) ts_k_least_step(&args->margin[pixel * 2u + 1u], tie);
 }
@@ -228,17 +251,22 @@ TS_FN f32 ts_k_before_margin(const ts_surfel_margin_args *args, const ts_camera_
 TS_FN ts_blend_tests ts_k_blend_tests(const ts_surfel_margin_args *args, const ts_camera_k *view,
                                       const ts_nearly *surfel, const ts_nearly_there *there, i32 x, i32 y)
 {
+	/* Find whether the screen filter or exact EWA applies, and whether the pixel is within it. */
 	ts_blend_tests r;
 	u64 key = args->keys[(u64)y * (u64)view->width + (u64)x];
 	bool ewa = args->filter.filter == TS_FILTER_EWA;
 	bool filtered = ewa ? surfel->disc.peak > 0.0f : ts_k_has_screen(&surfel->disc, &args->filter);
 	bool within = there->flat <= 1.0f;
 	f32 of_flat = there->flat_step > 0.0f ? ts_abs(there->flat - 1.0f) / there->flat_step : TS_MARGIN_NOWHERE;
+	/* Set the test of r3D. */
 	r.inside = there->hit.inside;
 	r.inside_margin = ts_k_inside_margin(there, view->near);
+	/* Set the test of r2D or of exact EWA: it holds by the least margin of its parts, or fails by the greatest of those
+	 * that fail. */
 	r.covers = filtered && within;
 	r.covers_margin = r.covers ? ts_min(of_flat, there->peak_margin)
 	                           : ts_max(within ? 0.0f : of_flat, filtered ? 0.0f : there->peak_margin);
+	/* Set the test of the depth for the centre and for the ray; r3D decides which of the two counts. */
 	r.before[0] = ts_k_is_visible(&args->filter, key, surfel->disc.depth);
 	r.before_margin[0] = ts_k_before_margin(args, view, surfel->disc.depth, surfel->deep, x, y);
 	r.before[1] = ts_k_is_visible(&args->filter, key, there->hit.z);
@@ -246,8 +274,8 @@ TS_FN ts_blend_tests ts_k_blend_tests(const ts_surfel_margin_args *args, const t
 	return r;
 }
 
-/* Whether the surfel is blended if the tests in `turned` are decided otherwise: 1 that of r3D, 2 that of r2D or EWA, 4
- * that of the depth. *margin: the greatest margin of the turned tests. */
+/* Whether the surfel is blended if the tests in `turned` are decided otherwise: 1 stands for the test of r3D, 2 for
+ * that of r2D or exact EWA, 4 for that of the depth. *margin becomes the greatest margin of those tests. */
 TS_FN bool ts_k_is_blended(const ts_filter *filter, const ts_blend_tests *tests, u32 turned, f32 *margin)
 {
 	bool inside = tests->inside != ((turned & 1u) != 0u);
@@ -261,7 +289,7 @@ TS_FN bool ts_k_is_blended(const ts_filter *filter, const ts_blend_tests *tests,
 	return before && ((inside && of_object) || (flat && filter->filter != TS_FILTER_OBJECT));
 }
 
-/* The least margin by which the surfel is blended or not. */
+/* How near the surfel is to being blended if it is not, or to being left out if it is. */
 TS_FN f32 ts_k_blended_margin(const ts_filter *filter, const ts_nearly *surfel, const ts_blend_tests *tests)
 {
 	f32 margin;

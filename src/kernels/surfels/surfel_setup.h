@@ -47,12 +47,12 @@ typedef struct {
 /* Whether a surfel is drawn, or why not. */
 #define TS_DISC_DRAWN 0u
 #define TS_DISC_TURNED 1u /* the surfel turns its back */
-#define TS_DISC_BEFORE \
-	2u /* the surfel is before the near plane; for exact EWA and the screen filter alone its centre is,
-                              and for exact EWA also if the surfel comes to the eye's plane */
+/* The surfel is before the near plane. Exact EWA, and the screen filter alone, ask only for its centre; exact EWA also
+ * leaves out a surfel that reaches the eye's plane. */
+#define TS_DISC_BEFORE 2u
 #define TS_DISC_BESIDE 3u /* the surfel is beside the image */
 
-/* A float as the sum of two floats of 12 bits (Veltkamp). */
+/* A float as the sum of two floats of 12 bits (Veltkamp 1968); 4097 is 2^12 + 1. */
 TS_FN ts_v2 ts_k_halves(f32 a)
 {
 	f32 scaled = 4097.0f * a;
@@ -61,7 +61,7 @@ TS_FN ts_v2 ts_k_halves(f32 a)
 	return ts_v2_make(high, a - high);
 }
 
-/* a b = x + y without rounding (Dekker), where the product is above 2^-76. */
+/* a b = x + y without rounding (Dekker 1971), where the size of the product is above 2^-76. */
 TS_FN ts_v2 ts_k_product(f32 a, f32 b)
 {
 	ts_v2 p = ts_k_halves(a);
@@ -133,7 +133,8 @@ TS_FN void ts_k_disc_slopes(ts_disc_frame *r, const ts_camera_k *view)
 	r->yb = -ts_k_slope(view->focal, r->v.y, r->z, r->c.y, vz);
 }
 
-/* Moves c from a centre before the near plane to the farthest point, for filters that can use that point. */
+/* Moves c from a centre before the near plane to the farthest point of the surfel, for the filters that can use that
+ * point: the ellipse alone, or the minimum of both radii. */
 TS_FN void ts_k_disc_cross(ts_disc_frame *r, const ts_filter *filter)
 {
 	f32 deeper = ts_sqrt(ts_flush(r->u.z * r->u.z + r->v.z * r->v.z));
@@ -159,7 +160,7 @@ TS_FN ts_disc_frame ts_k_disc_frame(const ts_camera_k *view, const ts_filter *fi
 	return r;
 }
 
-/* Cosine between the normal and the way to the eye; if it is not above 0, the surfel turns its back. */
+/* Cosine between the normal and the direction to the eye; if it is not above 0, the surfel turns its back. */
 TS_FN f32 ts_k_disc_slant(const ts_camera_k *view, ts_v3 centre, ts_v3 n)
 {
 	ts_v3 way = view->orthographic != 0u ? view->back : ts_normalize(ts_sub(view->eye, centre));
@@ -259,23 +260,29 @@ TS_FN ts_v2 ts_k_crossing(const ts_camera_k *view, const ts_disc_frame *f, f32 c
 
 TS_FN void ts_k_disc_box(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *f)
 {
+	/* Find the slopes of depth, which are 0 in orthographic views, and the square of the slides. */
 	f32 uz = view->orthographic != 0u ? 0.0f : f->u.z / f->z;
 	f32 vz = view->orthographic != 0u ? 0.0f : f->v.z / f->z;
 	f32 radius = ts_sqrt(ts_max(ts_flush(ts_dot(f->u, f->u)), ts_flush(ts_dot(f->v, f->v))));
 	f32 square = (radius * view->focal) / f->z;
 	bool flat = (disc->flags & TS_DISC_FLAT) != 0u;
+	/* Bound the ellipse, or take that square (NV40: Perspectively Correct Rendering). */
 	ts_v2 x = ts_k_extent(f->xa, f->xb, uz, vz);
 	ts_v2 y = ts_k_extent(f->ya, f->yb, uz, vz);
 	if (filter->botsch != 0u) x = y = ts_v2_make(-square, square);
+	/* Bound the part beyond the near plane of a surfel that crosses the plane, whichever bounds are chosen; without a
+	 * footprint only the room of the screen filter is left. */
 	if (f->crosses) {
 		x = ts_k_crossing(view, f, f->c.x, f->u.x, f->v.x);
 		y = ts_k_crossing(view, f, -f->c.y, -f->u.y, -f->v.y);
 	}
 	if (flat) x = y = ts_v2_make(0.0f, 0.0f);
+	/* Widen the bounds for exact EWA. */
 	if (filter->filter == TS_FILTER_EWA) {
 		x = ts_k_blurred(filter, x, f->xa, f->xb, uz, vz);
 		y = ts_k_blurred(filter, y, f->ya, f->yb, uz, vz);
 	}
+	/* Convert the bounds to pixels of the image. */
 	ts_k_disc_side(disc, 0u, x.x, x.y, filter->reach, view->width);
 	ts_k_disc_side(disc, 1u, y.x, y.y, filter->reach, view->height);
 }
@@ -311,20 +318,25 @@ TS_FN ts_v3 ts_k_disc_normal(TS_GLOBAL const ts_surfel *surfel)
 TS_FN u32 ts_k_disc_make(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *frame,
                          ts_v3 n, f32 slant)
 {
+	/* Set the flags and the normal; with a cosine below 1e-6 the surfel has no footprint of its own. */
 	bool parallel = view->orthographic != 0u;
 	disc->flags = (slant < TS_LEAST_SLANT ? TS_DISC_FLAT : 0u) | (parallel ? TS_DISC_PARALLEL : 0u);
 	disc->flags = disc->flags | (frame->crosses ? TS_DISC_CROSSES : 0u);
 	disc->normal[0] = ts_put(n.x);
 	disc->normal[1] = ts_put(n.y);
 	disc->normal[2] = ts_put(n.z);
+	/* Set the projected centre, the map to the plane, and the Gaussian of exact EWA. */
 	ts_k_disc_place(disc, view, frame);
 	ts_k_disc_map(disc, frame);
 	ts_k_disc_gaussian(disc, filter, frame);
+	/* Keep (a, b) of the farthest point in `conic`, which is free, since exact EWA draws no such surfel. */
 	if (frame->crosses) {
 		disc->conic[0] = ts_put(frame->a);
 		disc->conic[1] = ts_put(frame->b);
 	}
+	/* Set the box, unless the centre is 2^20 pixels off or more; then the box stays empty. */
 	if (ts_k_disc_is_near(disc)) ts_k_disc_box(disc, view, filter, frame);
+	/* Clear the disc if its box is empty. */
 	bool drawn = disc->low[0] <= disc->high[0] && disc->low[1] <= disc->high[1];
 	if (!drawn) ts_k_disc_clear(disc);
 	return drawn ? TS_DISC_DRAWN : TS_DISC_BESIDE;
@@ -333,12 +345,15 @@ TS_FN u32 ts_k_disc_make(ts_disc *disc, const ts_camera_k *view, const ts_filter
 /* Returns one of TS_DISC_*. A surfel that is not drawn has an empty box, and its other fields are 0. */
 TS_FN u32 ts_k_disc(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, TS_GLOBAL const ts_surfel *surfel)
 {
+	/* Leave out a surfel that turns its back, or is seen from the side. */
 	ts_v3 n = ts_k_disc_normal(surfel);
 	f32 slant = ts_k_disc_slant(view, ts_load3(surfel->centre), n);
 	ts_k_disc_clear(disc);
 	if (!(slant > 0.0f)) return TS_DISC_TURNED;
+	/* Leave out a surfel before the near plane; one that crosses the plane has its farthest point tested. */
 	ts_disc_frame frame = ts_k_disc_frame(view, filter, surfel);
 	if (!(frame.c.z >= view->near)) return TS_DISC_BEFORE;
+	/* Leave out a surfel of which exact EWA has no affine approximation. */
 	bool parallel = view->orthographic != 0u;
 	bool affine = parallel || filter->filter != TS_FILTER_EWA || ts_k_disc_closeness(&frame, filter) < 1.0f;
 	if (!affine) return TS_DISC_BEFORE;

@@ -3,7 +3,7 @@
  *
  *     flat     a surfel is shaded once, at its centre; where an ellipse covers a pixel only the nearest surfel counts
  *     gouraud  a surfel is shaded once, at its centre
- *     phong    a surfel is shaded once a fragment, where the ray meets its plane, by its linear field of normals
+ *     phong    a surfel is shaded once per fragment, where the ray meets its plane, by its linear field of normals
  *
  * Colours are those of a frame buffer: exposed, and clamped to [0,1]. There are no shadows and no outlines; deferred.h
  * finds these in the blended G-buffer. */
@@ -64,17 +64,21 @@ TS_FN ts_attributes ts_k_shaded_colour(const ts_surfel_shade_args *args, const t
                                        const ts_shading_place *at)
 {
 	ts_attributes r;
+	/* Take the surfel's own colour as albedo, clamped as where attributes are blended. */
 	TS_GLOBAL const f32 *colour = args->of.surfels[i].colour;
 	ts_v3 albedo =
 		ts_v3_make(ts_clamp(colour[0], 0.0f, 1.0f), ts_clamp(colour[1], 0.0f, 1.0f), ts_clamp(colour[2], 0.0f, 1.0f));
+	/* Add ambient light, then the lights in order, without shadows (NV40: Per-Pixel Phong Shading). */
 	ts_v3 v = ts_normalize(ts_sub(view->eye, at->p));
 	ts_v3 sum = ts_scale(albedo, args->ambient);
 	for (u32 k = 0u; k < args->n_lights; k++) {
 		sum = ts_add(sum, ts_k_shade_by(&args->lights[k], 1.0f, args->npr, at->p, at->n, v, albedo));
 	}
+	/* Expose and clamp the colour, as frame buffers hold it. */
 	r.value[0] = ts_clamp(sum.x * args->exposure, 0.0f, 1.0f);
 	r.value[1] = ts_clamp(sum.y * args->exposure, 0.0f, 1.0f);
 	r.value[2] = ts_clamp(sum.z * args->exposure, 0.0f, 1.0f);
+	/* Keep the normal that was shaded with. */
 	r.value[3] = at->n.x;
 	r.value[4] = at->n.y;
 	r.value[5] = at->n.z;
@@ -90,29 +94,35 @@ TS_FN bool ts_k_shows(u32 shading, u64 key, u32 surfel)
 /* scatter over surfels */
 TS_FN void ts_k_surfel_shade_item(const ts_surfel_shade_args *args, u64 i)
 {
+	/* Leave out surfels that are not drawn. */
 	const ts_surfel_blend_args *of = &args->of;
 	ts_camera_k view = ts_k_view(of->view);
 	ts_disc disc = of->discs[i];
 	if (disc.high[0] < disc.low[0]) return;
+	/* Shade once, at the centre (NV40: 3-Pass Shading). */
 	bool phong = args->shading == TS_SHADING_PHONG;
 	ts_shading_place at = ts_k_centre_place(&of->surfels[i], &disc);
 	ts_attributes colour = ts_k_shaded_colour(args, &view, i, &at);
 	i64 n = 0;
 	for (i32 y = disc.low[1]; y <= disc.high[1]; y++) {
 		for (i32 x = disc.low[0]; x <= disc.high[0]; x++) {
+			/* Take the fragments that the visibility pass allows; for flat shading only those of the nearest surfel. */
 			u64 pixel = (u64)y * (u64)view.width + (u64)x;
 			u64 key = of->keys[pixel];
 			ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &of->filter, view.near, x, y);
 			if (!f.covers || !ts_k_is_visible(&of->filter, key, f.z)) continue;
 			if (!ts_k_shows(args->shading, key, (u32)i)) continue;
+			/* Shade again for each fragment, by the field of normals (NV40: Phong Shading for PBR). */
 			if (phong) {
 				at = ts_k_fragment_place(&of->surfels[i], &disc, args->slopes + i * TS_FIELD_SLOPES, view.near, x, y);
 				colour = ts_k_shaded_colour(args, &view, i, &at);
 			}
+			/* Blend the shaded colour. */
 			ts_k_blend_add(of, pixel, (u32)i, &colour, ts_k_fragment_weight(&f));
 			n++;
 		}
 	}
+	/* Count shading operations, fragments, and the pixels of the box. */
 	ts_add_i64(&args->shaded[0], phong ? n : 1);
 	ts_add_i64(&of->tally[0], n);
 	ts_add_i64(&of->tally[1], (i64)(disc.high[0] - disc.low[0] + 1) * (i64)(disc.high[1] - disc.low[1] + 1));

@@ -1,6 +1,6 @@
 /* Margins of surfel_shade.h, for ports that round otherwise (PORTING 7): how near the shading of surfels was to another
- * answer. This second pass changes no colour. A step is 8 ulps of the cosine; for phong plus the change of the normal
- * per step of the ray cast. */
+ * answer. This second pass changes no colour. A step is 8 ulps of the cosine; for phong it also has the change that a
+ * step of the ray cast makes in the normal. */
 #ifndef TS_KERNELS_SURFELS_SURFEL_SHADE_MARGIN_H
 #define TS_KERNELS_SURFELS_SURFEL_SHADE_MARGIN_H
 #include "kernels/base/args.h"
@@ -39,19 +39,23 @@ TS_FN f32 ts_k_fragment_shading_margin(const ts_surfel_shade_margin_args *args, 
 /* scatter over surfels */
 TS_FN void ts_k_surfel_shade_margin_item(const ts_surfel_shade_margin_args *args, u64 i)
 {
+	/* Leave out surfels that are not drawn. */
 	ts_camera_k view = ts_k_view(args->by.view);
 	ts_nearly surfel = ts_k_nearly(&args->by, &view, (u32)i);
 	if (!surfel.drawn) return;
+	/* Find the margin of the colour at the centre. */
 	ts_shading_place centre = ts_k_centre_place(&args->of.of.surfels[i], &surfel.disc);
 	bool phong = args->of.shading == TS_SHADING_PHONG;
 	f32 margin = ts_k_shading_margin(&args->of, &centre, TS_MARGIN_ROUNDING);
 	for (i32 y = surfel.disc.low[1]; y <= surfel.disc.high[1]; y++) {
 		for (i32 x = surfel.disc.low[0]; x <= surfel.disc.high[0]; x++) {
+			/* Take the fragments that are blended. */
 			u64 pixel = (u64)y * (u64)view.width + (u64)x;
 			u64 key = args->by.keys[pixel];
 			ts_surfel_fragment f = ts_k_surfel_fragment(&surfel.disc, &args->by.filter, view.near, x, y);
 			if (!f.covers || !ts_k_is_visible(&args->by.filter, key, f.z)) continue;
 			if (!ts_k_shows(args->of.shading, key, (u32)i)) continue;
+			/* Find the margin of the fragment's own colour, and lower that of the pixel. */
 			if (phong) margin = ts_k_fragment_shading_margin(args, &view, &surfel, i, x, y);
 			ts_k_least_step(&args->by.margin[pixel * 2u], margin);
 		}
