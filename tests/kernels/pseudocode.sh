@@ -6,6 +6,11 @@
 find_numpy || exit 0
 scripts/pseudocode "$scratch/printed"
 verdict $? 'scripts/pseudocode writes it'
+awk '/^def / { split("", seen) } { text = $0; sub(/^ +/, "", text) } $1 == "#" && seen[text]++ { print text }' \
+	"$scratch"/printed/*/*.py > "$scratch/twice"
+sed 's/^/# /' "$scratch/twice"
+[ ! -s "$scratch/twice" ]
+verdict $? 'the titles in a function are printed once'
 check=$PWD/tests/kernels/pseudocode.py
 cd "$scratch" || exit 2
 
