@@ -191,6 +191,14 @@ sees "a->sum is computed from itself" "typedef struct { TS_GLOBAL f32 *sum; } ts
 TS_FN void ts_bad(const ts_bad_args *a, u32 i, f32 b) {
 	TS_GLOBAL f32 *c = &a->sum[i];
 	a->sum[i] = ts_put(ts_mad(ts_v3_make(*c, b, b), ts_v3_make(b, b, b), b).x); }"
+many=$(printf 'a = a * %s;\n' b c b c b c b c b c b)
+sees_in "ts_bad() has 12 statements, and no title in it" "$many
+return a;"
+sees_in '"Of" begins no title' "
+	/* Of the two the first. */
+	return a;"
+sees "0.3333333432674407958984375f is TS_THIRD" "TS_FN f32 ts_bad(ts_v3 a) {
+	return ts_dot(a, a) * 0.3333333432674407958984375f; }"
 
 cat > "$folder/good.h" << END
 #include "$PWD/src/kernels/base/vec.h"
@@ -198,6 +206,7 @@ TS_CONSTANT f32 ts_table[2] = {0.25f, 3.0f};
 enum { TS_N = 2 };
 TS_FN f32 ts_good(TS_GLOBAL f32 *out, TS_GLOBAL const f32 *in, f32 a, u32 n)
 {
+	/* Store what may be stored (CONTRACT rule 12). */
 	f32 b = a > 0.5f ? ts_put(a * 1e3f) : 0.0f;
 	for (u32 i = 0u; i < n; i++) b = ts_min(b, in[i]);
 	out[n] = b;

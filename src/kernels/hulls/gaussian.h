@@ -105,7 +105,7 @@ TS_FN f32 ts_k_sg_lower(f32 lambda, u32 printed)
 	p = p * lambda; p = p + 0.0069444444961845874786376953125f;
 	p = p * lambda; p = p - 0.0333333350718021392822265625f;
 	p = p * lambda; p = p + 0.125f;
-	p = p * lambda; p = p - 0.3333333432674407958984375f;
+	p = p * lambda; p = p - TS_THIRD;
 	p = p * lambda; p = p + 0.5f;
 	f32 scale = TS_TWO_PI * e;
 	if (lambda < 0.5f) return scale * p;
@@ -182,7 +182,7 @@ TS_FN f32 ts_k_sg_mean(f32 k)
 	f32 p = -0.000211640217457897961139678955078125f;
 	p = p * z; p = p + 0.0021164021454751491546630859375f;
 	p = p * z; p = p - 0.02222222276031970977783203125f;
-	p = p * z; p = p + 0.3333333432674407958984375f;
+	p = p * z; p = p + TS_THIRD;
 	if (k < 0.5f) return p * k;
 	/* Compute coth k from e^(-2 k), which cannot overflow, and subtract 1 / k. */
 	f32 e = ts_exp(-2.0f * k);

@@ -53,7 +53,7 @@ TS_FN bool ts_k_flight_in_row(const ts_points_args *from, const ts_cover *cover,
 	/* See whether a mask may cut samples away. */
 	u32 triangle = from->pieces[point->piece].triangle;
 	bool masked = (from->scene.materials[from->scene.triangles[triangle].material].flags & TS_MASKED) != 0u;
-	/* Without a mask all samples of the span are points: skip the row, or step to the sample. */
+	/* Skip the row, or step to the sample, where there is no mask: all samples of the span are points. */
 	u32 n = (u32)(touched.last - touched.first + 1);
 	i32 x = touched.first;
 	if (!masked && *rank >= n) {
@@ -61,7 +61,7 @@ TS_FN bool ts_k_flight_in_row(const ts_points_args *from, const ts_cover *cover,
 		return false;
 	}
 	if (!masked) x += (i32)*rank;
-	/* With a mask count the samples that are left. */
+	/* Count the samples that a mask leaves. */
 	for (; masked && x <= touched.last; x++) {
 		if (!ts_k_is_point(from, cover, point->piece, x, y)) continue;
 		if (*rank == 0u) break;

@@ -106,12 +106,15 @@ TS_FN ts_v3 ts_k_mirror_supersample(const ts_mip_cube *cube, TS_GLOBAL const ts_
 /* map over reflective pixels; those whose cube is in the batch look it up */
 TS_FN void ts_k_mirror_item(const ts_mirror_args *args, u64 i)
 {
+	/* Leave out pixels whose cube is in another batch. */
 	TS_GLOBAL const ts_pixel *pixel = &args->pixels[i];
 	u32 r = pixel->reflector;
 	if (r < args->first_cube || r >= args->first_cube + args->n_cubes) return;
+	/* Find the cube's texels. */
 	ts_mip_cube cube;
 	cube.texels = args->mip + ts_k_mip_first(args->cubes, args->first_cube, r) * 4u;
 	cube.n = args->cubes[r].n;
+	/* Look the reflection up; a mirror without a cube shows the background. */
 	ts_v3 radiance = ts_k_background();
 	ts_v3 eye = ts_load3(args->view->eye);
 	if (cube.n != 0u) {

@@ -49,7 +49,9 @@ TS_ARGS(ts_offscreen_args);
 TS_FN bool ts_k_offscreen_sees(const ts_offscreen_args *args, TS_GLOBAL const ts_offscreen *view, u32 triangle,
                                const ts_corners *t)
 {
+	/* Drop what the view never shows, by its side and its reflector. */
 	if (!ts_k_offscreen_may_show(&args->scene, view, triangle, t)) return false;
+	/* Test the corners against the planes of the view's frustum. */
 	ts_frustum frustum;
 	frustum.x = view->reach[0];
 	frustum.y = view->reach[1];

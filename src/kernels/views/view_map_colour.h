@@ -41,11 +41,13 @@ TS_FN ts_surface_sum ts_k_node_sum(const ts_octree_surface_args *args, u32 node,
 /* The surface in the middle of a node. A mean normal has no side, so it turns to the viewer. */
 TS_FN ts_surface ts_k_node_surface(ts_v3 middle, const ts_surface_sum *sum)
 {
+	/* Place the surface, and turn it by the mean normal. */
 	ts_surface r;
 	f32 n = ts_k_surface_count(sum);
 	r.p = middle;
 	r.n = ts_normalize(sum->normal);
 	r.face = r.n;
+	/* Average the material over the surfels of the sum. */
 	r.base = ts_k_share_of(sum->base, n);
 	r.emissive = ts_k_share_of(sum->emissive, n);
 	r.metallic = sum->metallic / n;

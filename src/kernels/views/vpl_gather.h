@@ -68,12 +68,14 @@ TS_FN u32 ts_k_list_node(const ts_vpl_gather_args *args, ts_v3 p)
 
 TS_FN ts_view_list ts_k_pixel_list(const ts_vpl_gather_args *args, ts_v3 p)
 {
+	/* Begin with all views, which a pixel outside the nodes asks. */
 	u32 node = ts_k_list_node(args, p);
 	ts_view_list r;
 	r.from = TS_NONE;
 	r.to = TS_NONE;
 	r.views = args->n_lights;
 	if (node == TS_NONE) return r;
+	/* Take the list of the node, and the number of views that it holds. */
 	u32 list = node - args->first;
 	r.from = args->offset[list];
 	r.to = args->offset[list + 1u];

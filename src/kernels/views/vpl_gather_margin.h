@@ -74,11 +74,13 @@ TS_FN ts_answer ts_k_vpl_plane_answer(const ts_vpl_gather_args *args, u32 shown,
 /* Whether the place is lit: by either of the two answers. */
 TS_FN ts_answer ts_k_vpl_answer(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
 {
+	/* Let the light through where the texel shows nothing. */
 	u64 shown = ts_k_vpl_shown(args, view, texel);
 	ts_answer r;
 	r.reaches = true;
 	r.margin = TS_MARGIN_NOWHERE;
 	if ((u32)shown == TS_NONE) return r;
+	/* Combine both answers: one that lights is enough. The greater margin counts if both do, the less if neither. */
 	ts_answer a = ts_k_vpl_depth_answer(args, view, shown, texel, p, n);
 	ts_answer b = ts_k_vpl_plane_answer(args, (u32)shown, p, n);
 	f32 alike = a.reaches ? ts_max(a.margin, b.margin) : ts_min(a.margin, b.margin);
