@@ -247,4 +247,4 @@ help:
 	@echo "     LDFLAGS= OPT=] [WERROR=1 V=1 JOBS=N]"
 	@sed -n 's/^##//p' Makefile scripts/make/install.mk scripts/make/tests.mk
 
-FORCE:
+.PHONY: all core golden demo test $(TEST_TIERS) check tests style format deps-build deps-test clean help FORCE

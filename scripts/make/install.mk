@@ -178,3 +178,5 @@ wheel: $(BUILD)/libtouchstone.so $(BUILD)/libtouchstone-image.so $(PYTHON_PACKAG
 ##                      in build/dist; T="PARTS"
 release:
 	$(Q)MAKE='$(MAKE)' $(JOBS_OF_ITS_OWN) scripts/release $(T)
+
+.PHONY: docs python install uninstall installcheck dist wheel release

@@ -122,3 +122,6 @@ release-check:
 bench: all
 	for table in $$(build/touchstone list benches | awk 'NR > 1 && /^[a-z]/ { print $$1 }'); do \
 		build/touchstone bench $$table || exit; done
+
+.PHONY: fuzz matrix matrix-short distros distros-short mutants mutants-short mutants-src mutants-src-short faults \
+	faults-short release-check bench

@@ -40,6 +40,8 @@ mkdir "$build/gen" && echo > "$build/gen/devices"
 would all
 has scripts/glsl scripts/explained && ! has 'left out'
 verdict 'a later make builds the rest'
+has "cmp -s - $build/gen/devices" "cmp -s - $build/flags"
+verdict 'every make asks whether its switches have changed'
 echo vulkan cuda explain > "$build/gen/devices"
 would demo
 has scripts/glsl scripts/explained 'build/touchstone render' && ! has 'left out'
