@@ -8,13 +8,13 @@ from . import tree as T
 from .comments import comments
 
 LONG = 12  # statements
-VERBS = set("""Accumulate Add Allow Answer Apply Ask Assume Average Begin Bisect Blend Bound Build Carry Choose Clamp
-Clear Clip Close Combine Compare Compute Convert Copy Count Cull Cut Decide Descend Describe Divide Draw Drop Enlarge
-Evaluate Expose Fade Fall Fill Find Follow Gather Give Go Grow Improve Interpolate Intersect Invert Judge Keep Lay
-Leave Let Limit List Load Look Lower Make Mark Measure Mirror Mix Move Multiply Name Narrow Offer Order Overflow Place
-Point Prepare Project Put Read Reduce Reflect Render Replace Return Round Sample Saturate Scale Search See Send Set
-Shade Shorten Show Size Skip Snap Solve Splat Split Spread Start Step Stop Store Strike Subtract Sum Take Test Turn Update
-Use Visit Weaken Weigh Weight Widen Wrap Write""".split())
+VERBS = set("""Accumulate Add Allow Answer Apply Ask Assume Average Begin Bisect Blend Bound Build Carry Choose
+Clamp Clear Clip Close Combine Compare Compute Convert Copy Count Cull Cut Decide Descend Describe Divide Draw
+Drop Enlarge Evaluate Expose Fade Fall Fill Find Follow Gather Give Go Grow Improve Interpolate Intersect Invert
+Judge Keep Lay Leave Let Limit List Load Look Lower Make Mark Measure Mirror Mix Move Multiply Name Narrow Offer
+Order Overflow Place Point Prepare Project Put Read Reduce Reflect Render Replace Return Round Sample Saturate
+Scale Search See Send Set Shade Shorten Show Size Skip Snap Solve Splat Split Spread Start Step Stop Store
+Strike Subtract Sum Take Test Turn Update Use Visit Weaken Weigh Weight Widen Wrap Write""".split())
 NUMBER = re.compile(r"(?<![\w.])\d+\.\d{7,}(?:e[-+]?\d+)?f\b")
 NAMED = re.compile(r"^#define (TS_\w+) (\d+\.\d{7,}(?:e[-+]?\d+)?f)\b", re.M)
 
@@ -76,6 +76,6 @@ def numbers(paths):
 	for path, text in texts.items():
 		text = re.sub(r"/\*.*?\*/", lambda match: re.sub(r"[^\n]", " ", match[0]), text, flags=re.S)
 		for match in NUMBER.finditer(text):
-			name = named.get(match[0])
-			if name and f"#define {name} {match[0]}" not in text[text.rfind("\n", 0, match.start()) + 1 :].split("\n")[0]:
+			name, line = named.get(match[0]), text[text.rfind("\n", 0, match.start()) + 1 :].split("\n")[0]
+			if name and f"#define {name} {match[0]}" not in line:
 				yield path, text.count("\n", 0, match.start()) + 1, f"{match[0]} is {name}"
