@@ -27,7 +27,7 @@ $(call object,$(patsubst %,src/%.c,backends/fast $(patsubst %,backends/%/program
 
 # Of all kernels; the rows of those that stand in a header.
 KERNELS := src/backends/kernels.h src/families.def $(wildcard src/kernels/*/*) include/touchstone/records.def
-KERNELS_C := $(wildcard scripts/kernel/*) $(KERNELS)
+KERNELS_C := $(wildcard scripts/kernel/*.*) $(KERNELS)
 $(BUILD)/gen/items/%.def: src/kernels/%.h $(wildcard src/kernels/*/kernels.def)
 	$(Q)mkdir -p $(@D)
 	$(Q)sed -nE 's/^TS_(FN|CALL) void ts_k_(\w+)_item\(.*/\2/p; s/^TS_VECTORS\((\w+)\)/\1/p' $< | \
