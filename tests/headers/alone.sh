@@ -1,6 +1,6 @@
 #!/bin/bash
-# Every public header compiles alone, as C11 and as C++17, and twice in one file; and after macros of a program, which
-# keep their values. Prints TAP.
+# What no build compiles alone: every public header, as C11 and as C++17, and twice in one file; and after macros of a
+# program, which keep their values; and the programs of fuzzing, which are built by hand. Prints TAP.
 set -u
 n=0
 
@@ -30,4 +30,10 @@ if { printf '#define %s 7\n' $own; echo '#include <touchstone/touchstone.h>'; pr
 else
 	echo "not ok $n - macros of the program"
 fi
+for program in tests/fuzz/*.c; do
+	n=$((n + 1))
+	gcc -std=c11 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Werror -fsyntax-only -Iinclude -iquote src -iquote . \
+		"$program" || printf 'not '
+	echo "ok $n - $program"
+done
 echo "1..$n"
