@@ -93,8 +93,9 @@ static bool is_by_pieces(ts_kernel kernel, const void *args)
 {
 	const by_pieces *pieces = &pieces_of[kernel];
 	const void *from;
+	if (!pieces->is) return false;
 	memcpy(&from, (const u8 *)args + pieces->from, sizeof from);
-	return pieces->is && from != NULL && number_at(args, pieces->unless) == 0;
+	return from != NULL && number_at(args, pieces->unless) == 0;
 }
 
 /* Few items, which may be large, get many bands; many items get few. */

@@ -52,7 +52,7 @@ static const cell *cell_at(i32 i, i32 j, u32 period_x, u32 period_y, u32 seed)
 	return c;
 }
 
-/* |x| below 2^31. */
+/* ts_floor_i32 for |x| below 2^31, without saturation, which would take a quarter of the noise. */
 static i32 floor_of(f32 x)
 {
 	i32 i = (i32)x;
