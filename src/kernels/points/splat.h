@@ -1,5 +1,7 @@
 /* Splatting: draws every point as a square into every face that may see it, by the 64-bit minimum of distance << 32 |
- * point (EPR section 3.5; METHODS 2). A splat has one distance, unless plane_depth asks for that of its plane. */
+ * point (EPR section 3.5; METHODS 2). A splat has one distance, unless plane_depth asks for that of its plane. The
+ * kernels do not read the members pixels, view and n_pixels, which serve the fast path of C that leaves texels out, and
+ * n_pieces, the number of items of splat_pieces. */
 #ifndef TS_KERNELS_POINTS_SPLAT_H
 #define TS_KERNELS_POINTS_SPLAT_H
 #include "kernels/base/args.h"
@@ -52,7 +54,7 @@ TS_FN u32 ts_k_splat_word(const ts_splat_args *args, u32 index)
 TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const ts_cover *triangle,
                      const ts_flight *point, u32 word, u64 first)
 {
-	/* Bound the projected square; with clipping, or if tiny, within the piece's box (EPR 3.5). */
+	/* Bound the projected square (EPR 3.5); with clipping, or if tiny (splat.size=safe), within the piece's box. */
 	ts_v3 c = point->centre;
 	ts_square square =
 		ts_k_square(&args->from.pieces[point->piece], &args->from.frames[point->piece], c, point->length);
@@ -89,7 +91,7 @@ TS_CALL i64 ts_k_splat_everywhere(const ts_splat_args *args, const ts_flight *po
 		TS_GLOBAL const ts_face *cube = &args->cubes[r];
 		for (u32 face = 0u; faces != 0u; face++, faces >>= 1) {
 			if ((faces & 1u) == 0u) continue;
-			/* Clip the piece to the view; if nothing is left, its points have no splat. */
+			/* Clip the piece to the range of snapping (rule 16); if nothing is left, its points have no splat. */
 			ts_camera_k view = ts_k_cube_view(cube, face);
 			ts_cover triangle = ts_k_splat_triangle(&view, piece);
 			if (triangle.n == 0u) continue;

@@ -15,7 +15,8 @@ TS_FN ts_cover ts_k_cover_of(const ts_camera_k *view, const ts_polygon *polygon,
 	return r;
 }
 
-/* The piece in the view of a face. n = 0: the face does not see it. */
+/* The piece in the view of a face, for the safe test whatever points.conservative says. The piece is clipped to the
+ * range of snapping, not to the face, so that its own edges stay (CONTRACT rules 16 and 19). n = 0: nothing is left. */
 TS_FN ts_cover ts_k_splat_triangle(const ts_camera_k *view, TS_GLOBAL const ts_piece *piece)
 {
 	ts_polygon t = ts_k_polygon(view, ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c));
@@ -34,7 +35,8 @@ typedef struct {
 	f32 length, slack;
 } ts_square;
 
-/* 2^-19 of the greatest coordinate: squares of one piece that meet overlap by this much. */
+/* 2^-19 of the greatest coordinate, in world units: more than rounding moves the corners of a square, so that squares
+ * of one piece that meet leave no gap. */
 TS_FN f32 ts_k_piece_slack(TS_GLOBAL const ts_piece *piece)
 {
 	f32 most = 0.0f;
@@ -58,7 +60,8 @@ TS_FN ts_square ts_k_square(TS_GLOBAL const ts_piece *piece, TS_GLOBAL const ts_
 /* The widest inset of a box from a texel's border: half a texel, less 1/256 for the rounding of projected corners. */
 #define TS_SPLAT_INSET 0.49609375f
 
-/* How far a box reaches into a texel that belongs to it, if the square's nearest corner is at z. */
+/* How far a box reaches into a texel that belongs to it, in texels, if the square's nearest corner is at z: less by the
+ * image of the slack, but at least 0, where the box already takes every texel that it touches. */
 TS_FN f32 ts_k_box_inset(f32 widest, f32 focal, f32 slack, f32 z) { return ts_max(widest - (focal * slack) / z, 0.0f); }
 
 /* The texels whose centres lie in the bounding box of the projected square, after clipping at the near plane; with
@@ -75,7 +78,7 @@ TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, const ts_square *s, f32 wid
 	square.corner[1] = ts_k_to_view(view, ts_sub(ts_add(s->c, du), dv));
 	square.corner[2] = ts_k_to_view(view, ts_add(ts_add(s->c, du), dv));
 	square.corner[3] = ts_k_to_view(view, ts_add(ts_sub(s->c, du), dv));
-	/* Clip at the near plane; nothing is left of a square behind it. */
+	/* Clip at the near plane, and at no side, as nothing is snapped. Nothing is left of a square behind the plane. */
 	ts_k_clip_behind(view, &square, ts_k_near_plane(view));
 	ts_box r;
 	r.x0 = 0;
@@ -103,7 +106,8 @@ TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, const ts_square *s, f32 wid
 }
 
 /* Distance at which the ray through a texel's centre meets the piece's plane, at most a tile's length from the distance
- * of the point. Where the ray does not meet the plane, the distance is that of the point. */
+ * of the point. Where the ray does not meet the plane, the distance is that of the point. n has any length and either
+ * sign. */
 TS_FN f32 ts_k_plane_distance(const ts_camera_k *view, ts_v3 n, ts_v3 c, f32 distance, f32 length, i32 i, i32 j)
 {
 	f32 x = ((f32)i + 0.5f) - (f32)view->width * 0.5f;

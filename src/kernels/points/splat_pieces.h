@@ -70,7 +70,7 @@ TS_FN ts_box ts_k_piece_box(const ts_piece_view *f, ts_v3 c, f32 length, f32 wid
 /* Splats point `index` of the piece. Returns the number of texels offered to. */
 TS_FN u32 ts_k_piece_point(const ts_splat_args *args, const ts_piece_view *f, u32 index)
 {
-	/* Bound the projected square; with clipping, or if tiny, within the piece's box (EPR 3.5). */
+	/* Bound the projected square (EPR 3.5); with clipping, or if tiny (splat.size=safe), within the piece's box. */
 	TS_GLOBAL const ts_point *point = ts_at(args->from.points, index);
 	ts_v3 c = ts_load3(point->centre);
 	f32 length = point->length;
@@ -100,7 +100,7 @@ TS_FN u32 ts_k_piece_point(const ts_splat_args *args, const ts_piece_view *f, u3
  * kernel splat counts them. */
 TS_FN bool ts_k_piece_view(ts_piece_view *f, const ts_splat_args *args, u64 piece, u32 r, u32 face, i64 *scatters)
 {
-	/* Clip the piece to the view; if nothing is left, its points have no splat. */
+	/* Clip the piece to the range of snapping (rule 16); if nothing is left, its points have no splat. */
 	TS_GLOBAL const ts_face *cube = &args->cubes[r];
 	f->view = ts_k_cube_view(cube, face);
 	f->cover = ts_k_splat_triangle(&f->view, &args->from.pieces[piece]);
