@@ -28,6 +28,7 @@ typedef struct {
 	i32 half_size;
 } ts_cover;
 
+/* Sets what follows from the corners. An area of 0 counts as positive, and drops nothing (CONTRACT rules 17 and 19). */
 TS_FN void ts_k_cover_finish(ts_cover *c, i32 half_size)
 {
 	i64 area = 0;

@@ -24,7 +24,8 @@ TS_FN ts_fragment ts_k_view_fragment(const ts_camera_k *view, const ts_setup *t,
 	return view->orthographic != 0u ? ts_k_fragment_parallel(t, e, a, b, c) : ts_k_fragment(t, e, a, b, c);
 }
 
-/* Draws one triangle of the fan of a clipped polygon. */
+/* Draws one triangle of the fan of a clipped polygon. A pixel on a diagonal of the fan belongs to one of two triangles,
+ * as on any shared edge (CONTRACT rule 18). */
 TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
                          const ts_corner *a, const ts_corner *b, const ts_corner *c, const ts_band *band,
                          const ts_target *target)

@@ -4,8 +4,8 @@
 #define TS_KERNELS_RASTER_RASTER_H
 #include "kernels/raster/snap.h"
 
-/* y grows downward and the area is positive: a left edge runs up, a top edge to the right. Both own their pixels
- * (CONTRACT rule 18). */
+/* y grows downward and the area is positive, so corners run clockwise on the screen: a left edge runs up, a top edge to
+ * the right. Both own the pixels whose centres they pass through (CONTRACT rule 18). */
 TS_FN bool ts_k_is_top_left(ts_snapped a, ts_snapped b) { return b.y < a.y || (b.y == a.y && b.x > a.x); }
 
 /* A snapped triangle turned to positive area; corner k is corner from[k] of the source. */
@@ -31,7 +31,7 @@ TS_FN ts_setup ts_k_setup(ts_snapped a, ts_snapped b, ts_snapped c)
 	return r;
 }
 
-/* Edge k lies opposite corner k. */
+/* Edge k lies opposite corner k, from corner k + 1 to corner k + 2, modulo 3. */
 typedef struct {
 	i64 e[3];
 } ts_edges;
@@ -90,8 +90,8 @@ TS_FN bool ts_k_walk_covers(const ts_walk *w, const ts_edges *e)
 	return e->e[0] >= w->least[0] && e->e[1] >= w->least[1] && e->e[2] >= w->least[2];
 }
 
-/* A covered pixel: axial depth, and perspective weights of the source triangle's corners (rule 22): b_k = E_k / sum E,
- * z = 1 / sum b/z, w = z sum (b/z) w. */
+/* A covered pixel: axial depth, and perspective weights of the source triangle's corners (rule 22): b_k = E_k / area,
+ * z = 1 / sum b/z, w = z sum (b/z) w. The area is the sum of the three E, exactly, as all are integers. */
 typedef struct {
 	f32 z;
 	ts_v3 w;

@@ -17,6 +17,7 @@ TS_FN ts_snapped ts_k_snap(ts_v2 p)
 	return r;
 }
 
+/* Snaps first and then shifts by whole sub-pixels, so that all samples of a pixel see the same edges (eye_sample.h). */
 TS_FN ts_snapped ts_k_snap_corner(const ts_camera_k *view, const ts_corner *p)
 {
 	ts_snapped r = ts_k_snap(ts_k_project(view, p));
