@@ -14,9 +14,9 @@ typedef struct {
 /* The cone of the views of a node: their directions are at most theta from the axis. */
 typedef struct {
 	ts_v3 axis;
-	f32 cosine;
+	f32 cosine; /* of theta */
 } ts_cone_k;
-/* Half the field of view of every view, phi. */
+/* Half the field of view of every view, phi: a right angle, or pi for views to all sides; or psi = theta + phi. */
 typedef struct {
 	f32 cosine, sine;
 } ts_aperture;
@@ -28,7 +28,8 @@ typedef struct {
 #define TS_PAIR_CULL 3u
 #define TS_PAIR_NEAR 4u
 
-/* Cosines and what is computed from them are rounded, so a pair that is nearer to the bounds than this is kept. */
+/* Cosines and what is computed from them are rounded, so a pair that is nearer to the bounds than this is kept: 2^-22
+ * of a cosine, 2^-20 of the distance. */
 #define TS_CULL_COSINE 0.0000002384185791015625f
 #define TS_CULL_DISTANCE 0.00000095367431640625f
 
@@ -98,7 +99,7 @@ TS_FN bool ts_k_pair_is_culled(const ts_ball *s, const ts_ball *v, const ts_cone
 }
 
 /* Width of the ball of s in texels, seen from the nearest place in the ball of v; -1 if that place may lie in the ball
- * of s. */
+ * of s. Only the length of vs is shortened (figure 6); alpha stays that of the middles. */
 TS_FN f32 ts_k_pair_size(const ts_ball *s, const ts_ball *v, u32 n)
 {
 	ts_v3 vs = ts_sub(s->p, v->p);
@@ -108,14 +109,16 @@ TS_FN f32 ts_k_pair_size(const ts_ball *s, const ts_ball *v, u32 n)
 	return ts_k_paraboloid_size(ts_abs(vs.x) / d, s->r / nearest, n);
 }
 
-/* Figure 6: whether all views show s in the same texel, or in one of its neighbours. */
+/* Figure 6: whether all views show s in the same texel, or in one of its neighbours. Two leaves, which the figure takes
+ * for equivalent too, are left to ts_k_pair_fate. */
 TS_FN bool ts_k_pair_is_equivalent(const ts_ball *s, const ts_ball *v, u32 n)
 {
 	f32 size = ts_k_pair_size(s, v, n);
 	return size >= 0.0f && size < 1.0f && v->r <= s->r;
 }
 
-/* Figure 8: whether the node of views is split, which keeps its ball no larger than the scene's. */
+/* Figure 8: whether the node of views is split, which keeps its ball no larger than the scene's. In an octree a child's
+ * ball has half the radius of its parent's. */
 TS_FN bool ts_k_pair_splits_view(const ts_ball *s, const ts_ball *v)
 {
 	f32 child = s->r * 0.5f;

@@ -9,7 +9,7 @@
 #include "kernels/base/morton.h"
 #include "kernels/views/pair.h"
 
-/* Values in place of a pair. */
+/* Values in place of a pair; no pair has them, since no node has the id 2^32 - 1. */
 #define TS_STRUCK 0xfffffffffffffffdUL /* the least of these values */
 #define TS_STRUCK_CULLED 0xfffffffffffffffdUL
 #define TS_STRUCK_NEAR 0xfffffffffffffffeUL
@@ -40,9 +40,9 @@
 	ARG(VALUE, u32, first_node, none) /* of the nodes of the scene in those pairs */ \
 	ARG(VALUE, u32, n_nodes, none)    /* 1, the root, or all leaves */ \
 	ARG(VALUE, f32, apart, none)      /* radii; nearer leaves are not rendered */ \
-	ARG(VALUE, u32, last, none)       /* nodes of this level count as leaves */ \
+	ARG(VALUE, u32, last, none)       /* nodes from this level on count as leaves */ \
 	ARG(VALUE, u32, to_last, none)    /* not 0: only pairs of leaves are rendered */ \
-	ARG(VALUE, f32, cutoff, none)     /* pairs farther apart are culled; 0: none */
+	ARG(VALUE, f32, cutoff, none)     /* world units; pairs farther apart are culled; 0: none */
 TS_ARGS(ts_traverse_args);
 
 TS_FN u64 ts_k_pair(u32 node, u32 views) { return ((u64)node << 32) | views; }
@@ -74,15 +74,16 @@ TS_FN u32 ts_k_pair_fate(const ts_traverse_args *args, u64 pair)
 	return ts_k_pair_splits_view(&s, &v) ? TS_PAIR_SPLIT_VIEW : TS_PAIR_SPLIT_SCENE;
 }
 
-/* map over the pairs with which the traversal begins: nodes of views without a parent, each with the scene's root, or
- * with all leaves where there is no hierarchy of the scene */
+/* map over the pairs with which the traversal begins: nodes of views without a parent, which have the first ids, each
+ * with the scene's root, or with all leaves where there is no hierarchy of the scene */
 TS_FN void ts_k_traverse_start_item(const ts_traverse_args *args, u64 i)
 {
 	u64 k = args->first + i;
 	args->queue[i] = ts_k_pair(args->first_node + (u32)(k % args->n_nodes), (u32)(k / args->n_nodes));
 }
 
-/* map over pairs: decides each; running it twice gives the same */
+/* map over pairs: decides each; running it twice gives the same, as where the children of a whole queue find no room
+ * and a part of the queue is decided again */
 TS_FN void ts_k_traverse_count_item(const ts_traverse_args *args, u64 i)
 {
 	/* Leave out pairs that an earlier run struck out; they have no children. */
