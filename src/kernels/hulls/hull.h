@@ -30,12 +30,14 @@
 	ARG(VALUE, u32, rectangle, none)  /* hull.corners=rectangle */
 TS_ARGS(ts_hull_args);
 
-/* Shares of the corners of a box, whose sum is 1. */
+/* Shares of the corners of a box: top left, top right, bottom left, bottom right. Their sum is 1, or 0 if all corners
+ * are in the sky. */
 typedef struct {
 	f32 of[4];
 } ts_shares;
 
-/* The place, from 0 to 1, of pixel i between the pixels at which two corners gather. */
+/* The place of pixel i between the pixels at which two corners gather: 0 up to the first, 1 from the last on. Where
+ * both gather at one pixel, that pixel is at 0. */
 TS_FN f32 ts_k_box_place(u32 i, u32 pixels, u32 grid, u32 low, u32 high)
 {
 	f32 first = (f32)ts_k_resample(low, grid, pixels);
@@ -43,7 +45,8 @@ TS_FN f32 ts_k_box_place(u32 i, u32 pixels, u32 grid, u32 low, u32 high)
 	return ts_clamp(((f32)i - first) / ts_max(last - first, 1.0f), 0.0f, 1.0f);
 }
 
-/* Shares on the screen, before perspective. */
+/* Shares on the screen, before perspective. In the upper right triangle, where s is above t, they are 1 - s, s - t, 0
+ * and t; in the lower left one 1 - t, 0, t - s and s. */
 TS_FN ts_shares ts_k_box_weights(const ts_hull_args *args, u32 b, u32 x, u32 y)
 {
 	TS_GLOBAL const ts_segment *box = &args->choice.boxes[b];
@@ -72,7 +75,8 @@ TS_FN ts_shares ts_k_box_shares(const ts_hull_args *args, u32 b, u32 x, u32 y)
 	return r;
 }
 
-/* The blend of a channel's lobes; its axis is not yet a unit vector. A corner without light has no sharpness. */
+/* The blend of a channel's lobes; its axis is not yet a unit vector. A corner without light has no sharpness, so its
+ * share does not count for lambda; its mu and phi are 0. */
 TS_FN ts_sg ts_k_lobes_blend(TS_GLOBAL const ts_lobes *corner, const ts_shares *shares, u32 channel)
 {
 	ts_sg g = ts_sg_make(0.0f, 0.0f, ts_v3_make(0.0f, 0.0f, 0.0f));
@@ -106,8 +110,8 @@ TS_FN ts_sg ts_k_lobe_of_moments(TS_GLOBAL const ts_moment *corner, const ts_sha
 	return ts_k_fit(m, directions, vmf);
 }
 
-/* The irradiance of a lobe, at least 0 and below 2^62. Eqs 9 and 10 as printed divide by lambda squared, which may be
- * nearly 0; NaN and infinity count as 0. */
+/* The irradiance of a lobe, at least 0 and below 2^62, the bound of input (rule 10). Eqs 9 and 10 as printed divide by
+ * lambda squared, which may be nearly 0; NaN and infinity count as 0. */
 TS_FN f32 ts_k_lobe_irradiance(const ts_hull_args *args, const ts_sg *g, ts_v3 n)
 {
 	f32 integral = ts_k_sg_cosine(g->lambda, ts_dot(n, g->phi), args->cosine, args->printed);
@@ -137,7 +141,7 @@ TS_FN u32 ts_k_hull_box(const ts_hull_args *args, u64 i, u32 x, u32 y)
 	return box;
 }
 
-/* map over pixels and their samples */
+/* map over pixels and their samples, one picture below the other (eye_sample.h) */
 TS_FN void ts_k_hull_item(const ts_hull_args *args, u64 i)
 {
 	u32 x = (u32)(i % args->width);

@@ -1,8 +1,8 @@
 /* The box whose lobes light a pixel (SSAGH section 3; METHODS 11). If several boxes of the pixel's block contain its
  * column, row and depth, the thinnest in depth is chosen, and among equally thin ones that of the least label; the
  * paper names no order. If no box contains the pixel, hull.surface=robust chooses a box that covers the pixel and,
- * widened by t (1 - zn), contains its depth; failing that, the box nearest in depth of those that cover the pixel;
- * failing that, the box nearest in depth of the block, then of the blocks around it, ring by ring. */
+ * widened by t (1 - zn), zn the pixel's, contains its depth; failing that, the box nearest in depth of those that cover
+ * the pixel; failing that, the box nearest in depth of the block, then of the blocks around it, ring by ring. */
 #ifndef TS_KERNELS_HULLS_HULL_CHOICE_H
 #define TS_KERNELS_HULLS_HULL_CHOICE_H
 #include "kernels/base/args.h"
@@ -69,6 +69,7 @@ TS_FN void ts_k_choice_ring(const ts_choice_args *args, ts_grid_place at, i32 ri
 TS_FN u32 ts_k_choose_box(const ts_choice_args *args, ts_grid_place at)
 {
 	i32 rings = args->robust != 0u ? (i32)(args->grid / TS_BLOCK) : 1;
+	/* Start with what a box must beat: robust takes any rank; by the paper rank 0 alone, as no measure is below 0. */
 	ts_choice best;
 	best.box = TS_NONE;
 	best.rank = args->robust != 0u ? 4u : 1u;
