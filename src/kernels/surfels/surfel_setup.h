@@ -61,7 +61,8 @@ TS_FN ts_v2 ts_k_halves(f32 a)
 	return ts_v2_make(high, a - high);
 }
 
-/* a b = x + y without rounding (Dekker 1971), where the size of the product is above 2^-76. */
+/* a b = x + y without rounding (Dekker 1971), where the size of the product is above 2^-76, so that no part is
+ * denormal. */
 TS_FN ts_v2 ts_k_product(f32 a, f32 b)
 {
 	ts_v2 p = ts_k_halves(a);
@@ -77,7 +78,7 @@ TS_FN ts_v2 ts_k_product(f32 a, f32 b)
 	return ts_v2_make(x, y + low);
 }
 
-/* f c / z - k, where k is near f c / z. */
+/* f c / z - k, where k is near f c / z and a plain difference would cancel: (f c - k z) / z with exact products. */
 TS_FN f32 ts_k_beyond(f32 f, f32 c, f32 z, f32 k)
 {
 	ts_v2 p = ts_k_product(f, c);
@@ -87,7 +88,7 @@ TS_FN f32 ts_k_beyond(f32 f, f32 c, f32 z, f32 k)
 	return (high + low) / z;
 }
 
-/* Least and greatest offset of the ellipse along an axis of the image. */
+/* Least and greatest offset of the ellipse along an axis of the image: the roots above, with c for -C. */
 TS_FN ts_v2 ts_k_extent(f32 j_a, f32 j_b, f32 u, f32 v)
 {
 	f32 a = (1.0f - u * u) - v * v;
@@ -134,7 +135,7 @@ TS_FN void ts_k_disc_slopes(ts_disc_frame *r, const ts_camera_k *view)
 }
 
 /* Moves c from a centre before the near plane to the farthest point of the surfel, for the filters that can use that
- * point: the ellipse alone, or the minimum of both radii. */
+ * point: the ellipse alone, or the minimum of both radii. That point has (a, b) = (u_z, v_z) / |(u_z, v_z)|. */
 TS_FN void ts_k_disc_cross(ts_disc_frame *r, const ts_filter *filter)
 {
 	f32 deeper = ts_sqrt(ts_flush(r->u.z * r->u.z + r->v.z * r->v.z));
@@ -181,7 +182,7 @@ TS_FN void ts_k_disc_place(ts_disc *disc, const ts_camera_k *view, const ts_disc
 	disc->depth = ts_put(frame->c.z);
 }
 
-/* Sets A, B and G. */
+/* Sets A, B and G. G has the depth of c in orthographic views, too, where the divisor z of J is 1. */
 TS_FN void ts_k_disc_map(ts_disc *disc, const ts_disc_frame *f)
 {
 	f32 det = ts_flush(ts_diff_of_products(f->xa, f->yb, f->xb, f->ya));
@@ -213,8 +214,8 @@ TS_FN void ts_k_disc_gaussian(ts_disc *disc, const ts_filter *filter, const ts_d
 	disc->peak = none ? 0.0f : ts_put(ts_min(area / ts_sqrt(d), 1.0f));
 }
 
-/* Sets the pixels along an axis whose middles are from `least` to `most` of the centre, and a little more for
- * rounding. */
+/* Sets the pixels along an axis whose middles are from `least` to `most` of the centre, at least `room` to both sides,
+ * and a little more for rounding. The low side is rounded up, by -floor(-x), and the high side down. */
 TS_FN void ts_k_disc_side(ts_disc *disc, u32 axis, f32 least, f32 most, f32 room, i32 n)
 {
 	f32 before = ts_min(least, -room) * TS_A_LITTLE_MORE - TS_A_LITTLE;
@@ -244,7 +245,7 @@ TS_FN f32 ts_k_disc_closeness(const ts_disc_frame *f, const ts_filter *filter)
 }
 
 /* The extent along an axis, from c's image, of a surfel that crosses the near plane: of its coordinates in view, at
- * depths from near to that of c. */
+ * depths from near to that of c. Rows get c, u and v negated, since y grows downward in the image. */
 TS_FN ts_v2 ts_k_crossing(const ts_camera_k *view, const ts_disc_frame *f, f32 c, f32 u, f32 v)
 {
 	f32 reach = ts_sqrt(ts_flush(u * u + v * v)) * TS_A_LITTLE_MORE;
