@@ -159,7 +159,8 @@ static bool is_seen(const ts_scene *scene, u32 triangle, f32 facing)
 	return (flags & TS_MASKED) == 0 && (facing > 0.0f || (flags & TS_DOUBLE_SIDED) != 0);
 }
 
-/* Möller and Trumbore; the distance, or `most` where the ray misses or, unless all are asked for, meets the back. */
+/* The distance (Möller and Trumbore 1997), or `most` where the ray misses or, unless all are asked for, meets the
+ * back. */
 static f32 strike(const ts_scene *scene, u32 triangle, ts_v3 from, ts_v3 way, f32 most, bool all)
 {
 	ts_v3 a = corner(scene, triangle, 0);

@@ -177,7 +177,7 @@ TS_FN f32 ts_exp(f32 x)
 	f32 shifted = t + TS_ROUNDER;
 	u32 n = ts_f2u(shifted) - TS_ROUNDER_BITS;
 	f32 whole = shifted - TS_ROUNDER;
-	/* Subtract n ln 2 in two parts (Cody and Waite): the first, 355/512, has so few bits that its product is exact. */
+	/* Subtract n ln 2 in two parts (Cody and Waite 1980): the first, 355/512, has few bits: its product is exact. */
 	f32 high = whole * 0.693359375f;
 	f32 low = whole * -0.000212194441701285541057586669921875f;
 	f32 r = in - high;

@@ -1,7 +1,7 @@
 /* Deferred surface splatting with an approximation of the EWA filter, the exact filter beside it, and the splatting
  * that it is compared with, which shades before it blends (METHODS 16).
  * Botsch, Hornung, Zwicker and Kobbelt, "High-Quality Surface Splatting on Today's GPUs" (2005), from the slides.
- * Zwicker, Pfister, van Baar and Gross, "EWA Splatting" (2001/2002).
+ * Zwicker, Pfister, van Baar and Gross, "Surface Splatting" (2001) and "EWA Splatting" (2002).
  *
  * Surfels are elliptical discs, perspective-correct by casting the ray of each pixel into their plane. The first pass
  * finds the nearest; the second blends colours and normals of all surfels that are no more than epsilon behind; the
