@@ -57,7 +57,7 @@ TS_FN ts_hit ts_k_hit(ts_v3 o, ts_v3 d, const ts_corners *t)
 	f32 along = ts_flush(ts_dot(d, ts_sub(ts_blend(third, t->a, t->b, t->c), o)));
 	f32 length = slope != 0.0f ? rise / slope : square > 0.0f ? along / square : 0.0f;
 	ts_hit r;
-	r.t = ts_put(ts_clamp(length, -4611686018427387904.0f, 4611686018427387904.0f));
+	r.t = ts_put(ts_clamp(length, -TS_MOST_INPUT, TS_MOST_INPUT));
 	r.weights = ts_k_hit_barycentrics(ts_mad(o, d, r.t), t);
 	return r;
 }

@@ -8,12 +8,17 @@
 #define TS_NONE 0xffffffffu
 #define TS_EMPTY 0xffffffffffffffffUL
 
-/* The binary32 next to pi, 2 pi, pi / 2, 1 / pi and 1 / 3; TS_PI is the double of tools. */
+/* The binary32 next to pi, 2 pi, 4 pi, pi / 2, 1 / pi, 1 / (2 pi), 1 / 3, sqrt(3) and half of that; TS_PI is the double
+ * of tools. */
 #define TS_PI_F32 3.1415927410125732421875f
 #define TS_TWO_PI 6.283185482025146484375f
+#define TS_FOUR_PI 12.56637096405029296875f
 #define TS_HALF_PI 1.57079637050628662109375f
 #define TS_PER_PI 0.3183098733425140380859375f
+#define TS_PER_TWO_PI 0.15915493667125701904296875f
 #define TS_THIRD 0.3333333432674407958984375f
+#define TS_ROOT_3 1.73205077648162841796875f
+#define TS_HALF_ROOT_3 0.866025388240814208984375f
 
 /* Near planes lie at 1/1024 of the radius or half extent of what a view is made for: so near that they cut off nothing
  * of weight, and yet above 0, since depths are divisors. */
@@ -23,6 +28,7 @@
  * flushed (rule 11); infinity, above which lie the NaNs. */
 #define TS_LEAST_INPUT_BITS 0x2c000000u
 #define TS_MOST_INPUT_BITS 0x5e800000u
+#define TS_MOST_INPUT 4611686018427387904.0f
 #define TS_FLUSH_BITS 0x0d800000u
 #define TS_INFINITE_BITS 0x7f800000u
 

@@ -48,12 +48,14 @@ TS_FN f32 ts_k_light(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 *l)
 /* Whether a light's maps are the faces of a cube: those of a point light, which shines in all directions. */
 TS_FN bool ts_k_has_cube(TS_GLOBAL const ts_light *light) { return light->kind == TS_LIGHT_KIND_POINT; }
 
+#define TS_LEAST_ALPHA_SQUARED 0.000003814697265625f /* 2^-18: the lobe of a perfect mirror would have no width */
+
 /* GGX's alpha squared; alpha is the roughness squared, at least 2^-9. */
 TS_FN f32 ts_k_alpha_squared(f32 roughness)
 {
 	f32 rough = roughness * roughness;
 	f32 a2 = rough * rough;
-	return ts_max(a2, 0.000003814697265625f);
+	return ts_max(a2, TS_LEAST_ALPHA_SQUARED);
 }
 
 /* Reflectance at normal incidence. */

@@ -216,6 +216,8 @@ TS_FN ts_v3 ts_k_facing_normal(const ts_surface *s, ts_v3 towards)
 	return ts_dot(s->face, towards) < 0.0f ? ts_neg(s->n) : s->n;
 }
 
+#define TS_LEAST_SLANTED 0.015625f
+
 /* Footprint of a pixel `width` world units wide at this depth, on a surface seen at this slant: width / sqrt |cos|.
  * |cos| is at least 2^-6, which bounds the footprint of a surface seen edge-on. d: from the eye to the surface; n: the
  * triangle's normal, any length. */
@@ -223,7 +225,7 @@ TS_FN f32 ts_k_footprint(f32 width, ts_v3 d, ts_v3 n)
 {
 	f32 lengths = ts_length(d) * ts_length(n);
 	f32 cosine = lengths > 0.0f ? ts_abs(ts_dot(d, n)) / lengths : 1.0f;
-	return width / ts_sqrt(ts_max(cosine, 0.015625f));
+	return width / ts_sqrt(ts_max(cosine, TS_LEAST_SLANTED));
 }
 
 #endif

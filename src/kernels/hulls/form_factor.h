@@ -96,7 +96,7 @@ TS_FN f32 ts_k_form_factor(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 	}
 	/* Close the polygon along the horizon, and divide by 2 pi; rounding could exceed 1. */
 	sum = sum + ts_k_form_edge(n, leaves, enters, ts_sub(enters, leaves));
-	return ts_min(ts_abs(sum) * 0.15915493667125701904296875f, 1.0f);
+	return ts_min(ts_abs(sum) * TS_PER_TWO_PI, 1.0f);
 }
 
 #endif

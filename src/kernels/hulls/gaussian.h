@@ -55,7 +55,7 @@ TS_FN f32 ts_k_sg_integral(f32 lambda)
 	/* Evaluate the closed form; x is not 0 where it is chosen. */
 	f32 closed = x > 0.0f ? (1.0f - ts_exp(-x)) / x : 1.0f;
 	/* Choose one of the two; 4 pi is the integral where lambda is 0. */
-	return 12.56637096405029296875f * (x < 0.5f ? p : closed);
+	return TS_FOUR_PI * (x < 0.5f ? p : closed);
 }
 
 /* Eq 9, or eq 10 for the lower side, as printed, for lambda above 0. Both cancel where lambda is small; e^lambda
@@ -191,13 +191,15 @@ TS_FN f32 ts_k_sg_mean(f32 k)
 }
 /* clang-format on */
 
+#define TS_VMF_NEAR_ONE 0.89999997615814208984375f /* from here on coth k is 1 within 4e-9 */
+
 /* The inverse of ts_k_sg_mean: the estimate k = r (3 - r^2) / (1 - r^2) of Banerjee, Dhillon, Ghosh and Sra (2005),
- * which is within 5 %, improved by three Newton steps. Above r = 0.9 coth k is 1 within 4e-9, so k is 1 / (1 - r). */
+ * which is within 5 %, improved by three Newton steps. Near r = 1 coth k is 1, so k is 1 / (1 - r). */
 TS_FN f32 ts_k_sg_vmf(f32 r)
 {
 	/* Answer both ends directly: without a direction there is no sharpness, and near 1 coth k is 1. */
 	if (!(r > 0.0f)) return 0.0f;
-	if (r > 0.89999997615814208984375f) return 1.0f / (1.0f - r);
+	if (r > TS_VMF_NEAR_ONE) return 1.0f / (1.0f - r);
 	/* Start from the estimate of Banerjee, Dhillon, Ghosh and Sra (2005). */
 	f32 r2 = r * r;
 	f32 k = (r * (3.0f - r2)) / (1.0f - r2);
@@ -219,6 +221,8 @@ TS_FN f32 ts_k_sg_sharpness(f32 r, u32 vmf)
 	return vmf != 0u ? ts_k_sg_vmf(at) : at / (1.0f - at);
 }
 
+#define TS_LEAST_ACROSS 0.0009765625f /* 2^-10: bounds the sharpness at grazing angles */
+
 /* The lobe of a glossy surface about the reflected direction to the eye. GGX's distribution of normals (Walter,
  * Marschner, Li and Torrance 2007) has the peak 1 / (pi a2), a2 = alpha^2, and the integral 1 with the cosine. The
  * Gaussian about the normal with the same peak and integral has a sharpness of (1 - a2) (2 / a2 + 1) within 1.4 %, and
@@ -228,7 +232,7 @@ TS_FN f32 ts_k_sg_sharpness(f32 r, u32 vmf)
 TS_FN ts_sg ts_k_gloss_lobe(ts_v3 n, ts_v3 v, f32 alpha_squared)
 {
 	f32 n_v = ts_dot(n, v);
-	f32 across = ts_max(ts_abs(n_v), 0.0009765625f);
+	f32 across = ts_max(ts_abs(n_v), TS_LEAST_ACROSS);
 	ts_v3 phi = ts_normalize(ts_sub(ts_scale(n, 2.0f * n_v), v));
 	f32 sharpness = (1.0f - alpha_squared) * (2.0f / alpha_squared + 1.0f);
 	return ts_sg_make(TS_PER_PI / alpha_squared, sharpness / (4.0f * across), phi);

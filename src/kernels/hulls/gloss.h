@@ -76,7 +76,7 @@ TS_FN ts_v3 ts_k_gloss_reflected(const ts_glossy *at, const ts_sg *both)
 {
 	f32 integral = ts_k_sg_cosine(both->lambda, ts_dot(at->n, both->phi), at->cosine, at->printed);
 	f32 sent = ts_flush((both->mu * integral) * TS_PER_PI);
-	if (!(sent > 0.0f && sent < 4611686018427387904.0f)) return ts_v3_make(0.0f, 0.0f, 0.0f);
+	if (!(sent > 0.0f && sent < TS_MOST_INPUT)) return ts_v3_make(0.0f, 0.0f, 0.0f);
 	return ts_scale(ts_k_gloss_factor(at, both->lambda > 0.0f ? both->phi : at->n), sent);
 }
 

@@ -116,7 +116,7 @@ TS_FN f32 ts_k_lobe_irradiance(const ts_hull_args *args, const ts_sg *g, ts_v3 n
 {
 	f32 integral = ts_k_sg_cosine(g->lambda, ts_dot(n, g->phi), args->cosine, args->printed);
 	f32 e = ts_flush((g->mu * integral) * TS_PER_PI);
-	return e > 0.0f && e < 4611686018427387904.0f ? e : 0.0f;
+	return e > 0.0f && e < TS_MOST_INPUT ? e : 0.0f;
 }
 
 TS_FN ts_sg ts_k_hull_lobe(const ts_hull_args *args, u32 b, const ts_shares *shares, u32 channel)

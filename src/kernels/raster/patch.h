@@ -33,7 +33,7 @@ TS_FN void ts_k_patch_corners(TS_GLOBAL ts_patch *patch, ts_v3 p, ts_v3 n, f32 a
 	ts_v3 u = ts_k_across(n);
 	ts_v3 v = ts_cross(n, u);
 	f32 back = radius * -0.5f;
-	f32 aside = radius * 0.866025388240814208984375f;
+	f32 aside = radius * TS_HALF_ROOT_3;
 	ts_v3 behind = ts_mad(p, u, back);
 	ts_store3(patch->a, ts_mad(p, u, radius));
 	ts_store3(patch->b, ts_mad(behind, v, aside));

@@ -32,11 +32,14 @@ typedef struct {
 	ts_v3 weights;
 } ts_cast_hit; /* triangle is TS_NONE if there is none */
 
-/* 1 / x, or 2^60 where that is more. */
+/* 2^60 and 2^-60: an inverse that times any extent of a scene stays finite. */
+#define TS_MOST_INVERSE 1152921504606846976.0f
+#define TS_LEAST_INVERTED 8.67361737988403547205962240695953369140625e-19f
+
+/* 1 / x, or 2^60 with the sign of x where that is more. */
 TS_FN f32 ts_k_cast_inverse(f32 x)
 {
-	f32 most = 1152921504606846976.0f;
-	if (ts_abs(x) < 8.67361737988403547205962240695953369140625e-19f) return x < 0.0f ? -most : most;
+	if (ts_abs(x) < TS_LEAST_INVERTED) return x < 0.0f ? -TS_MOST_INVERSE : TS_MOST_INVERSE;
 	return 1.0f / x;
 }
 
@@ -117,7 +120,7 @@ TS_FN ts_cast_hit ts_k_cast(const ts_cast_args *args, ts_v3 o, ts_v3 d)
 	u32 n = 1u;
 	ts_cast_ray ray = ts_k_cast_ray(o, d);
 	ts_cast_hit best;
-	best.t = 4611686018427387904.0f;
+	best.t = TS_MOST_INPUT;
 	best.triangle = TS_NONE;
 	best.weights = ts_v3_make(0.0f, 0.0f, 0.0f);
 	stack[0] = 0u;

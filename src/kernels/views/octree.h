@@ -25,7 +25,7 @@ TS_FN void ts_k_octree_level_item(const ts_octree_args *args, u64 i)
 TS_FN void ts_k_octree_ball(TS_GLOBAL ts_node *node, TS_GLOBAL const ts_root *root, u32 level, u64 code)
 {
 	ts_store3(node->centre, ts_k_voxel_middle(root, level, ts_k_unmorton(code)));
-	node->radius = ts_put(ts_k_voxel_side(root, level) * 0.866025388240814208984375f);
+	node->radius = ts_put(ts_k_voxel_side(root, level) * TS_HALF_ROOT_3);
 }
 
 TS_FN void ts_k_octree_links(const ts_octree_args *args, TS_GLOBAL ts_node *node, u32 level, u64 code)

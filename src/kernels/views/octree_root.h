@@ -36,6 +36,9 @@ TS_FN void ts_k_octree_root_least_item(const ts_octree_root_args *args, u64 i)
 	for (u32 axis = 0u; axis < 3u; axis++) ts_k_root_least(args->least, axis, args->vertices[i].position[axis]);
 }
 
+#define TS_ROOT_MARGIN 1.0009765625f         /* 1 + 2^-10 */
+#define TS_ROOT_ROUNDING 9.5367431640625e-7f /* 2^-20 */
+
 /* item 0. With the greatest extent e and the greatest coordinate m of either sign, the side is e (1 + 2^-10) + m 2^-20.
  * Rounding moves a vertex by at most 3 m 2^-24, so every vertex stays inside, even after it is snapped with 2^11 voxels
  * per side. */
@@ -56,8 +59,8 @@ TS_FN void ts_k_octree_root_item(const ts_octree_root_args *args, u64 i)
 	f32 extent = ts_max(size.x, ts_max(size.y, size.z));
 	f32 far = ts_max(most.x, ts_max(most.y, most.z));
 	/* Enlarge the side by both margins, so that every vertex stays inside; a scene of one point gets the side 1. */
-	f32 side = extent * 1.0009765625f;
-	f32 room = far * 9.5367431640625e-7f;
+	f32 side = extent * TS_ROOT_MARGIN;
+	f32 room = far * TS_ROOT_ROUNDING;
 	side = ts_flush(side + room);
 	side = side > 0.0f ? side : 1.0f;
 	/* Place the cube about the middle of the vertices. */

@@ -68,6 +68,8 @@ TS_FN ts_v3 ts_k_paraboloid_direction(u32 texel, u32 n)
 	return ts_v3_make(texel < n * n ? along : -along, y, z);
 }
 
+#define TS_LEAST_COSINES 0.00000095367431640625f /* 2^-20: keeps the sum below, a divisor, from 0 */
+
 /* Width of a ball in texels: N sin rho / (cos alpha + cos rho), alpha its angle to the nearer of +x and -x, rho its
  * angular radius. */
 TS_FN f32 ts_k_paraboloid_size(f32 cos_alpha, f32 sin_rho, u32 n)
@@ -76,7 +78,7 @@ TS_FN f32 ts_k_paraboloid_size(f32 cos_alpha, f32 sin_rho, u32 n)
 	f32 cos_rho = ts_sqrt(ts_flush(ts_max(1.0f - square, 0.0f)));
 	f32 sum = cos_alpha + cos_rho;
 	f32 wide = (f32)n * sin_rho;
-	return wide / ts_max(sum, 0.00000095367431640625f);
+	return wide / ts_max(sum, TS_LEAST_COSINES);
 }
 
 #endif

@@ -48,10 +48,7 @@
 TS_ARGS(ts_vpl_gather_args);
 
 TS_FN f32 ts_k_leaf_side(const ts_vpl_gather_args *args) { return args->root->side / (f32)(1u << args->levels); }
-TS_FN f32 ts_k_leaf_diagonal(const ts_vpl_gather_args *args)
-{
-	return ts_k_leaf_side(args) * 1.73205077648162841796875f;
-}
+TS_FN f32 ts_k_leaf_diagonal(const ts_vpl_gather_args *args) { return ts_k_leaf_side(args) * TS_ROOT_3; }
 
 /* The entries from `from` up to `to`, which is not included, and the number of their views; both TS_NONE: all views. */
 typedef struct {
@@ -99,6 +96,8 @@ TS_FN u32 ts_k_list_view(const ts_vpl_gather_args *args, const ts_view_list *lis
 	return args->views[args->cones[args->list[low]].first + (rank - first)];
 }
 
+#define TS_LEAST_FACING_VPL 0.0625f /* limits the slope, and so the bias */
+
 /* Depth bias: `bias` diagonals of a leaf, plus bias_px + bias_slope times the slope of the receiver texels of the map,
  * each (d + |x|) 2 / N wide. */
 TS_FN f32 ts_k_vpl_slack(const ts_vpl_gather_args *args, ts_v3 way, ts_v3 n)
@@ -107,7 +106,7 @@ TS_FN f32 ts_k_vpl_slack(const ts_vpl_gather_args *args, ts_v3 way, ts_v3 n)
 	f32 texel = (d + ts_abs(way.x)) * (2.0f / (f32)args->n);
 	f32 across = ts_abs(ts_dot(way, n));
 	f32 aside = ts_length(ts_cross(way, n));
-	f32 slope = aside / ts_max(across, d * 0.0625f);
+	f32 slope = aside / ts_max(across, d * TS_LEAST_FACING_VPL);
 	f32 texels = args->bias_slope * slope;
 	texels = texels + args->bias_px;
 	f32 leaf = args->bias * ts_k_leaf_diagonal(args);
