@@ -3,10 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include "cli/render.h"
-#include "methods/raster/eye.h"
 #include "output/json/text.h"
-
-enum { NOMINAL_POINT = 80, NOMINAL_CUBE = 6 * 512 * 512 * 8, NOMINAL_TEXELS = 6 * 512 * 512, SAMPLES = 25 };
+#include "study/sums.h"
 
 /* Columns of a table with one figure per method. */
 typedef struct {
@@ -202,17 +200,6 @@ static void bytes_row(const ts_render *render, const method_columns *columns, ts
 	}
 }
 
-static u64 bytes_points(const ts_measure *m) { return m->bytes[TS_B_points_key] + m->bytes[TS_B_points_record]; }
-static u64 bytes_points_nominal(const ts_measure *m) { return m->elements[TS_B_points_record] * NOMINAL_POINT; }
-static u64 bytes_cubes(const ts_measure *m)
-{
-	return 8 * (m->elements[TS_B_splat_depth_index] + m->elements[TS_B_splat_depth_colour] +
-	            m->elements[TS_B_cube_face_depth_triangle]);
-}
-static u64 bytes_cubes_nominal(const ts_measure *m)
-{
-	return bytes_cubes(m) > 0 ? (u64)m->n_in_sight * NOMINAL_CUBE : 0;
-}
 static u64 bytes_peak(const ts_measure *m) { return m->peak_bytes; }
 
 static void report_memory(const ts_render *render, ts_report *report)
@@ -232,48 +219,27 @@ static void report_memory(const ts_render *render, ts_report *report)
 			}
 		}
 	}
-	bytes_row(render, &columns, &table, "points, 40 B each", bytes_points);
-	bytes_row(render, &columns, &table, "points, nominal 80 B each", bytes_points_nominal);
-	bytes_row(render, &columns, &table, "depth and index of all cubes", bytes_cubes);
-	bytes_row(render, &columns, &table, "cubes, nominal 12.58 MB each (512 x 512)", bytes_cubes_nominal);
+	for (const ts_bytes_rule *const *list = ts_sums_bytes(); *list != NULL; list++) {
+		for (const ts_bytes_rule *rule = *list; rule->bytes != NULL; rule++) {
+			bytes_row(render, &columns, &table, rule->name, rule->bytes);
+		}
+	}
 	bytes_row(render, &columns, &table, "peak", bytes_peak);
 	ts_report_table(report, &table);
 }
 
-/* The measure of the first method that makes the buffer. */
-static const ts_measure *find_measure(const ts_render *render, ts_buffer_id id)
-{
-	for (u32 i = 0; i < render->n_methods; i++) {
-		if (ts_pipeline_maker(render->methods[i], id) != NULL) return &render->measures[i];
-	}
-	return NULL;
-}
-
-/* The paper's measure of work: shading operations of MVR divided by those of EPR, counted and predicted. */
-static void report_ratio(const ts_render *render, ts_report *report)
+static void report_figures(const ts_render *render, ts_report *report)
 {
 	static const ts_column columns[] = {{"figure", "figure", false}, {"value", "value", true}, {0}};
-	const ts_measure *epr = find_measure(render, TS_B_lookup_point),
-					 *mvr = find_measure(render, TS_B_cube_face_depth_triangle);
-	const ts_measure *any = epr != NULL ? epr : &render->measures[0];
-	ts_table table = ts_table_begin("shading", "Shading", columns);
-	ts_table_text(&table, "reflective pixels in sight");
-	ts_table_count(&table, (i64)n_reflective(render));
-	ts_table_text(&table, "mirrors in sight");
-	ts_table_count(&table, any->n_in_sight);
-	ts_table_text(&table, "texels a side of their cubes, mean");
-	ts_table_real(&table, any->mean_diameter, 1);
-	if (epr != NULL && mvr != NULL && ts_measure_shading(epr) > 0) {
-		ts_table_text(&table, "shading operations, MVR / EPR");
-		ts_table_real(&table, (double)ts_measure_shading(mvr) / (double)ts_measure_shading(epr), 2);
+	const ts_measured of = {render->measures, render->n_methods, render->scene, &render->job->params,
+	                        n_reflective(render)};
+	for (const ts_figures_rule *const *list = ts_sums_figures(); *list != NULL; list++) {
+		for (const ts_figures_rule *rule = *list; rule->put != NULL; rule++) {
+			ts_table table = ts_table_begin(rule->key, rule->title, columns);
+			rule->put(&table, &of);
+			ts_report_table(report, &table);
+		}
 	}
-	if (n_reflective(render) > 0) {
-		double texels = (double)NOMINAL_TEXELS * render->scene->info.n_reflectors;
-		double looked = (double)SAMPLES * (double)n_reflective(render) * ts_eye_samples(&render->job->params);
-		ts_table_text(&table, "6 * 512^2 * mirrors / (25 * reflective pixels * eye.samples)");
-		ts_table_real(&table, texels / looked, 2);
-	}
-	ts_report_table(report, &table);
 }
 
 static void lit_row(ts_table *table, const ts_picture *picture)
@@ -499,7 +465,7 @@ void ts_render_report_body(const ts_render *render, ts_report *report)
 	report_counters(render, report);
 	report_memory(render, report);
 	if (has_mirrors(render)) {
-		report_ratio(render, report);
+		report_figures(render, report);
 	} else if (has_shadows(render)) {
 		report_shadows(render, report);
 	}

@@ -1,5 +1,6 @@
 /* Pictures: of runs, and of the truths. */
 #include "study/picture.h"
+#include <assert.h>
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -8,32 +9,11 @@
 #include "kernels/base/srgb.h"
 #include "methods/stages.h"
 
-static u64 n_pixels(const ts_params *params) { return (u64)TS_PARAM(params, width) * TS_PARAM(params, height); }
+static const ts_picture_mark *const *lists;
 
-/* Over the samples of pixels. */
-static void count_lit(ts_picture *picture, const ts_run *run)
-{
-	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
-	const u32 *lit = ts_frame_data(&run->frame, TS_B_shadow_test_lit);
-	u64 n, n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape), all = 0;
-	const u64 *seen = ts_pipeline_seen(run, &n);
-	for (u64 k = 0; k < n_lamps; k++) all += lamps[k].samples;
-	picture->n_lamps = n_lamps;
-	picture->n_samples = all;
-	picture->lit = (ts_lit){0};
-	for (u64 i = 0; i < n_pixels(&run->params); i++) {
-		u64 reach = 0, asked = 0;
-		for (u64 at = i; at < n; at += n_pixels(&run->params)) {
-			asked += seen[at] != TS_EMPTY ? all : 0;
-			for (u64 k = 0; k < n_lamps; k++) reach += lit[at * n_lamps + k];
-		}
-		if (asked == 0) continue;
-		picture->lit.seen++;
-		picture->lit.full += reach == asked;
-		picture->lit.part += reach > 0 && reach < asked;
-		picture->lit.none += reach == 0;
-	}
-}
+void ts_picture_marks_use(const ts_picture_mark *const *marks) { lists = marks; }
+
+static u64 n_pixels(const ts_params *params) { return (u64)TS_PARAM(params, width) * TS_PARAM(params, height); }
 
 /* Seen by any sample. */
 static void mark_seen(ts_picture *picture, const ts_run *run)
@@ -43,28 +23,16 @@ static void mark_seen(ts_picture *picture, const ts_run *run)
 	for (u64 i = 0; i < n; i++) picture->seen[i % n_pixels(&run->params)] |= seen[i] != TS_EMPTY;
 }
 
-static ts_status mark_reflective(ts_picture *picture, const ts_run *run)
+static ts_status mark(ts_picture *picture, const ts_run *run)
 {
-	if (!run->frame.buffer[TS_B_mirror_pixel_record].made) return TS_OK;
-	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_mirror_pixel_record);
-	picture->reflective = ts_alloc_zero(n_pixels(&run->params), 1, "the reflective pixels");
-	if (picture->reflective == NULL) return TS_ERROR;
-	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_mirror_pixel_record); i++) {
-		u8 *mark = &picture->reflective[pixels[i].index % n_pixels(&run->params)];
-		picture->n_reflective += *mark == 0;
-		*mark = 1;
+	ts_status status = TS_OK;
+	assert(lists != NULL);
+	for (const ts_picture_mark *const *list = lists; *list != NULL; list++) {
+		for (const ts_picture_mark *rule = *list; *rule != NULL && status == TS_OK; rule++) {
+			status = (*rule)(picture, run);
+		}
 	}
-	return TS_OK;
-}
-
-static ts_status mark_near(ts_picture *picture, const ts_run *run)
-{
-	size_t n = (size_t)n_pixels(&run->params);
-	if (!run->frame.buffer[TS_B_rsm_patch].made || !run->frame.buffer[TS_B_gbuffer_pixel].made) return TS_OK;
-	picture->near = ts_alloc_zero(n, 1, "a picture");
-	picture->elsewhere = ts_alloc_zero(n, 1, "a picture");
-	if (picture->near == NULL || picture->elsewhere == NULL) return TS_ERROR;
-	return ts_near_light_mark(picture->near, picture->elsewhere, run);
+	return status;
 }
 
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run)
@@ -80,8 +48,7 @@ ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *r
 	mark_seen(picture, run);
 	bool gathers = run->pipeline != NULL && ts_pipeline_maker(run->pipeline, TS_B_indirect_irradiance) != NULL;
 	picture->gain = gathers ? ts_image_gain(run) : 1.0f;
-	if (run->frame.buffer[TS_B_shadow_test_lit].made) count_lit(picture, run);
-	return mark_reflective(picture, run) == TS_OK ? mark_near(picture, run) : TS_ERROR;
+	return mark(picture, run);
 }
 
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params)

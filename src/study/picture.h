@@ -32,8 +32,13 @@ typedef struct {
 	f32 *all_radiance;
 } ts_picture;
 
-/* Copies image.radiance and image.srgb of the run, marks the pixels that see a surface and those near light, and counts
- * those that are lit. Released by ts_picture_free, also on failure. */
+/* A family's marks of pixels, and its counts of them, by buffers that the run made. */
+typedef ts_status (*ts_picture_mark)(ts_picture *picture, const ts_run *run);
+/* Takes the marks of all families: lists ended by NULL, each ended by NULL. They must stay. */
+void ts_picture_marks_use(const ts_picture_mark *const *marks);
+
+/* Copies image.radiance and image.srgb of the run, marks the pixels that see a surface, and what families mark.
+ * Released by ts_picture_free, also on failure. */
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run);
 /* Makes a picture of radiance; takes `radiance` over. */
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params);
@@ -57,12 +62,5 @@ ts_status ts_picture_truths_begun(ts_picture pictures[], u32 truths, const ts_tr
 /* Makes a truth by its `radiance`. */
 ts_status ts_picture_truth_alone(ts_picture *picture, const ts_truth_kind *kind, const ts_scene *scene,
                                  const ts_params *params, u32 threads);
-
-/* Which pixels of indirect light are near a triangle of light (METHODS 17). Hulls must err there: their corners stand
- * for places that see such a triangle from another side, or not at all (near_light.c). Marks in near[i] the pixels
- * whose surface is no farther from the middle of a triangle of rsm.patch than the triangle's side is long, and in
- * elsewhere[i] all others but the sky's; surfaces are those of gbuffer.pixel. Both arrays have a byte a pixel and must
- * be 0 before. Fails without memory. */
-ts_status ts_near_light_mark(u8 *near, u8 *elsewhere, const ts_run *run);
 
 #endif

@@ -36,8 +36,11 @@ void ts_tools_begin(void)
 	HAND(ts_speed_use, ts_speed_of, speed);
 	HAND(ts_claims_use, ts_claim, claims);
 	HAND(ts_stage_pictures_use, ts_stage_picture_rule, pictures);
+	HAND(ts_picture_marks_use, ts_picture_mark, marks);
 	HAND(ts_viewer_use, ts_viewer_rule, viewers);
 	HAND(ts_measure_keeps_use, ts_buffer_id, keeps);
 	HAND(ts_measure_lowers_use, ts_lower_rule, lowers);
 	HAND(ts_notes_use, ts_note_rule, notes);
+	HAND(ts_sums_bytes_use, ts_bytes_rule, bytes);
+	HAND(ts_sums_figures_use, ts_figures_rule, figures);
 }

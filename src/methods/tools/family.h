@@ -11,6 +11,7 @@
 #include "study/notes.h"
 #include "study/speed.h"
 #include "study/stage_pictures.h"
+#include "study/sums.h"
 #include "trace/where.h"
 #include "truth/texels.h"
 
@@ -26,10 +27,13 @@ typedef struct {
 	const ts_claim *claims;                /* ended by a row without a paper */
 	const ts_probe_part *parts;            /* ended by a row without `answer` */
 	const ts_stage_picture_rule *pictures; /* ended by a row without `take` */
+	const ts_picture_mark *marks;          /* ended by NULL */
 	const ts_viewer_rule *viewers;         /* ended by a row without `write` */
 	const ts_buffer_id *keeps;             /* ended by TS_N_BUFFERS */
 	const ts_lower_rule *lowers;           /* ended by a row without `param` */
 	const ts_note_rule *notes;             /* ended by a row without `take` */
+	const ts_bytes_rule *bytes;            /* ended by a row without `bytes` */
+	const ts_figures_rule *figures;        /* ended by a row without `put` */
 } ts_family_tools;
 
 #endif

@@ -129,6 +129,9 @@ const ts_family_tools ts_points_tools = {
 	.speed = &ts_points_speed,
 	.claims = ts_points_claims,
 	.parts = parts,
+	.marks = ts_points_marks,
 	.viewers = viewers,
 	.keeps = keeps,
+	.bytes = ts_points_bytes,
+	.figures = ts_points_figures,
 };

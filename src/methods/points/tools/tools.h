@@ -3,6 +3,7 @@
 #define TS_METHODS_POINTS_TOOLS_TOOLS_H
 #include "replay/check.h"
 #include "study/stage_pictures.h"
+#include "study/sums.h"
 #include "trace/read.h"
 #include "trace/where.h"
 #include "truth/sampling.h"
@@ -11,6 +12,9 @@
 extern const ts_check_rule ts_points_checks[];
 extern const ts_stage_picture_rule ts_points_pictures[];
 extern const ts_where_rule ts_points_places[];
+extern const ts_picture_mark ts_points_marks[];
+extern const ts_bytes_rule ts_points_bytes[];
+extern const ts_figures_rule ts_points_figures[];
 
 /* Copies points.record into a folder of the output (viewer.c). */
 ts_status ts_points_view(const ts_run *run, const char *folder);

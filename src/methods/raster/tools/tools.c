@@ -27,6 +27,7 @@ const ts_family_tools ts_raster_tools = {
 	.checks = ts_raster_checks,
 	.parts = parts,
 	.pictures = ts_raster_pictures,
+	.marks = ts_raster_marks,
 	.viewers = ts_raster_viewers,
 	.keeps = keeps,
 };

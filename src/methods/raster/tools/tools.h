@@ -2,10 +2,19 @@
 #ifndef TS_METHODS_RASTER_TOOLS_TOOLS_H
 #define TS_METHODS_RASTER_TOOLS_TOOLS_H
 #include "replay/check.h"
+#include "study/picture.h"
 #include "study/stage_pictures.h"
 
 extern const ts_check_rule ts_raster_checks[];
 extern const ts_viewer_rule ts_raster_viewers[];
+extern const ts_picture_mark ts_raster_marks[];
+
+/* Which pixels of indirect light are near a triangle of light (METHODS 17). Hulls must err there: their corners stand
+ * for places that see such a triangle from another side, or not at all (near_light.c). Makes picture->near, 1 where the
+ * surface is no farther from the middle of a triangle of rsm.patch than the triangle's side is long, and
+ * picture->elsewhere, 1 at all other pixels but the sky's; surfaces are those of gbuffer.pixel. Without these buffers
+ * there are none. Fails without memory. */
+ts_status ts_near_light_mark(ts_picture *picture, const ts_run *run);
 
 /* Pictures of cubes. */
 

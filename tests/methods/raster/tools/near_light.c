@@ -1,6 +1,6 @@
 /* Pixels near a triangle of light: against every triangle for every pixel, without quarters and boxes. */
 #include "kernels/base/records.h"
-#include "study/picture.h"
+#include "methods/raster/tools/tools.h"
 #include "tests/lcg.h"
 #include "tests/model/test.h"
 
@@ -42,7 +42,7 @@ static void judge(u32 round, u32 n)
 {
 	static ts_gpixel pixels[N];
 	static ts_patch patches[PATCHES + 1];
-	static u8 near[N], elsewhere[N];
+	ts_picture picture = {.near = NULL};
 	ts_run *run = calloc(1, sizeof *run);
 	assert_non_null(run);
 	seed = round;
@@ -62,14 +62,13 @@ static void judge(u32 round, u32 n)
 	TS_PARAM_SET(&run->params, height, HEIGHT);
 	ts_frame_borrow(&run->frame, TS_B_gbuffer_pixel, pixels, N);
 	ts_frame_borrow(&run->frame, TS_B_rsm_patch, patches, n);
-	memset(near, 0, sizeof near);
-	memset(elsewhere, 0, sizeof elsewhere);
-	assert_int_equal(ts_near_light_mark(near, elsewhere, run), TS_OK);
+	assert_int_equal(ts_near_light_mark(&picture, run), TS_OK);
 	for (u32 i = 0; i < N; i++) {
 		bool sky = pixels[i].depth == 1.0f, right = !sky && is_near(&pixels[i], patches, n);
-		if (near[i] != right || elsewhere[i] != (!sky && !right))
+		if (picture.near[i] != right || picture.elsewhere[i] != (!sky && !right))
 			fail_msg("round %u, pixel %u", (unsigned)round, (unsigned)i);
 	}
+	ts_picture_free(&picture);
 	ts_frame_clear(&run->frame);
 	free(run);
 }

@@ -2,6 +2,7 @@
  * meet the box about its places. */
 #include <stdlib.h>
 #include "kernels/base/records.h"
+#include "methods/raster/tools/tools.h"
 #include "study/picture.h"
 
 enum { SMALL = 8 }; /* pixels per side of parts that are not quartered */
@@ -118,17 +119,20 @@ static u64 take_balls(ball *balls, const ts_patch *patches, u64 n_patches)
 	return n;
 }
 
-ts_status ts_near_light_mark(u8 *near, u8 *elsewhere, const ts_run *run)
+ts_status ts_near_light_mark(ts_picture *picture, const ts_run *run)
 {
-	u64 n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch);
+	if (!run->frame.buffer[TS_B_rsm_patch].made || !run->frame.buffer[TS_B_gbuffer_pixel].made) return TS_OK;
+	const part all = {0, 0, TS_PARAM(&run->params, width), TS_PARAM(&run->params, height)};
+	u64 n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch), n = all.right * all.bottom;
+	picture->near = ts_alloc_zero(n, 1, "a picture");
+	picture->elsewhere = ts_alloc_zero(n, 1, "a picture");
 	work w = {.pixels = ts_frame_data(&run->frame, TS_B_gbuffer_pixel),
-	          .width = TS_PARAM(&run->params, width),
+	          .width = all.right,
 	          .balls = ts_alloc(n_patches, sizeof(ball), "the triangles of light"),
-	          .near = near,
-	          .elsewhere = elsewhere};
-	if (w.balls == NULL) return TS_ERROR;
-	const part all = {0, 0, w.width, TS_PARAM(&run->params, height)};
-	mark(&w, &all, take_balls(w.balls, ts_frame_data(&run->frame, TS_B_rsm_patch), n_patches));
+	          .near = picture->near,
+	          .elsewhere = picture->elsewhere};
+	bool room = w.near != NULL && w.elsewhere != NULL && w.balls != NULL;
+	if (room) mark(&w, &all, take_balls(w.balls, ts_frame_data(&run->frame, TS_B_rsm_patch), n_patches));
 	free(w.balls);
-	return TS_OK;
+	return room ? TS_OK : TS_ERROR;
 }
