@@ -231,8 +231,8 @@ static void report_memory(const ts_render *render, ts_report *report)
 static void report_figures(const ts_render *render, ts_report *report)
 {
 	static const ts_column columns[] = {{"figure", "figure", false}, {"value", "value", true}, {0}};
-	const ts_measured of = {render->measures, render->n_methods, render->scene, &render->job->params,
-	                        n_reflective(render)};
+	const ts_measured_frame of = {render->measures, render->n_methods, render->scene, &render->job->params,
+	                              n_reflective(render)};
 	for (const ts_figures_rule *const *list = ts_sums_figures(); *list != NULL; list++) {
 		for (const ts_figures_rule *rule = *list; rule->put != NULL; rule++) {
 			ts_table table = ts_table_begin(rule->key, rule->title, columns);

@@ -20,7 +20,7 @@ const ts_figures_rule *const *ts_sums_figures(void)
 	return figures;
 }
 
-const ts_measure *ts_sums_find(const ts_measured *of, ts_buffer_id id)
+const ts_measure *ts_sums_find(const ts_measured_frame *of, ts_buffer_id id)
 {
 	for (u32 i = 0; i < of->n_measures; i++) {
 		if (ts_pipeline_maker(of->measures[i].method, id) != NULL) return &of->measures[i];

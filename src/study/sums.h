@@ -17,12 +17,12 @@ typedef struct {
 	const ts_scene *scene;
 	const ts_params *params;
 	u64 n_reflective; /* pixels */
-} ts_measured;
+} ts_measured_frame;
 
 /* A table of figures, for an effect with mirrors. */
 typedef struct {
 	const char *key, *title;
-	void (*put)(ts_table *table, const ts_measured *of); /* rows of a name and a figure */
+	void (*put)(ts_table *table, const ts_measured_frame *of); /* rows of a name and a figure */
 } ts_figures_rule;
 
 /* Take the rules of all families: lists ended by NULL, each ended by a row without a function. They must stay. */
@@ -34,6 +34,6 @@ const ts_bytes_rule *const *ts_sums_bytes(void);
 const ts_figures_rule *const *ts_sums_figures(void);
 
 /* The measure of the first method that makes the buffer; NULL: there is none. */
-const ts_measure *ts_sums_find(const ts_measured *of, ts_buffer_id id);
+const ts_measure *ts_sums_find(const ts_measured_frame *of, ts_buffer_id id);
 
 #endif

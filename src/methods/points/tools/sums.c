@@ -26,10 +26,9 @@ const ts_bytes_rule ts_points_bytes[] = {
 };
 
 /* The paper's measure of work: shading operations of MVR divided by those of EPR, counted and predicted. */
-static void put_shading(ts_table *table, const ts_measured *of)
+static void put_shading(ts_table *table, const ts_measured_frame *of)
 {
-	const ts_measure *epr = ts_sums_find(of, TS_B_lookup_point),
-					 *mvr = ts_sums_find(of, TS_B_cube_face_depth_triangle);
+	const ts_measure *epr = ts_sums_find(of, TS_B_lookup_point), *mvr = ts_sums_find(of, TS_B_cube_face_depth_triangle);
 	const ts_measure *any = epr != NULL ? epr : &of->measures[0];
 	ts_table_text(table, "reflective pixels in sight");
 	ts_table_count(table, (i64)of->n_reflective);
