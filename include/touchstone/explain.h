@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* What one item of a stage computes, line by line: each parameter, variable, decision, result and store of its kernel,
- * with values and bits. Two traces can be compared: then the answer also names the first line that differs. */
+ * with values and bits, and the titles of its paragraphs. Two traces can be compared: then the answer also names the
+ * first line that differs, and the paragraph in which the traces part. */
 #ifndef TOUCHSTONE_EXPLAIN_H
 #define TOUCHSTONE_EXPLAIN_H
 #include <stddef.h>
@@ -23,8 +24,9 @@ typedef struct {
 	uint64_t item;
 	const char *kernel; /* only launches of this kernel; NULL: all launches */
 	int primitives;     /* not 0: also the lines of functions that all kernels share */
-	uint64_t lines;     /* the answer has at most this many lines; 0: 20000 */
+	uint64_t lines;     /* at most this many lines are kept; 0: 20000, or 1000000 for an outline */
 	int as_text;        /* not 0: the answer is text for people */
+	int outline;        /* not 0: each title once, with the last values of what its paragraph leaves */
 } ts_explain_options;
 
 /* Runs the stage of `trace` once more and explains what the options ask for.

@@ -1,10 +1,12 @@
-"""The kernels as C that tells what it computes: parameters, variables, results, decisions and stores, each with its
-place in the text. What each tells is a row of a table (src/explain/told.h)."""
+"""The kernels as C that tells what it computes: parameters, variables, results, decisions and stores, and the titles
+of paragraphs, each with its place in the text. What each tells is a row of a table (src/explain/told.h)."""
 from pycparser import c_ast, c_generator
 
 from . import tree as T
+from .comments import comments
 from .glsl import parameters
 from .glsl_words import below, home_of, is_own
+from .left import Left
 
 # What items change for one another: offers(where, what), or changes(where).
 ATOMIC = {"ts_min_u64", "ts_min_u32", "ts_or_u64", "ts_add_i64", "ts_next_i64", "ts_next_u32", "ts_mark_u8"}
@@ -20,7 +22,7 @@ class Writer(c_generator.CGenerator):
 		self.sites, self.types, self.n_names = [], {}, 0
 
 	def function(self, function):
-		self.returns = function.type.of
+		self.returns, self.titled, self.left = function.type.of, {function.line}, Left(function)
 		head = self.head(function)
 		lines = [f"ts_told_call({self.site('CALL', function.node, function.name)});"]
 		for node, kind in zip(parameters(function), function.type.with_):
@@ -47,10 +49,10 @@ class Writer(c_generator.CGenerator):
 			return any(map(self.has_pointers, self.tree.structs[kind.name].values()))
 		return kind.kind == "pointer" or (kind.kind == "array" and self.has_pointers(kind.of))
 
-	def site(self, how, node, text, kind=None):
+	def site(self, how, node, text, kind=None, left=False):
 		of = "NULL" if kind is None else f"&types[{self.type_number(kind)}]"
-		text = clean(text.replace("ts_null", "NULL"))
-		self.sites.append(f'{{TS_TOLD_{how}, "{home_of(node)}", {node.coord.line}, "{text}", {of}}}')
+		text, line = clean(text.replace("ts_null", "NULL")), node.coord.line
+		self.sites.append(f'{{TS_TOLD_{how}, "{home_of(node)}", {line}, {str(left).lower()}, "{text}", {of}}}')
 		return f"&sites[{len(self.sites) - 1}]"
 
 	def type_number(self, kind):
@@ -74,12 +76,12 @@ class Writer(c_generator.CGenerator):
 		else:
 			yield path, offset.replace("0 + ", ""), kind.name
 
-	def told(self, how, node, text, kind, at):
-		return f"ts_told({self.site(how, node, text, kind)}, {at});"
+	def told(self, how, node, text, kind, at, left=False):
+		return f"ts_told({self.site(how, node, text, kind, left)}, {at});"
 
 	def stored(self, node, what, at):
-		to = self.tree.type_of(what)
-		return self.told("STORE" if to.shared else "VALUE", node, self.plain.visit(what), to, at)
+		to, left = self.tree.type_of(what), self.left.leaves(node, what)
+		return self.told("STORE" if to.shared else "VALUE", node, self.plain.visit(what), to, at, left)
 
 	def name(self):
 		self.n_names += 1
@@ -209,16 +211,30 @@ class Writer(c_generator.CGenerator):
 		is_counted = kind.kind == "array" and kind.length is None
 		return kind._replace(length=len(node.init.exprs)) if is_counted else kind
 
+	def title(self, node):
+		"""What the comment above a statement says, once."""
+		if isinstance(node, c_ast.Compound) or not node.coord or node.coord.line in self.titled:
+			return ""
+		self.titled.add(node.coord.line)
+		lines = comments(node.coord.file.split("@")[0]).above.get(node.coord.line)
+		return f"{self._make_indent()}ts_told_title({self.site('TITLE', node, quoted(lines))});\n" if lines else ""
+
 	def _generate_stmt(self, node, add_indent=False):
-		"""Behind a declaration stands what tells it."""
-		text = super()._generate_stmt(node, add_indent)
+		"""Before a statement stands its title, and behind a declaration what tells it."""
+		title = self.title(node)
+		text = title + super()._generate_stmt(node, add_indent)
 		if not isinstance(node, c_ast.Decl) or node.init is None or is_own(self.kind(node)):
 			return text
 		kind = self.kind(node)
-		lines = [self.told("VALUE", node, node.name, kind, "&" + node.name)]
+		lines = [self.told("VALUE", node, node.name, kind, "&" + node.name, self.left.leaves(node, node))]
 		if kind.kind == "pointer" and kind.of.kind == "struct" and kind.of.const and is_address(node.init):
 			lines.append(self.told("VALUE", node, "*" + node.name, kind.of, node.name))
 		return text + "".join(f"{self._make_indent()}{line}\n" for line in lines)
+
+
+def quoted(lines):
+	"""As a string of C has it."""
+	return " ".join(lines).replace("\\", "\\\\").replace('"', '\\"')
 
 
 def is_address(node):

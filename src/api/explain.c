@@ -5,7 +5,7 @@
 #include "explain/explain.h"
 #include "study/asked/words.h"
 
-enum { LINES = 20000 };
+enum { LINES = 20000, OUTLINED = 1000000 };
 
 static ts_status take_kernel(ts_question *q, const char *name)
 {
@@ -32,12 +32,13 @@ static ts_status take_element(ts_question *q, const ts_explain_options *o, const
 
 static ts_status take_question(ts_question *q, const ts_explain_options *o, const ts_stage *stage)
 {
+	u64 most = o->outline != 0 ? OUTLINED : LINES;
 	*q = (ts_question){.subject = o->item_said != 0 ? TS_EXPLAIN_ITEM : TS_EXPLAIN_LAUNCHES,
 	                   .kernel = TS_N_KERNELS,
 	                   .item = o->item,
 	                   .buffer = TS_N_BUFFERS,
 	                   .primitives = o->primitives != 0,
-	                   .most = o->lines != 0 ? o->lines : LINES};
+	                   .most = o->lines != 0 ? o->lines : most};
 	if (o->buffer != NULL) return take_element(q, o, stage);
 	return o->kernel != NULL ? take_kernel(q, o->kernel) : TS_OK;
 }
@@ -62,7 +63,14 @@ static ts_status explain(json_t **answer, const ts_explain_options *o, const ts_
 	ts_status status = ts_explain(&a, stage, &question, trace, inputs);
 	if (status == TS_OK && other != NULL) status = ts_explain(&b, stage, &question, trace, other);
 	if (status == TS_OK) {
-		const ts_told_what what = {stage, &question, trace, inputs, other, &a, other != NULL ? &b : NULL};
+		const ts_told_what what = {.stage = stage,
+		                           .question = &question,
+		                           .trace = trace,
+		                           .inputs = inputs,
+		                           .other = other,
+		                           .a = &a,
+		                           .b = other != NULL ? &b : NULL,
+		                           .outline = o->outline != 0};
 		status = make_answer(answer, &what, o->as_text != 0);
 	}
 	ts_explain_end(&b);

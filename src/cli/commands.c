@@ -47,7 +47,7 @@ const ts_command ts_command_table[] = {
 	{"replay", "TRACE", "run a stage again from the buffers of a trace, and compare", 1, 1, TS_OPT(STAGE),
      TS_OPT(INPUTS), TS_OPT(THREADS), TS_OPT(OUTPUT), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_replay_command},
 	{"explain", "TRACE [OTHER]", "what one item of a stage computes, line by line", 1, 2, TS_OPT(STAGE), TS_OPT(ITEM),
-     TS_OPT(KERNEL), TS_OPT(ELEMENT), TS_OPT(INPUTS), TS_OPT(PRIMITIVES), TS_OPT(LINES), TS_OPT(JSON),
+     TS_OPT(KERNEL), TS_OPT(ELEMENT), TS_OPT(INPUTS), TS_OPT(PRIMITIVES), TS_OPT(OUTLINE), TS_OPT(LINES), TS_OPT(JSON),
      .run = ts_explain_command},
 	{"info", "SCENE", "what was loaded, and what in the file was not understood", 1, 1, WHERE, TS_OPT(JSON),
      .run = ts_info_command},

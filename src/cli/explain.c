@@ -1,5 +1,5 @@
-/* `explain TRACE [OTHER]`: what one item of a stage computes, line by line; for two traces, the first line that
- * differs. */
+/* `explain TRACE [OTHER]`: what one item of a stage computes, line by line or as an outline; for two traces, the first
+ * line that differs, and the paragraph in which they part. */
 #include <string.h>
 #include "cli/client.h"
 #include "study/results/table.h"
@@ -29,6 +29,7 @@ static ts_status ask(ts_explain_options *o, char name[NAME], const ts_cli *cli)
 	                          .item = cli->place.item,
 	                          .primitives = cli->place.primitives,
 	                          .lines = cli->place.lines,
+	                          .outline = cli->place.outline,
 	                          .as_text = !cli->job.output.json};
 	if (cli->stage == NULL) return ts_fail("explain: --stage NAME must be given; see: touchstone list stages");
 	if (cli->inputs != NULL && cli->n_arguments > 1)

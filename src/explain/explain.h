@@ -57,11 +57,16 @@ enum { TS_TOLD_TEXT = 8192 };
  * line 12", counted from 1. With `other`, whose line of that number is at the same place, only the differences. */
 void ts_explain_text(char text[TS_TOLD_TEXT], const ts_explanation *explanation, size_t number,
                      const ts_explanation *other);
+/* The same with every value as a whole; the line of `other` at the same place is number `beside`. */
+void ts_explain_full_text(char text[TS_TOLD_TEXT], const ts_explanation *explanation, size_t number,
+                          const ts_explanation *other, size_t beside);
 /* Whether both have a line of that number, at the same place; ts_explain_is_same: and with the same content. */
 bool ts_explain_is_beside(const ts_explanation *a, const ts_explanation *b, size_t number);
 bool ts_explain_is_same(const ts_explanation *a, const ts_explanation *b, size_t number);
 /* Whether two have different lines, and the number of the first. */
 bool ts_explain_differ(size_t *number, const ts_explanation *a, const ts_explanation *b);
+/* The title of the first paragraph that leaves another value, decides otherwise or goes another way; NULL: none. */
+const ts_told_site *ts_explain_parting(const ts_explanation *a, const ts_explanation *b);
 
 /* Explanations as JSON: as lines of text for people, and as objects (report.c). */
 typedef struct {
@@ -69,6 +74,7 @@ typedef struct {
 	const ts_question *question;
 	const ts_trace *trace, *inputs, *other; /* inputs, other: NULL if there is none */
 	const ts_explanation *a, *b;            /* of trace and of other, which may be NULL */
+	bool outline;                           /* of the lines only those of an outline */
 } ts_told_what;
 
 /* New references; NULL without memory. */

@@ -94,7 +94,8 @@ static bool is_shown(const ts_told_type *type, const ts_told_leaf *leaf, const c
 	return type->n == 1 || leaf->scalar != TS_TOLD_pointer || strcmp(value, "NULL") != 0;
 }
 
-static void add_numbers(char text[TS_TOLD_TEXT], const ts_explanation *e, size_t number, const ts_explanation *other)
+static void add_numbers(char text[TS_TOLD_TEXT], const ts_explanation *e, size_t number, const ts_explanation *other,
+                        size_t beside)
 {
 	const ts_told_line *line = &e->telling.lines[number];
 	const ts_told_type *type = line->site->type;
@@ -104,7 +105,7 @@ static void add_numbers(char text[TS_TOLD_TEXT], const ts_explanation *e, size_t
 	for (u32 i = 0; i < type->n && used < TS_TOLD_TEXT - 2 * TS_VALUE_TEXT; i++) {
 		const ts_told_leaf *leaf = &type->leaf[i];
 		ts_explain_number(value, e, line, leaf);
-		if (other != NULL) ts_explain_number(others, other, &other->telling.lines[number], leaf);
+		if (other != NULL) ts_explain_number(others, other, &other->telling.lines[beside], leaf);
 		if (!is_shown(type, leaf, value) || (other != NULL && strcmp(value, others) == 0)) continue;
 		used += (size_t)snprintf(text + used, TS_TOLD_TEXT - used, "%s %s%s%s", apart, leaf->path,
 		                         leaf->path[0] != 0 ? " " : "", value);
@@ -112,26 +113,36 @@ static void add_numbers(char text[TS_TOLD_TEXT], const ts_explanation *e, size_t
 	}
 }
 
-void ts_explain_text(char text[TS_TOLD_TEXT], const ts_explanation *explanation, size_t number,
-                     const ts_explanation *other)
+void ts_explain_full_text(char text[TS_TOLD_TEXT], const ts_explanation *explanation, size_t number,
+                          const ts_explanation *other, size_t beside)
 {
 	const ts_told_line *line = &explanation->telling.lines[number];
 	const ts_told_site *site = line->site;
-	size_t before = earlier(explanation, number);
 	char place[TS_VALUE_TEXT];
 	ts_explain_place(place, explanation, line);
 	if (site->how == TS_TOLD_CALL) {
 		snprintf(text, TS_TOLD_TEXT, "%s()", site->text);
+	} else if (site->how == TS_TOLD_TITLE) {
+		snprintf(text, TS_TOLD_TEXT, "-- %s", site->text);
 	} else if (site->how == TS_TOLD_TEST) {
 		snprintf(text, TS_TOLD_TEXT, "%s? %s", site->text, line->yes ? "yes" : "no");
-	} else if (before != number && other == NULL) {
-		snprintf(text, TS_TOLD_TEXT, "%s as in line %zu", site->text, before + 1);
 	} else if (!ts_explain_has_value(explanation, line)) {
 		snprintf(text, TS_TOLD_TEXT, "%s, %s", site->text, place);
 	} else {
 		snprintf(text, TS_TOLD_TEXT, "%s%s%s%s", site->text, place[0] != 0 ? ", " : "", place,
 		         site->how == TS_TOLD_RESULT ? "" : " =");
-		add_numbers(text, explanation, number, other);
+		add_numbers(text, explanation, number, other, beside);
+	}
+}
+
+void ts_explain_text(char text[TS_TOLD_TEXT], const ts_explanation *explanation, size_t number,
+                     const ts_explanation *other)
+{
+	size_t before = other == NULL ? earlier(explanation, number) : number;
+	if (before == number) {
+		ts_explain_full_text(text, explanation, number, other, number);
+	} else {
+		snprintf(text, TS_TOLD_TEXT, "%s as in line %zu", explanation->telling.lines[number].site->text, before + 1);
 	}
 }
 
@@ -158,4 +169,35 @@ bool ts_explain_differ(size_t *number, const ts_explanation *a, const ts_explana
 	*number = 0;
 	while (*number < n && ts_explain_is_same(a, b, *number)) ++*number;
 	return *number < n;
+}
+
+/* The title that a line stands under, if need be of the function that calls its own; NULL: none. */
+static const ts_told_site *title_of(const ts_explanation *e, size_t number)
+{
+	const ts_told_line *lines = e->telling.lines;
+	u32 depth = lines[number].depth;
+	for (size_t i = number; i-- > 0;) {
+		if (lines[i].depth > depth) continue;
+		if (lines[i].site->how == TS_TOLD_TITLE) return lines[i].site;
+		depth = lines[i].depth;
+	}
+	return NULL;
+}
+
+/* Whether a line may be where two part: no parameter, and nothing that stays in its paragraph. */
+static bool counts(const ts_explanation *e, size_t number)
+{
+	const ts_told_site *site = e->telling.lines[number].site;
+	return site->how != TS_TOLD_VALUE || site->left;
+}
+
+const ts_told_site *ts_explain_parting(const ts_explanation *a, const ts_explanation *b)
+{
+	size_t i = 0;
+	for (; ts_explain_is_beside(a, b, i); i++) {
+		const ts_told_site *title = counts(a, i) && !ts_explain_is_same(a, b, i) ? title_of(a, i) : NULL;
+		if (title != NULL) return title;
+	}
+	const ts_explanation *longer = i < a->telling.n_lines ? a : b;
+	return i < longer->telling.n_lines ? title_of(longer, i) : NULL;
 }

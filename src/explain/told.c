@@ -84,3 +84,8 @@ bool ts_told_test(const ts_told_site *site, bool yes)
 	if (line != NULL) line->yes = yes;
 	return yes;
 }
+
+void ts_told_title(const ts_told_site *site)
+{
+	if (is_heard(TS_TOLD_TITLE)) add(site);
+}

@@ -1,6 +1,6 @@
 /* The record of an item of a kernel while it is computed. scripts/explained writes the kernels as C that computes the
- * same bits and calls these functions at each parameter, variable, result, decision and store. One thread records at a
- * time. */
+ * same bits and calls these functions at each parameter, variable, result, decision, store and title. One thread
+ * records at a time. */
 #ifndef TS_EXPLAIN_TOLD_H
 #define TS_EXPLAIN_TOLD_H
 #include "model/frame.h"
@@ -36,6 +36,7 @@ typedef enum {
 	TS_TOLD_RESULT, /* the function returns it */
 	TS_TOLD_TEST,   /* a decision */
 	TS_TOLD_STORE,  /* is stored in a buffer */
+	TS_TOLD_TITLE,  /* the title of the paragraph that follows */
 } ts_told_how;
 
 /* A place in the text of the kernels, and what is recorded there. */
@@ -43,8 +44,9 @@ typedef struct {
 	ts_told_how how;
 	const char *file; /* below src/kernels */
 	u32 line;
-	const char *text;         /* the name, the function, the condition, or the target of the store */
-	const ts_told_type *type; /* NULL for calls and tests */
+	bool left;                /* for VALUE: other paragraphs read it, or the function was given a pointer to it */
+	const char *text;         /* the name, the function, the condition, the target of the store, or the title */
+	const ts_told_type *type; /* NULL for calls, tests and titles */
 } ts_told_site;
 
 /* One recorded line. */
@@ -80,6 +82,7 @@ void ts_told_call(const ts_told_site *site);
 void ts_told_end(void);
 void ts_told(const ts_told_site *site, const void *value);
 bool ts_told_test(const ts_told_site *site, bool yes);
+void ts_told_title(const ts_told_site *site);
 
 /* False in a build that was made with DEVICES= and can tell nothing. */
 extern const bool ts_told_here;

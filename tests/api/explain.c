@@ -47,6 +47,7 @@ static void the_first_line_that_differs_is_told(void **state)
 	ts_explain_options options = {.bytes = sizeof options, .stage = "eye", .item_said = 1, .item = 7};
 	assert_int_equal(ts_explain_item(context, &answer, &options, reference, NULL, other), TS_DIFFERENT);
 	assert_true(ts_tree_integer(ts_tree_get(ts_tree_get(answer, "first_difference"), "line")) > 0);
+	assert_non_null(ts_tree_text(ts_tree_get(ts_tree_get(answer, "first_difference"), "title")));
 	ts_tree_free(answer);
 	options.as_text = 1;
 	assert_int_equal(ts_explain_item(context, &answer, &options, reference, NULL, other), TS_DIFFERENT);
@@ -66,6 +67,39 @@ static void the_first_line_that_differs_is_told(void **state)
 	assert_null(answer);
 	ts_trace_close(other);
 	free(moved);
+}
+
+static size_t n_titles(const ts_tree *answer, bool once)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < ts_tree_n(answer); i++) {
+		const char *line = ts_tree_text(ts_tree_at(answer, i)), *title = strstr(line, " -- ");
+		for (size_t k = 0; k < i && title != NULL && once; k++) {
+			const char *before = strstr(ts_tree_text(ts_tree_at(answer, k)), " -- ");
+			if (before != NULL && strncmp(before, title, 40) == 0) title = NULL;
+		}
+		n += title != NULL;
+	}
+	return n;
+}
+
+/* An outline is shorter, and has every title; it takes more lines than are printed by default. */
+static void an_outline_has_every_title(void **state)
+{
+	(void)state;
+	ts_tree *whole, *outline;
+	ts_explain_options o = {.bytes = sizeof o, .stage = "image", .item_said = 1, .item = 7, .as_text = 1};
+	done(ts_explain_item(context, &whole, &o, reference, NULL, NULL));
+	o.outline = 1;
+	done(ts_explain_item(context, &outline, &o, reference, NULL, NULL));
+	assert_true(ts_tree_n(outline) < ts_tree_n(whole) / 2 && n_titles(outline, true) > 3);
+	assert_int_equal(n_titles(outline, true), n_titles(whole, true));
+	ts_tree_free(outline);
+	o.lines = 10;
+	done(ts_explain_item(context, &outline, &o, reference, NULL, NULL));
+	assert_true(strstr(ts_tree_text(ts_tree_at(outline, ts_tree_n(outline) - 1)), " more lines") != NULL);
+	ts_tree_free(outline);
+	ts_tree_free(whole);
 }
 
 static void wrong_questions_are_refused(void **state)
@@ -94,6 +128,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(the_store_told_is_of_the_element),
 		cmocka_unit_test(the_first_line_that_differs_is_told),
+		cmocka_unit_test(an_outline_has_every_title),
 		cmocka_unit_test(wrong_questions_are_refused),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);

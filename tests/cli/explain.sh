@@ -3,6 +3,7 @@
 # cannot be explained.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
+splat=$PWD/src/kernels/points/splat.h
 cd "$scratch" || exit 2
 "$touchstone" "${frame[@]}" --method epr,mvr --self-contained -o out > /dev/null ||
 	{ echo "Bail out! no trace"; exit 1; }
@@ -32,10 +33,67 @@ stores = lines[told["stores"] - 1]
 assert stores["how"] == "store" and stores["to"] == "image.radiance:7000", stores
 held = data[head + 4 * 7000 : head + 4 * 7001][::-1].hex()
 assert stores["value"][""]["bits"] == held, (stores, held)
-assert {line["how"] for line in lines} == {"call", "value", "result", "test", "store"}
+assert {line["how"] for line in lines} == {"call", "value", "result", "test", "store", "title"}
 assert lines[0]["depth"] == 0 and all(b["depth"] <= a["depth"] + 1 for a, b in zip(lines, lines[1:]))
 PY
 verdict $? 'the line that stores an element has its bits'
+
+prints ' args->found\[.*\], lookup.point:[0-9]* = ' explain $epr --stage lookup --item 5 --outline
+
+# titles FUNCTION...: of their paragraphs, in the text of splat.h. printed: in what was printed, each once in a row.
+titles() {
+	local function
+	for function; do
+		sed -n "/^TS_.* $function(/,/^}/s/^\t*\/\* \(.*\) \*\/$/\1/p" "$splat"
+	done
+}
+printed() { sed -n 's/^.* points\/splat\.h:.* -- //; T; s/ ([0-9]* times)$//; p' stdout | uniq; }
+
+# Headings in the order of the kernel, in all lines and in an outline, which has each once.
+run explain $epr --stage splat --item 5
+[ "$status" -eq 0 ] && titles ts_k_splat_everywhere ts_k_splat | head -n 5 > text && printed | head -n 5 | diff text -
+verdict $? 'titles stand before their lines'
+run explain $epr --stage splat --item 5 --outline
+[ "$status" -eq 0 ] && titles ts_k_splat_everywhere ts_k_splat > text && [ "$(wc -l < text)" -eq 7 ] &&
+	printed | diff text -
+verdict $? '--outline prints each title once'
+! grep -qE '\? (yes|no)$|ts_k_' stdout && grep -q ' \*least, splat.depth_index:[0-9]* = ' stdout &&
+	[ "$(wc -l < stdout)" -lt 150 ]
+verdict $? 'no decision and no call, but stores'
+grep -q ' box = \.x0 ' stdout && ! grep -qE ' (d|i|j|word) = ' stdout
+verdict $? 'of values those that other paragraphs read'
+
+# Every line of an outline is the last of its name in its paragraph, under the titles that it stands under.
+run explain $epr --stage splat --item 5 --json --outline
+cp stdout outline.json
+run explain $epr --stage splat --item 5 --json
+python3 - stdout outline.json <<'PY'
+import collections, json, sys
+whole, outline = [json.load(open(name))["launches"][0]["lines"] for name in sys.argv[1:]]
+last, times, titles, at = {}, collections.Counter(), [], {}
+for number, line in enumerate(whole, 1):
+	depth = line["depth"]
+	at = {k: title for k, title in at.items() if k <= depth}
+	place = (line["file"], line["line"])
+	above = tuple(title for k, title in sorted(at.items()) if k < depth or line["how"] != "title")
+	key = above, line["how"], depth, place if line["how"] == "title" else line["text"]
+	if line["how"] == "title":
+		at[depth] = place
+		titles += [key] if key not in last else []
+	last[key] = number
+	times[key] += 1
+keys = {number: key for key, number in last.items()}
+assert len(outline) > 50
+for line in outline:
+	number = line.pop("number")
+	assert number in keys, number
+	assert times[keys[number]] == line.pop("times") and line == whole[number - 1]
+told = {keys[last[key]] for key in titles}
+assert len(titles) == len(told) == sum(line["how"] == "title" for line in outline) > 15
+stored = {key for key in keys.values() if key[1] == "store" and "value" in whole[last[key] - 1]}
+assert len(stored) == sum(line["how"] == "store" for line in outline) > 0
+PY
+verdict $? 'the values of an outline are the last of all lines'
 
 run explain $epr $epr --stage points --item 3
 [ "$status" -eq 0 ] && grep -q '^the same lines in ' stdout && ! grep -q '^[<>]' stdout
@@ -63,6 +121,13 @@ cp -r $epr whole && cp port/record.npy whole/"$(basename $epr/*-points.record.np
 run explain $epr whole --stage splat --item 5
 [ "$status" -eq 1 ] && [ "$(sed -n 3p stdout | grep -c '^<.* \*record = \.length [0-9.e-]* ([0-9a-f]\{8\})$')" -eq 1 ]
 verdict $? 'two traces: the first line that differs, and what in it'
+grep -q '^they part in: Bound the projected square' stdout
+verdict $? 'two traces: the paragraph in which they part'
+run explain $epr whole --stage splat --item 5 --outline
+[ "$status" -eq 1 ] && grep -q '^they part in: Bound the projected square' stdout &&
+	[ "$(grep -c '^[<>] *[0-9]* points/splat.h:.* square = \.length ' stdout)" -eq 2 ] &&
+	grep -q '^ .* -- Bound the projected square' stdout && ! grep -q '^[<>].* -- Clip the piece' stdout
+verdict $? 'outlines of two traces'
 run explain $epr whole --stage splat --item 5 --json
 [ "$status" -eq 1 ] && python3 - stdout <<'PY'
 import json, sys
@@ -70,12 +135,17 @@ told = json.load(open(sys.argv[1]))
 first = told["first_difference"]
 one, two = first["trace"]["value"], first["other"]["value"]
 assert [key for key in one if one[key] != two[key]] == [".length"]
+assert first["title"].startswith("Bound the projected square"), first["title"]
 assert int(one[".length"]["bits"], 16) - int(two[".length"]["bits"], 16) == 1 << 23 # half of it
 PY
 verdict $? 'the same as JSON'
 run explain $epr port --stage splat --item 5
 [ "$status" -eq 1 ] && [ "$(sed -n 3p stdout | grep -c '^<.* \*record = \.length ')" -eq 1 ]
 verdict $? "a port's trace, of one buffer"
+cp -r $epr moved && change moved/*-cube_size.face.npy 64 0 0 0100803f
+run explain $epr moved --stage splat --item 5 --outline
+[ "$status" -eq 1 ] && grep -q '^they part in: Look along the face' stdout
+verdict $? 'another input, another paragraph'
 run explain $epr whole --stage splat --item 6
 [ "$status" -eq 0 ]
 verdict $? 'another item is the same'

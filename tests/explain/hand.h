@@ -34,7 +34,9 @@ static const ts_told_type hand_xy = {"ts_xy", 8, 2, hand_pair}, hand_pointer = {
 static const ts_told_type hand_all = {"hand_record", sizeof(hand_record), 8, hand_leaves};
 
 #define HAND_SITE(name, how, line, text, type) \
-	static const ts_told_site name = {TS_TOLD_##how, "points/hand.h", line, text, type}
+	static const ts_told_site name = {TS_TOLD_##how, "points/hand.h", line, false, text, type}
+#define HAND_LEFT(name, line, text) \
+	static const ts_told_site name = {TS_TOLD_VALUE, "points/hand.h", line, true, text, &hand_u32}
 HAND_SITE(hand_item, CALL, 10, "ts_k_hand_item", NULL);
 HAND_SITE(hand_helper, CALL, 20, "ts_dot", NULL);
 HAND_SITE(hand_n, VALUE, 11, "n", &hand_u32);
@@ -45,6 +47,12 @@ HAND_SITE(hand_p, VALUE, 15, "p", &hand_pointer);
 HAND_SITE(hand_store, STORE, 16, "at[i]", &hand_u64);
 HAND_SITE(hand_count, STORE, 17, "*n_writes", &hand_u64);
 HAND_SITE(hand_result, RESULT, 18, "return", &hand_u32);
+HAND_SITE(hand_bound, TITLE, 21, "Bound it.", NULL);
+HAND_SITE(hand_offer, TITLE, 22, "Offer it.", NULL);
+HAND_SITE(hand_find, TITLE, 23, "Find it.", NULL);
+HAND_LEFT(hand_width, 24, "width");
+HAND_LEFT(hand_width_again, 25, "width");
+HAND_LEFT(hand_to, 26, "to->height");
 
 static u64 hand_keys[HAND_KEYS] = {10, 11, 12, 13, 14};
 static ts_load hand_load;

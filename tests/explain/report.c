@@ -97,6 +97,7 @@ static void prints(const char *const *expected, size_t n)
 	".length -2 (c0000000), .step -7, .flags 2147483648 (80000000), .sum -5000000000, " \
 	".key 12379813738877118345 (abcdef0123456789), .level 200 (c8), .on yes, .to points.key:3"
 #define RESULT(mark) mark "    7 points/hand.h:18                return 2 (2)"
+#define NOWHERE "they part in: no paragraph with a title"
 #define MIDDLE TEST, STORE, COUNT
 #define ALL CALL, NUMBER(" ", "7 (7)"), MIDDLE, RECORD, RESULT(" ")
 
@@ -131,8 +132,8 @@ static void lines_the_same_in_both_stand_once(void **state)
 	hand_end(&two);
 	add_line(&two, 1, 8, &other);
 	PRINTS(HEAD, "< is a/trace, > is b/trace; the first line that differs is", NUMBER("<", "7 (7)"),
-	       NUMBER(">", "8 (8)"), CALL, NUMBER("<", "7 (7)"), NUMBER(">", "8 (8)"), MIDDLE, LONG("<") ".step -7",
-	       LONG(">") ".step 9", RESULT(" "));
+	       NUMBER(">", "8 (8)"), NOWHERE, CALL, NUMBER("<", "7 (7)"), NUMBER(">", "8 (8)"), MIDDLE,
+	       LONG("<") ".step -7", LONG(">") ".step 9", RESULT(" "));
 }
 
 /* Where one ends, or goes on elsewhere, all lines from there on are of one side. */
@@ -141,8 +142,100 @@ static void ways_that_part_stay_on_one_side(void **state)
 	(void)state;
 	beside();
 	two.telling.n_lines = 6;
-	PRINTS(HEAD, "< is a/trace, > is b/trace; the first line that differs is", RESULT("<"), CALL, NUMBER(" ", "7 (7)"),
-	       MIDDLE, RECORD, "from here on they go different ways:", RESULT("<"));
+	PRINTS(HEAD, "< is a/trace, > is b/trace; the first line that differs is", RESULT("<"), NOWHERE, CALL,
+	       NUMBER(" ", "7 (7)"), MIDDLE, RECORD, "from here on they go different ways:", RESULT("<"));
+}
+
+/* Two launches, of which the second has an item of one paragraph, that runs `runs` times and leaves a width and stores,
+ * and of another, if `more`. */
+static void add_paragraphs(ts_explanation *e, u32 which, u32 width, u32 runs, bool more)
+{
+	hand_end(e);
+	hand_begin(e);
+	e->launch = launches[which];
+	e->n_launches = 2;
+	ts_told_call(&hand_item);
+	for (u32 i = 0; i < runs; i++) {
+		ts_told_title(&hand_bound);
+		hand_tell(&hand_n, i);
+		hand_tell(&hand_width, width);
+		ts_told(&hand_store, &hand_keys[i]);
+		ts_told_call(&hand_helper);
+		ts_told_title(more ? &hand_find : &hand_offer);
+		hand_tell(&hand_to, i);
+		ts_told_end();
+	}
+	ts_told_end();
+	launches[which][1].n_lines = e->telling.n_lines;
+}
+#define TITLE(mark, n, line, space, title) mark "    " n " points/hand.h:" line "              " space "-- " title
+#define TO(mark, n, value) mark n " points/hand.h:26                  to->height = " value
+#define WIDTH(mark, n, value) mark "    " n " points/hand.h:24                width = " value
+
+static void an_outline_has_titles_and_what_is_left(void **state)
+{
+	(void)state;
+	what.outline = true;
+	add_paragraphs(&one, 0, 8, 1, true);
+	PRINTS(HEAD, LAUNCH, TITLE(" ", "2", "21", "", "Bound it."), WIDTH(" ", "4", "8 (8)"),
+	       "     5 points/hand.h:16                at[i], points.key:0 = 10 (a)",
+	       TITLE(" ", "7", "23", "  ", "Find it."), TO(" ", "    8", "0 (0)"));
+	add_paragraphs(&one, 0, 8, 2, true);
+	one.telling.n_more = 2;
+	PRINTS(HEAD, LAUNCH, TITLE(" ", "9", "21", "", "Bound it. (2 times)"),
+	       "    11 points/hand.h:24                width = 8 (8)",
+	       "    12 points/hand.h:16                at[i], points.key:1 = 11 (b), the last of 2",
+	       "    14 points/hand.h:23                -- Find it. (2 times)", TO(" ", "   15", "1 (1)"),
+	       "2 more lines; a larger number of lines keeps them");
+}
+
+/* The same once; what differs from either side, and titles that one has alone. */
+static void outlines_stand_beside_each_other(void **state)
+{
+	(void)state;
+	what.outline = true;
+	beside();
+	add_paragraphs(&one, 0, 8, 1, true);
+	add_paragraphs(&two, 1, 8, 1, true);
+	PRINTS(HEAD, "the same lines in b/trace", LAUNCH, TITLE(" ", "2", "21", "", "Bound it."), WIDTH(" ", "4", "8 (8)"),
+	       "     5 points/hand.h:16                at[i], points.key:0 = 10 (a)",
+	       TITLE(" ", "7", "23", "  ", "Find it."), TO(" ", "    8", "0 (0)"));
+	add_paragraphs(&two, 1, 9, 1, false);
+	PRINTS(HEAD, "< is a/trace, > is b/trace; the first line that differs is", WIDTH("<", "4", "8 (8)"),
+	       WIDTH(">", "4", "9 (9)"), "they part in: Bound it.", LAUNCH, TITLE(" ", "2", "21", "", "Bound it."),
+	       WIDTH("<", "4", "8 (8)"), WIDTH(">", "4", "9 (9)"),
+	       "     5 points/hand.h:16                at[i], points.key:0 = 10 (a)",
+	       TITLE("<", "7", "23", "  ", "Find it."), TO("<", "    8", "0 (0)"), TITLE(">", "7", "22", "  ", "Offer it."),
+	       TO(">", "    8", "0 (0)"));
+}
+
+/* Twins that stand for other numbers of lines say both, though the last values are the same. */
+static void other_numbers_of_lines_differ(void **state)
+{
+	(void)state;
+	what.outline = true;
+	beside();
+	hand_keys[1] = hand_keys[0];
+	add_paragraphs(&one, 0, 8, 1, true);
+	add_paragraphs(&two, 1, 8, 2, true);
+	hand_keys[1] = 11;
+	json_t *lines = ts_explain_lines(&what);
+	static const char *const expected[] = {
+		TITLE("<", "2", "21", "", "Bound it."),
+		TITLE(">", "9", "21", "", "Bound it. (2 times)"),
+		WIDTH(" ", "4", "8 (8)"),
+		"<    5 points/hand.h:16                at[i], points.key:0 = 10 (a)",
+		">   12 points/hand.h:16                at[i], points.key:1 = 10 (a), the last of 2",
+		TITLE("<", "7", "23", "  ", "Find it."),
+		">   14 points/hand.h:23                -- Find it. (2 times)",
+		TO("<", "    8", "0 (0)"),
+		TO(">", "   15", "1 (1)"),
+	};
+	size_t n = sizeof expected / sizeof *expected, first = json_array_size(lines) - n;
+	for (size_t i = 0; i < n; i++) {
+		assert_string_equal(json_string_value(json_array_get(lines, first + i)), expected[i]);
+	}
+	json_decref(lines);
 }
 
 static json_t *line_of(const json_t *list, size_t launch, size_t number)
@@ -237,11 +330,46 @@ static void the_first_difference_has_both_sides(void **state)
 		root = ts_explain_json(&what);
 		const json_t *first = json_object_get(root, "first_difference");
 		assert_int_equal(json_integer_value(json_object_get(first, "line")), 7);
+		assert_true(json_is_null(json_object_get(first, "title")));
 		assert_true(json_is_null(json_object_get(first, k == 0 ? "trace" : "other")));
 		assert_string_equal(
 			json_string_value(json_object_get(json_object_get(first, k == 0 ? "other" : "trace"), "text")), "return");
 		json_decref(root);
 	}
+}
+
+/* Of an outline the numbers of its lines, and how many they stand for; of two the paragraph in which they part. */
+static void json_outlines_have_numbers_and_times(void **state)
+{
+	(void)state;
+	what.outline = true;
+	beside();
+	add_paragraphs(&one, 0, 8, 2, true);
+	add_paragraphs(&two, 1, 9, 2, true);
+	json_t *root = ts_explain_json(&what);
+	for (u32 other = 0; other < 2; other++) {
+		const json_t *list = json_object_get(root, other ? "other_launches" : "launches");
+		static const struct {
+			const char *how, *text;
+			int number;
+		} lines[] = {{"title", "Bound it.", 9},
+		             {"value", "width", 11},
+		             {"store", "at[i]", 12},
+		             {"title", "Find it.", 14},
+		             {"value", "to->height", 15}};
+		assert_int_equal(json_array_size(json_object_get(json_array_get(list, 0), "lines")), 0);
+		assert_int_equal(json_array_size(json_object_get(json_array_get(list, 1), "lines")), 5);
+		for (size_t i = 0; i < 5; i++) {
+			const json_t *line = line_of(list, 1, i);
+			assert_string_equal(json_string_value(json_object_get(line, "how")), lines[i].how);
+			assert_string_equal(json_string_value(json_object_get(line, "text")), lines[i].text);
+			assert_int_equal(json_integer_value(json_object_get(line, "number")), lines[i].number);
+			assert_int_equal(json_integer_value(json_object_get(line, "times")), 2);
+		}
+		holds(json_object_get(line_of(list, 1, 1), "value"), other ? "{\"\":9}" : "{\"\":8}");
+	}
+	holds(json_object_get(json_object_get(root, "first_difference"), "title"), "\"Bound it.\"");
+	json_decref(root);
 }
 
 static size_t turn, missing, n_held;
@@ -293,8 +421,12 @@ static void without_memory_there_is_no_answer(void **state)
 	question.subject = TS_EXPLAIN_ELEMENT;
 	json_set_alloc_funcs(scarce, release);
 	size_t lines = starve(ts_explain_lines), objects = starve(ts_explain_json);
+	what.outline = true;
+	add_paragraphs(&one, 0, 8, 2, true);
+	add_paragraphs(&two, 1, 9, 1, false);
+	size_t of_outline = starve(ts_explain_lines), in_outline = starve(ts_explain_json);
 	json_set_alloc_funcs(usual, usual_free);
-	assert_true(lines > 0 && objects > 100);
+	assert_true(lines > 0 && objects > 100 && of_outline > 0 && in_outline > 100);
 }
 
 #define told_test(f) cmocka_unit_test_setup_teardown(f, begin, end)
@@ -306,9 +438,13 @@ int main(void)
 		told_test(without_an_item_launches_are_listed),
 		told_test(lines_the_same_in_both_stand_once),
 		told_test(ways_that_part_stay_on_one_side),
+		told_test(an_outline_has_titles_and_what_is_left),
+		told_test(outlines_stand_beside_each_other),
+		told_test(other_numbers_of_lines_differ),
 		told_test(json_has_every_line),
 		told_test(no_number_is_null_in_json),
 		told_test(the_first_difference_has_both_sides),
+		told_test(json_outlines_have_numbers_and_times),
 		told_test(without_memory_there_is_no_answer),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -103,6 +103,7 @@ static void each_kind_of_line_has_its_words(void **state)
 	add_line(&one, &hand_store, &hand_keys[4]);
 	add_line(&one, &hand_count, &hand_load.run.frame.tally[1]);
 	add_line(&one, &hand_p, &nowhere);
+	ts_told_title(&hand_bound);
 	static const struct {
 		const char *text, *place;
 		bool has_value;
@@ -116,6 +117,7 @@ static void each_kind_of_line_has_its_words(void **state)
 		{"at[i], points.key:4 = 14 (e)", "points.key:4", true},
 		{"*n_writes, a counter", "a counter", false},
 		{"p = NULL", "", true},
+		{"-- Bound it.", "", false},
 	};
 	for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
 		char place[TS_VALUE_TEXT];
@@ -150,6 +152,10 @@ static void long_values_say_where_they_were_told(void **state)
 	reads(&one, 4, NULL, expected);
 	reads(&one, 5, NULL, "r as in line 5");
 	reads(&one, 6, NULL, "r as in line 3");
+	char text[TS_TOLD_TEXT];
+	ts_explain_full_text(text, &one, 3, NULL, 0);
+	snprintf(expected, sizeof expected, "%s.on yes, .to points.key:3", head);
+	assert_string_equal(text, expected);
 }
 
 /* More numbers than a text can hold: as many as fit with room for one more. */
@@ -161,7 +167,7 @@ static void an_endless_value_is_cut(void **state)
 	static ts_told_leaf leaves[MANY];
 	for (u32 i = 0; i < MANY; i++) leaves[i] = (ts_told_leaf){".name", 4 * i, TS_TOLD_u32};
 	const ts_told_type many = {"ts_many", sizeof numbers, MANY, leaves};
-	const ts_told_site site = {TS_TOLD_VALUE, "points/hand.h", 30, "many", &many};
+	const ts_told_site site = {TS_TOLD_VALUE, "points/hand.h", 30, false, "many", &many};
 	add_line(&one, &site, numbers);
 	char text[TS_TOLD_TEXT];
 	ts_explain_text(text, &one, 0, NULL);
@@ -205,6 +211,9 @@ static void lines_beside_each_other_tell_what_differs(void **state)
 	reads(&one, 1, &two, "r = .step -7, .on yes");
 	reads(&two, 1, &one, "r = .step 8, .on no");
 	assert_true(ts_explain_differ(&number, &one, &two) && number == 1);
+	char text[TS_TOLD_TEXT];
+	ts_explain_full_text(text, &two, 1, &one, 0);
+	assert_string_equal(text, "r = .step 8, .on no");
 }
 
 /* Lines differ that only one has, or that stand elsewhere or deeper; a decision by its outcome. */
@@ -238,6 +247,70 @@ static void lines_that_only_one_has_differ(void **state)
 	assert_true(ts_explain_is_beside(&one, &two, 1) && !ts_explain_is_same(&one, &two, 1));
 }
 
+/* What an item tells: a parameter, then two paragraphs, of which the first calls a function without and the second one
+ * with a title. */
+static void tell_paragraphs(ts_explanation *e, u32 given, u32 bound, u32 found, bool yes)
+{
+	ts_told_to(&e->telling);
+	e->telling.n_lines = 0;
+	ts_told_call(&hand_item);
+	hand_tell(&hand_n, given);
+	ts_told_title(&hand_bound);
+	ts_told_call(&hand_helper);
+	hand_tell(&hand_n, given);
+	hand_tell(&hand_to, bound);
+	ts_told_end();
+	ts_told_title(&hand_offer);
+	ts_told_call(&hand_helper);
+	ts_told_title(&hand_find);
+	hand_tell(&hand_width, found);
+	ts_told_end();
+	ts_told_test(&hand_test, yes);
+	ts_told_end();
+}
+
+static void parts_in(const char *title)
+{
+	const ts_told_site *site = ts_explain_parting(&one, &two);
+	assert_int_equal(site != NULL, title != NULL);
+	if (site != NULL) assert_string_equal(site->text, title);
+}
+
+/* Two part in the first paragraph that leaves something else or decides otherwise, whatever they were given. */
+static void the_paragraph_that_two_part_in_is_named(void **state)
+{
+	(void)state;
+	tell_paragraphs(&one, 1, 2, 3, true);
+	tell_paragraphs(&two, 1, 2, 3, true);
+	parts_in(NULL);
+	tell_paragraphs(&two, 7, 2, 3, true);
+	parts_in(NULL);
+	tell_paragraphs(&two, 7, 8, 3, false);
+	parts_in("Bound it.");
+	tell_paragraphs(&two, 7, 2, 8, false);
+	parts_in("Find it.");
+	tell_paragraphs(&two, 7, 2, 3, false);
+	parts_in("Offer it.");
+}
+
+/* Where one ends or goes on elsewhere, they part in the paragraph that has the line. */
+static void ways_part_in_the_paragraph_of_the_line(void **state)
+{
+	(void)state;
+	tell_paragraphs(&one, 1, 2, 3, true);
+	tell_paragraphs(&two, 1, 2, 3, true);
+	two.telling.n_lines -= 2;
+	parts_in("Find it.");
+	two.telling.n_lines -= 2;
+	parts_in("Offer it.");
+	one.telling.lines[6].site = &hand_find;
+	parts_in("Bound it.");
+	one.telling.n_lines = two.telling.n_lines = 1;
+	parts_in(NULL);
+	two.telling.n_lines = 2;
+	parts_in(NULL);
+}
+
 #define listening_test(f) cmocka_unit_test_setup_teardown(f, begin, end)
 
 int main(void)
@@ -251,6 +324,8 @@ int main(void)
 		listening_test(a_thousand_lines_back_is_far_enough),
 		listening_test(lines_beside_each_other_tell_what_differs),
 		listening_test(lines_that_only_one_has_differ),
+		listening_test(the_paragraph_that_two_part_in_is_named),
+		listening_test(ways_part_in_the_paragraph_of_the_line),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

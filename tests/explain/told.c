@@ -69,6 +69,29 @@ static void of_primitives_only_stores_are_heard(void **state)
 	}
 }
 
+/* Titles are lines, but for those of functions that are no kernel's own. */
+static void titles_of_primitives_are_not_heard(void **state)
+{
+	(void)state;
+	for (u32 primitives = 0; primitives < 2; primitives++) {
+		ts_explanation e;
+		hand_begin(&e);
+		e.telling.primitives = primitives != 0;
+		ts_told_title(&hand_bound);
+		ts_told_call(&hand_helper);
+		ts_told_title(&hand_find);
+		ts_told_end();
+		ts_told_title(&hand_offer);
+		e.telling.listens = false;
+		ts_told_title(&hand_bound);
+		assert_int_equal(e.telling.n_lines, primitives ? 4 : 2);
+		hand_is(&e, 0, &hand_bound, 0);
+		if (primitives) hand_is(&e, 2, &hand_find, 1);
+		hand_is(&e, e.telling.n_lines - 1, &hand_offer, 0);
+		hand_end(&e);
+	}
+}
+
 /* Lines behind the most are counted, their values are not kept; the store is of the line that would have been next. */
 static void lines_behind_the_most_keep_no_value(void **state)
 {
@@ -154,6 +177,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(lines_are_kept_in_their_order),
 		cmocka_unit_test(of_primitives_only_stores_are_heard),
+		cmocka_unit_test(titles_of_primitives_are_not_heard),
 		cmocka_unit_test(lines_behind_the_most_keep_no_value),
 		cmocka_unit_test(every_store_into_the_watched_is_noticed),
 		cmocka_unit_test(who_does_not_listen_hears_nothing),

@@ -160,6 +160,15 @@ def test_explained(reference):
 		reference.explain("splat", item=0, kernel="splatt")
 
 
+def test_outlined(reference):
+	whole, outline = [reference.explain("image", item=7, outline=outline)["launches"][0]["lines"] for outline in (0, 1)]
+	titles = [line["text"] for line in outline if line["how"] == "title"]
+	assert len(titles) > 3 and set(titles) == {line["text"] for line in whole if line["how"] == "title"}
+	for line in outline:
+		same = whole[line.pop("number") - 1]
+		assert line.pop("times") >= 1 and line == same
+
+
 def test_folders(context, scene, reference, tmp_path):
 	context.write(tmp_path / "made", scene, "reflections", "epr", SMALL, compress=True)
 	assert context.compare(reference, context.open(tmp_path / "made"))

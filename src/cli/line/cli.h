@@ -79,7 +79,7 @@ typedef struct {
 		const char *pixel, *view, *point;
 		u64 triangle, item;
 		const char *kernel, *element;
-		bool primitives;
+		bool primitives, outline;
 		u32 lines; /* 0: the default */
 	} place;       /* of probe and explain */
 	struct {

@@ -393,7 +393,7 @@ class Trace(collections.abc.Mapping):
 
 	def explain(self, stage: str, inputs: Trace | None = None, other: Trace | None = None, **question: Any) -> dict:
 		"""What one item of a stage computes, line by line, as `explain --json` has it; the question is members of
-		ts_explain_options, such as buffer="splat.depth_index", element=12."""
+		ts_explain_options, such as buffer="splat.depth_index", element=12; outline=1 asks for an outline."""
 		if "item" in question:
 			question["item_said"] = 1
 		options, kept = options_for("ts_explain_options", stage=stage, **question)
