@@ -8,10 +8,9 @@
 /* The larger side of the reflectors' boxes in the eye's picture, in pixels: the mean of those in sight. */
 static double projected_size(const ts_run *run)
 {
-	const ts_view *eye = ts_frame_data(&run->frame, TS_B_eye_view);
+	if (!run->frame.buffer[TS_B_cube_size_face].made) return NAN;
 	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
-	if (eye == NULL || cubes == NULL) return NAN;
-	ts_camera_k view = ts_k_view(eye);
+	ts_camera_k view = ts_k_view(ts_frame_data(&run->frame, TS_B_eye_view));
 	double sum = 0, n = 0;
 	for (u64 r = 0; r < ts_frame_n(&run->frame, TS_B_cube_size_face); r++) {
 		if (cubes[r].n == 0) continue;

@@ -5,10 +5,10 @@
 /* The side of the largest face of a cube in sight. */
 static double largest_face(const ts_run *run)
 {
+	if (!run->frame.buffer[TS_B_cube_size_face].made) return NAN;
 	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
 	double most = NAN;
-	for (u64 i = 0; cubes != NULL && i < ts_frame_n(&run->frame, TS_B_cube_size_face); i++)
-		most = fmax(most, cubes[i].n);
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_cube_size_face); i++) most = fmax(most, cubes[i].n);
 	return most;
 }
 
