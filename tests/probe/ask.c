@@ -2,6 +2,8 @@
 #include "tests/probe/probed.h"
 #include "tools/tools.h"
 
+enum { MOST_ROWS = 64 };
+
 static traced epr, soft;
 
 static int make_all(void **state)
@@ -116,12 +118,76 @@ static void the_first_row_that_fits_answers(void **state)
 	json_decref(answer);
 }
 
+/* ---- traces that lack a buffer ---- */
+
+static bool is_for(const ts_probe_part *part, const ts_pipeline *pipeline)
+{
+	const ts_step *step = ts_pipeline_steps(pipeline);
+	while (step->stage != NULL && strcmp(step->stage, part->stage) != 0) step++;
+	return step->stage != NULL;
+}
+
+/* A question for a row of the probe. */
+static ts_probe_question question_of(const traced *t, const ts_probe_part *part, u32 pixel, char view[32])
+{
+	u32 width = t->run.params.width;
+	ts_probe_question q = {.subject = part->subject};
+	if (part->subject == TS_PROBE_TRIANGLE) q.index = (u32)((const u64 *)data(t, TS_B_eye_depth_triangle))[pixel];
+	if (part->subject == TS_PROBE_PIXEL) q.x = pixel % width;
+	if (part->subject == TS_PROBE_PIXEL) q.y = pixel / width;
+	if (part->subject != TS_PROBE_TEXEL) return q;
+	q.x = q.y = 3;
+	snprintf(view, 32, "%s0.%s", part->view->prefix, part->view->side(1));
+	q.view = view;
+	return q;
+}
+
+/* Whether the method has a row that none of its effect had before. */
+static bool is_new(const ts_pipeline *method, const ts_effect *had[MOST_ROWS])
+{
+	const ts_probe_part *part;
+	bool found = false;
+	for (u32 i = 0; (part = ts_probe_part_at(i)) != NULL; i++) {
+		assert_true(i < MOST_ROWS);
+		found |= is_for(part, method) && had[i] != method->effect;
+		if (is_for(part, method)) had[i] = method->effect;
+	}
+	return found;
+}
+
+/* What lacks anything is refused by the name of what it lacks, or told as far as it goes. */
+static void without_a_buffer_nothing_else_is_told(void **state)
+{
+	(void)state;
+	const ts_effect *had[MOST_ROWS] = {NULL};
+	u32 n_rows = 0, n_needed = 0;
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+		const ts_probe_part *part;
+		static traced t;
+		ts_params params = small_params_of_all();
+		params.surfels_from_mesh = ts_pipeline_reads(*at, TS_B_scene_surfel) ? 500 : 0;
+		params.depth_grid_px = 32;
+		if (!is_new(*at, had)) continue;
+		make(&t, (*at)->effect->name, (*at)->name, &params);
+		for (u32 i = 0; (part = ts_probe_part_at(i)) != NULL; i++) {
+			char view[32];
+			if (!is_for(part, *at)) continue;
+			ts_probe_question q = question_of(&t, part, 9 * 32 + 16, view);
+			n_needed += try_without(&t, &q);
+			n_rows++;
+		}
+		drop(&t);
+	}
+	assert_true(n_rows > 20 && n_needed > 5 * n_rows);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(every_row_answers_for_a_method),
 		cmocka_unit_test(a_refusal_names_what_can_be_asked),
 		cmocka_unit_test(the_first_row_that_fits_answers),
+		cmocka_unit_test(without_a_buffer_nothing_else_is_told),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

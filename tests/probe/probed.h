@@ -4,9 +4,10 @@
 #include <dirent.h>
 #include <math.h>
 #include <unistd.h>
-#include "probe/probe.h"
+#include "probe/parts.h"
 #include "tests/methods/small.h"
 #include "tests/status.h"
+#include "trace/load.h"
 #include "trace/write.h"
 
 typedef struct {
@@ -189,6 +190,68 @@ static inline void try_pixel(const traced *t, u32 pixel)
 	const json_t *bits = json_object_get(get(answer, "image", "radiance"), "bits");
 	for (u32 c = 0; c < 3; c++) assert_int_equal(bits_of(json_array_get(bits, c)), ts_f2u(radiance[pixel * 3 + c]));
 	json_decref(answer);
+}
+
+static inline bool is_part(const json_t *part, const json_t *whole)
+{
+	const char *key;
+	json_t *member;
+	size_t i;
+	if (json_is_object(part)) {
+		json_object_foreach ((json_t *)part, key, member) {
+			if (!is_part(member, json_object_get(whole, key))) return false;
+		}
+		return true;
+	}
+	if (!json_is_array(part)) return json_equal(part, whole);
+	json_array_foreach ((json_t *)part, i, member) {
+		if (!is_part(member, json_array_get(whole, i))) return false;
+	}
+	return json_array_size(part) == json_array_size(whole);
+}
+
+/* Asks a probe of a trace with other items. No answer is given after a failure, whose message names the buffer. */
+static inline ts_status ask_other(const ts_trace *other, const ts_probe_question *q, ts_buffer_id id, json_t **answer)
+{
+	ts_probe *probe = NULL;
+	*answer = NULL;
+	(void)ts_fail("nothing failed");
+	ts_status status = ts_probe_open(&probe, other);
+	if (status == TS_OK) status = ts_probe_ask(probe, q, answer);
+	ts_probe_close(probe);
+	assert_int_equal(status == TS_OK, *answer != NULL);
+	assert_int_equal(status == TS_OK, strcmp(ts_error_message(), "nothing failed") == 0);
+	if (status != TS_OK) assert_refused(status, ts_buffer_table[id].name);
+	return status;
+}
+
+static inline bool was_read(const ts_probe *p, u32 id)
+{
+	return p->reader[id] != NULL || p->whole[id] != NULL || (p->load != NULL && p->load->item[id] != NULL);
+}
+
+/* Without one of the buffers that it reads an answer has nothing else than it has with it. Returns how many buffers
+ * were needed. */
+static inline u32 try_without(const traced *t, const ts_probe_question *q)
+{
+	json_t *whole, *answer;
+	ts_probe *probe;
+	u32 n = 0;
+	require(ts_probe_open(&probe, t->trace));
+	require(ts_probe_ask(probe, q, &whole));
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		ts_trace other = *t->trace;
+		other.item[id].path = NULL;
+		if (!was_read(probe, id)) continue;
+		n += ask_other(&other, q, (ts_buffer_id)id, &answer) != TS_OK;
+		if (answer != NULL && !is_part(answer, whole)) {
+			fail_msg("without %s: %s\n%s", ts_buffer_table[id].name, json_dumps(answer, 0), json_dumps(whole, 0));
+		}
+		json_decref(answer);
+	}
+	ts_probe_close(probe);
+	json_decref(whole);
+	return n;
 }
 
 static inline void assert_bits(f32 found, f32 right) { assert_int_equal(ts_f2u(found), ts_f2u(right)); }
