@@ -230,19 +230,19 @@ static inline bool was_read(const ts_probe *p, u32 id)
 	return p->reader[id] != NULL || p->whole[id] != NULL || (p->load != NULL && p->load->item[id] != NULL);
 }
 
-/* Without one of the buffers that it reads an answer has nothing else than it has with it. Returns how many buffers
- * were needed. */
-static inline u32 try_without(const traced *t, const ts_probe_question *q)
+/* Without one of the buffers that it reads an answer has nothing else than it has with it; of these every `step`-th is
+ * left out. Returns how many buffers were needed. */
+static inline u32 try_without(const traced *t, const ts_probe_question *q, u32 step)
 {
 	json_t *whole, *answer;
 	ts_probe *probe;
-	u32 n = 0;
+	u32 n = 0, n_read = below(step);
 	require(ts_probe_open(&probe, t->trace));
 	require(ts_probe_ask(probe, q, &whole));
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		ts_trace other = *t->trace;
 		other.item[id].path = NULL;
-		if (!was_read(probe, id)) continue;
+		if (!was_read(probe, id) || n_read++ % step != 0) continue;
 		n += ask_other(&other, q, (ts_buffer_id)id, &answer) != TS_OK;
 		if (answer != NULL && !is_part(answer, whole)) {
 			fail_msg("without %s: %s\n%s", ts_buffer_table[id].name, json_dumps(answer, 0), json_dumps(whole, 0));
