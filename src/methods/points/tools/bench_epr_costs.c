@@ -36,7 +36,7 @@ static const ts_bench_figure figures[] = {
 	TS_COUNT(UNCLIPPED_WRITES, "unclipped_writes", "writes unclipped", M_UNCLIPPED, "texel writes"),
 	TS_SAVED(WRITES_CLIPPED, "writes_clipped_percent", "clipped, %", WRITES, UNCLIPPED_WRITES),
 	TS_COUNT(EMPTY, "empty", "empty look-ups", M_ALL, "empty look-ups"),
-	TS_COUNT(UNCULLED_EMPTY, "unculled_empty", "unculled", M_UNCULLED, "empty look-ups"),
+	TS_COUNT(UNCULLED_EMPTY, "unculled_empty", "without", M_UNCULLED, "empty look-ups"),
 	TS_LESS(EMPTY_MORE, "empty_more", "more", EMPTY, UNCULLED_EMPTY, 1),
 	TS_COUNT(LOOKUPS, "lookups", "look-ups", M_ALL, "look-ups"),
 	TS_PERCENT(EMPTY_SHARE, "empty_more_percent", "more, %", EMPTY_MORE, LOOKUPS),
