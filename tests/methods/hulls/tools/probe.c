@@ -3,6 +3,8 @@
 #include "tests/probe/probed.h"
 #include "tests/whole.h"
 
+enum { RSM = 4 };
+
 static u32 n_tries(void) { return whole_or(50, 30); }
 
 static const struct {
@@ -34,7 +36,7 @@ static int make_all(void **state)
 	(void)state;
 	ts_params params = small_params(48, 32);
 	params.depth_grid_px = 64;
-	params.rsm_px = 4;
+	params.rsm_px = RSM;
 	params.lamp_fov = 150; /* a lamp without extent has a cone */
 	for (u32 i = 0; i < N_INDIRECT; i++) {
 		params.hull_surface = indirect_methods[i].surface;
@@ -90,6 +92,15 @@ static void try_lobe(const ts_params *params, const json_t *corners, const json_
 	assert_bits(irradiance, product * 0.318309873f);
 }
 
+/* Of a reflective shadow map of RSM texels a side; there is one. */
+static void try_texel(const json_t *term, u32 patch)
+{
+	const json_t *texel = json_object_get(term, "texel");
+	assert_int_equal(figure(term, "view"), 0);
+	assert_int_equal(json_integer_value(json_array_get(texel, 0)), patch % RSM);
+	assert_int_equal(json_integer_value(json_array_get(texel, 1)), patch / RSM);
+}
+
 /* Every triangle of light that gives something, in their own order; or the one lamp without extent. */
 static f32 sum_of(const json_t *terms, u32 n, u32 c)
 {
@@ -102,6 +113,7 @@ static f32 sum_of(const json_t *terms, u32 n, u32 c)
 		json_array_foreach ((json_t *)terms, i, term) {
 			if (figure(term, "patch") != patch) continue;
 			if (json_object_get(term, "view") == NULL) assert_true(figure(term, "light") == patch / 8);
+			if (json_object_get(term, "view") != NULL) try_texel(term, patch);
 			assert_bits(shown(term, "irradiance", c), shown(term, "exitance", c) * shown(term, "form_factor", 0));
 			sum += shown(term, "irradiance", c);
 		}

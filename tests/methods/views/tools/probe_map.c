@@ -240,6 +240,10 @@ static json_t *ask(const traced *t, u32 index, bool of_light, u32 texel)
 	snprintf(view, sizeof view, "%s%u.%s", of_light ? "" : "node", (unsigned)index, texel >= n * n ? "back" : "front");
 	require(ask_texel(t, view, texel % n, texel / n % n, &told));
 	assert_int_equal(assert_agrees(told), 3 * json_array_size(json_object_get(told, "from_the_root")));
+	const json_t *place = json_object_get(told, "texel");
+	assert_int_equal(json_integer_value(json_array_get(place, 0)), texel % n);
+	assert_int_equal(json_integer_value(json_array_get(place, 1)), texel / n % n);
+	assert_string_equal(json_string_value(json_object_get(told, "half")), texel >= n * n ? "back" : "front");
 	return told;
 }
 
