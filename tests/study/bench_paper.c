@@ -3,6 +3,7 @@
 #include "study/bench_paper.h"
 #include "tests/study/benched.h"
 #include "tests/trace/small.h"
+#include "tools/tools.h"
 
 /* clang-format off */
 enum { TRIANGLES, MIRRORS, LOOKED, MS };
@@ -184,11 +185,30 @@ static void wrong_numbers_of_objects_are_refused(void **state)
 	}
 }
 
+/* What stands above a table of a paper. */
+static void lines_above_a_table_fit_120_columns(void **state)
+{
+	(void)state;
+	u32 n = 0;
+	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) {
+		const ts_paper_table *of = (*row)->paper;
+		if (of == NULL) continue;
+		size_t note = of->note != NULL ? strlen(of->note) : 0;
+		size_t set = strlen("set unless --set says otherwise: ") + strlen(of->defaults);
+		if (note > 120 || set > 120 || strlen("set: ") + strlen(of->set) > 120)
+			fail_msg("%s: %zu, %zu", of->name, note, set);
+		for (u32 i = 0; of->parts[i].title != NULL; i++) assert_true(strlen(of->parts[i].title) <= 120);
+		n++;
+	}
+	assert_true(n > 20);
+}
+
 int main(void)
 {
+	ts_tools_begin();
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(each_scene_and_number_has_a_row), cmocka_unit_test(only_tables_of_times_run_again),
-		cmocka_unit_test(what_stands_alone_sets_its_own), cmocka_unit_test(what_is_typed_stays),
-		cmocka_unit_test(wrong_numbers_of_objects_are_refused)};
+		cmocka_unit_test(each_scene_and_number_has_a_row),      cmocka_unit_test(only_tables_of_times_run_again),
+		cmocka_unit_test(what_stands_alone_sets_its_own),       cmocka_unit_test(what_is_typed_stays),
+		cmocka_unit_test(wrong_numbers_of_objects_are_refused), cmocka_unit_test(lines_above_a_table_fit_120_columns)};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

@@ -201,8 +201,8 @@ const ts_paper_table ts_mega_10 = {
 	.objects_param = "vpl.paths", .objects = "256,1024,4096,16384,65536", .most = 1 << 24, .most_long = 1024,
 	.set = "reflectors.count=0",
 	.defaults = "octree.levels=7,rsm.px=1024", .size = "width=320,height=180", .timed = true,
-	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. A million take "
-	"9 GB. Brute force and views alone up to 1024.",
+	.note = "Paths leave vpl.bounces views, the paper's 1 or 4, of 11 levels. A million take 9 GB. Brute force, views "
+	"alone: to 1024.",
 	.look = ts_empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations,
 	.plot = &plot, .rows = rows,
 };

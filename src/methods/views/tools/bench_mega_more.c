@@ -173,8 +173,8 @@ const ts_paper_table ts_mega_16 = {
 	.objects_head = "vpl_gather.level", .objects_param = "vpl_gather.level", .objects = "2,3,4,5,6",
 	.set = "reflectors.count=0",
 	.defaults = "octree.levels=7,vpl.paths=1024,rsm.px=256,vpl_gather.cutoff=5", .size = "width=160,height=90",
-	.note = "The paper has a million views, 11 levels, and an unknown cut-off; here a sixth of the court. Light from "
-	"beyond it is lost.",
+	.note = "The paper has a million views, 11 levels, and an unknown cut-off; here a sixth of the court, beyond "
+	"which light is lost.",
 	.variants = gather_variants, .figures = gather_figures, .parts = gather_parts, .relations = gather_relations,
 	.plot = &gather_plot, .rows = gather_rows,
 };
