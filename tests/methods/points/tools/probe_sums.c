@@ -203,8 +203,7 @@ static void try_sample(const traced *t, const json_t *sample, const ts_face *cub
 {
 	char face[16];
 	f32 d[3];
-	for (u32 c = 0; c < 3; c++)
-		d[c] = (f32)json_real_value(json_array_get(json_object_get(sample, "direction"), c));
+	for (u32 c = 0; c < 3; c++) d[c] = (f32)json_real_value(json_array_get(json_object_get(sample, "direction"), c));
 	ts_cube_place place = ts_k_cube_place(ts_load3(d));
 	const json_t *texel = json_object_get(sample, "texel");
 	u32 x = (u32)json_integer_value(json_array_get(texel, 0)), y = (u32)json_integer_value(json_array_get(texel, 1));
@@ -223,8 +222,7 @@ static void try_sample(const traced *t, const json_t *sample, const ts_face *cub
 	assert_int_equal(json_integer_value(point), found);
 	assert_int_equal(bits_of(json_object_get(distance, "bits")), key >> 32);
 	assert_int_equal(figure(sample, "piece"), record->piece);
-	assert_int_equal(figure(sample, "triangle"),
-	                 ((const ts_piece *)data(t, TS_B_split_piece))[record->piece].triangle);
+	assert_int_equal(figure(sample, "triangle"), ((const ts_piece *)data(t, TS_B_split_piece))[record->piece].triangle);
 }
 
 /* The mean is that of the samples which are used. Returns how many are not. */
