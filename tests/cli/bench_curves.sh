@@ -71,6 +71,8 @@ for name in "cs":
 			assert all(a > b - 1e-5 for a, b in zip(curves, curves[1:]))
 		assert all(abs(float(row["c_200"]) - max(0, math.cos(math.radians(float(row["beta"]))))) < 0.03 for row in rows)
 assert max(v for (name, _), v in most.items() if name == "c") < 0.007
+for name, relation in zip("cs", list(csv.DictReader(open(sys.argv[1] + "/relations.csv")))[1:]):
+	assert abs(float(relation["here"]) - max(v for (of, _), v in most.items() if of == name)) < 1e-6, relation
 assert 0.01 < max(v for (name, _), v in most.items() if name == "s") < 0.03
 PY
 verdict $? 'bench ssagh-5: the closed form beside quadrature, and plots'

@@ -147,7 +147,14 @@ for sides, key in ("material", "psnr"), ("front", "psnr_front"):
 for r in rows.values():
 	assert 0 <= r["crumbs_new"] <= r["crumbs_front"] <= r["crumbs_new"] + r["crumbs"] and r["backs_alone"] >= 0, r
 assert len(rows) == len(report["relations"]) == 3
-assert all(r["verdict"] == "holds" or r["verdict"].startswith("differs: ") for r in report["relations"])
+left, gained, opened = (r["here"] for r in report["relations"])
+assert abs(left - max(r["crumbs_front"] / r["crumbs"] for r in rows.values())) < 1e-6 * left
+assert abs(gained - min(r["psnr_front"] - r["psnr"] for r in rows.values())) < 1e-6
+seen = json.load(open(f"{sys.argv[1]}/crumbs-material.json"))["params"]
+most, pixels = max(r["crumbs_new"] for r in rows.values()), seen["width"] * seen["height"]
+assert (opened == 0) == (most == 0) and (most == 0 or most <= opened / 100 * pixels <= 5 * most + pixels * 1e-9), opened
+for r, holds in zip(report["relations"], (left <= 1, gained >= 0, opened <= 0.3)):
+	assert r["verdict"].startswith("holds" if holds else "differs: "), r
 PY
 verdict $? 'bench nv40-crumbs has the errors of renders by both sides'
 refuses 'no area' bench nv40-crumbs --scene scenes/splats.gltf

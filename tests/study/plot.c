@@ -103,8 +103,7 @@ static u32 judge_ticks(const ts_plot *plot, bool of_x, double *values)
 		const char *text = strchr(p, '\n') + 1, *line = p;
 		double x0, y0, x1, y1, x, y, value = strtod(strchr(text, '>') + 1, NULL);
 		while (line > svg && line[-1] != '\n') line--;
-		assert_int_equal(
-			sscanf(line, "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\" y2=\"%lf\"", &x0, &y0, &x1, &y1), 4);
+		assert_int_equal(sscanf(line, "<line x1=\"%lf\" y1=\"%lf\" x2=\"%lf\" y2=\"%lf\"", &x0, &y0, &x1, &y1), 4);
 		assert_int_equal(sscanf(text, "<text x=\"%lf\" y=\"%lf\"", &x, &y), 2);
 		if ((x0 == x1) != of_x) continue;
 		double place = of_x ? across(&f, value) : up(&f, value);
@@ -157,7 +156,9 @@ static void every_point_stands_where_its_values_say(void **state)
 		u32 n = judge_ticks(&plot, true, values);
 		assert_values(values, n, plot.even ? "100 200 300 400 500 600 700 800 900" : "2 5 10 20 50 100 200 500 1000");
 		n = judge_ticks(&plot, false, values);
-		assert_values(values, n, plot.even ? "1000 2000 3000 4000 5000 6000 7000 8000 9000" : "10 20 50 100 200 500 1000 2000 5000");
+		assert_values(values, n,
+		              plot.even ? "1000 2000 3000 4000 5000 6000 7000 8000 9000"
+		                        : "10 20 50 100 200 500 1000 2000 5000");
 		assert_int_equal(count_of("stroke=\"#000\"/>"), 2);
 		has("<line x1=\"70.0\" y1=\"500.0\" x2=\"770.0\" y2=\"500.0\" stroke=\"#000\"/>");
 		has("<line x1=\"70.0\" y1=\"50.0\" x2=\"70.0\" y2=\"500.0\" stroke=\"#000\"/>");
@@ -224,8 +225,13 @@ static void texts_are_escaped(void **state)
 {
 	(void)state;
 	static const ts_plot_point points[] = {{0, "a<b>&\tc", 1, 1, false}};
-	const ts_plot plot = {.title = "x & y", .x_axis = "<", .y_axis = ">", .curves = {"&"}, .n_curves = 1,
-	                      .points = points, .n_points = 1};
+	const ts_plot plot = {.title = "x & y",
+	                      .x_axis = "<",
+	                      .y_axis = ">",
+	                      .curves = {"&"},
+	                      .n_curves = 1,
+	                      .points = points,
+	                      .n_points = 1};
 	draw(&plot);
 	has(">a&lt;b&gt;&amp;?c</text>");
 	has(">x &amp; y</text>");

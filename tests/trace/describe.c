@@ -175,6 +175,14 @@ static void judge_run(const json_t *root, const ts_run *run)
 		ts_params_format(&run->params, i, text, sizeof text);
 		is(params, table[i].name, text);
 	}
+	const json_t *plan = json_object_get(root, "plan");
+	assert_int_equal(json_object_size(plan), TS_PLAN_ROWS);
+	for (u32 i = 0; i < TS_PLAN_ROWS; i++) {
+		char name[64];
+		const char *part = ts_plan_table[i].part;
+		snprintf(name, sizeof name, part[0] != 0 ? "%s.%s" : "%s%s", part, ts_plan_table[i].name);
+		assert_int_equal(json_integer_value(json_object_get(plan, name)), ts_plan_value(&run->plan, &ts_plan_table[i]));
+	}
 	is(root, "pipeline", run->pipeline->name);
 	is(root, "effect", run->pipeline->effect->name);
 	is(root, "paper", run->pipeline->paper);
