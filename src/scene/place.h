@@ -30,10 +30,6 @@ ts_place ts_place_compose(const ts_place *parent, const ts_place *local);
 /* Whether every element is within +-2^24, which keeps all that follows finite. */
 bool ts_place_is_sane(const ts_place *place);
 
-/* A point, and a direction with its length, in world space. */
-ts_v3 ts_place_point(const ts_place *place, ts_v3 point);
-ts_v3 ts_place_direction(const ts_place *place, ts_v3 direction);
-
 /* A place as a record of scene.motion. */
 ts_motion ts_place_motion(const ts_place *place);
 
@@ -48,7 +44,7 @@ bool ts_place_surfel(const ts_place *place, const ts_surfel *from, ts_surfel *to
 /* The node's origin, and the unit direction of its -z, along which a light shines, or zero. */
 void ts_place_aim(const ts_place *place, f32 position[3], f32 direction[3]);
 
-/* The frame of a camera at the node: looks along -z with +y up, made orthonormal. False where the node flattens. */
+/* The frame of a camera at the node: looks along -z with +y up, made orthonormal. False where the node leaves no y or no z. */
 bool ts_place_camera(const ts_place *place, ts_camera *camera);
 
 #ifdef __cplusplus

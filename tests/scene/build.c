@@ -138,6 +138,26 @@ static void wild_numbers_are_sanitized(void **state)
 	ts_scene_free(scene);
 }
 
+/* Every number of a camera, one after the other. */
+static void wild_cameras_are_sanitized(void **state)
+{
+	(void)state;
+	for (u32 k = 0; k < 13; k++) {
+		char name[] = "wild";
+		ts_build *build = start();
+		ts_camera wild = {.name = name, .yfov = 1, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1}};
+		f32 *const parts[] = {wild.eye, wild.right, wild.up, wild.back};
+		*(k < 12 ? &parts[k / 3][k % 3] : &wild.yfov) = NAN;
+		ts_build_camera(build, &wild);
+		ts_scene *scene = finish(build);
+		const ts_camera *c = &scene->cameras[0];
+		const f32 *const found[] = {c->eye, c->right, c->up, c->back};
+		for (u32 i = 0; i < 12; i++) assert_true(found[i / 3][i % 3] == (i == k ? 0.0f : parts[i / 3][i % 3]));
+		assert_true(c->yfov == (k == 12 ? 0.0f : 1.0f));
+		ts_scene_free(scene);
+	}
+}
+
 static void wrong_indices_are_refused(void **state)
 {
 	(void)state;
@@ -392,6 +412,7 @@ int main(void)
 		cmocka_unit_test_setup(a_scene_without_lights_gets_a_sun, set_up),
 		cmocka_unit_test_setup(own_lights_leave_out_the_sun, set_up),
 		cmocka_unit_test_setup(wild_numbers_are_sanitized, set_up),
+		cmocka_unit_test_setup(wild_cameras_are_sanitized, set_up),
 		cmocka_unit_test_setup(wrong_indices_are_refused, set_up),
 		cmocka_unit_test_setup(values_out_of_range_are_refused, set_up),
 		cmocka_unit_test_setup(coordinates_beyond_the_limit_are_refused, set_up),

@@ -1,6 +1,7 @@
 /* What `info` says of a scene: its figures, as text and as JSON; the bytes are those of its arrays. */
 #include <jansson.h>
-#include "kernels/base/num.h"
+#include <math.h>
+#include "kernels/base/vec.h"
 #include "scene/scene.h"
 #include "tests/model/test.h"
 
@@ -60,8 +61,37 @@ static void text_and_json_have_the_same_figures(void **state)
 	}
 }
 
+/* Five radii, from the least to the greatest; by JSON they are the same. */
+static void quartiles_of_surfels_are_told_in_order(void **state)
+{
+	(void)state;
+	ts_params params;
+	ts_scene *scene;
+	double least, quartiles[3], most;
+	ts_params_default(&params);
+	TS_PARAM_SET(&params, surfels_from_mesh, 3000);
+	if (ts_scene_load(&scene, "atrium:triangles=10000:texels=32", &params, NULL) != TS_OK)
+		fail_msg("%s", ts_error_message());
+	for (u32 i = 0; i < scene->n_surfels; i++) {
+		ts_surfel *s = &scene->surfels[i];
+		f32 scale = (1.0f + (f32)(i % 97)) / ts_length(ts_load3(s->u));
+		ts_store3(s->u, ts_scale(ts_load3(s->u), scale));
+		ts_store3(s->v, ts_scale(ts_normalize(ts_load3(s->v)), 0.5f));
+	}
+	char *text = printed(scene, false), *line = strstr(text, "  surfel radius");
+	assert_non_null(line);
+	assert_int_equal(sscanf(line, "  surfel radius %lf to %lf, quartiles %lf %lf %lf; the longer half-axis", &least,
+	                        &most, &quartiles[0], &quartiles[1], &quartiles[2]),
+	                 5);
+	assert_true(fabs(least - 1) < 1e-3 && fabs(most - 97) < 1e-2);
+	for (u32 k = 0; k < 3; k++) assert_true(fabs(quartiles[k] - 97 * (k + 1) / 4.0) < 2);
+	free(text);
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(text_and_json_have_the_same_figures)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(text_and_json_have_the_same_figures),
+	                                   cmocka_unit_test(quartiles_of_surfels_are_told_in_order)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
