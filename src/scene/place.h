@@ -44,7 +44,8 @@ bool ts_place_surfel(const ts_place *place, const ts_surfel *from, ts_surfel *to
 /* The node's origin, and the unit direction of its -z, along which a light shines, or zero. */
 void ts_place_aim(const ts_place *place, f32 position[3], f32 direction[3]);
 
-/* The frame of a camera at the node: looks along -z with +y up, made orthonormal. False where the node leaves no y or no z. */
+/* The frame of a camera at the node: looks along -z with +y up, made orthonormal. False where the node leaves no y
+ * or no z. */
 bool ts_place_camera(const ts_place *place, ts_camera *camera);
 
 #ifdef __cplusplus

@@ -75,7 +75,10 @@ static ts_v3 direction_of(const ts_place *place, ts_v3 d)
 	return ts_v3_make(ts_dot(ts_load3(m), d), ts_dot(ts_load3(m + 3), d), ts_dot(ts_load3(m + 6), d));
 }
 
-static ts_v3 point_of(const ts_place *place, ts_v3 p) { return ts_add(direction_of(place, p), ts_load3(place->origin)); }
+static ts_v3 point_of(const ts_place *place, ts_v3 p)
+{
+	return ts_add(direction_of(place, p), ts_load3(place->origin));
+}
 
 static ts_place place_of(affine *right)
 {
@@ -170,9 +173,9 @@ static void surfels_are_the_images_of_their_ellipses(void **state)
 		fill(from.centre, 3, 2);
 		if (fabs(determinant(&a)) < 0.05) continue;
 		assert_true(ts_place_surfel(&place, &from, &to));
-		ts_v3 u = ts_load3(to.u), v = ts_load3(to.v), image = ts_scale(
-			ts_cross(direction_of(&place, ts_load3(from.u)), direction_of(&place, ts_load3(from.v))),
-			place.side);
+		ts_v3 u = ts_load3(to.u), v = ts_load3(to.v),
+			  image = ts_scale(ts_cross(direction_of(&place, ts_load3(from.u)), direction_of(&place, ts_load3(from.v))),
+		                       place.side);
 		assert_true(ts_length(ts_sub(ts_cross(u, v), image)) < 1e-4f * (1.0f + ts_length(image)));
 		assert_true(ts_abs(ts_dot(u, v)) < 1e-4f * (1.0f + ts_length(u) * ts_length(v)));
 		assert_true(ts_length(ts_sub(ts_load3(to.centre), point_of(&place, ts_load3(from.centre)))) == 0.0f);

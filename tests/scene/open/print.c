@@ -89,9 +89,133 @@ static void quartiles_of_surfels_are_told_in_order(void **state)
 	ts_scene_free(scene);
 }
 
+/* ---- a scene by hand ---- */
+
+enum { NODES = 23 };
+
+static char names[NODES][16], camera_names[2][16] = {"left", "ri\nght"}, note[] = "a note";
+static ts_light lights[3];
+static ts_camera cameras[2];
+static ts_named_node nodes[NODES];
+static char *notes[1] = {note};
+
+static ts_scene scene_by_hand(u32 camera, u32 n_nodes)
+{
+	static char name[] = "by hand";
+	for (u32 i = 0; i < 3; i++) {
+		f32 x = (f32)(10 * i);
+		lights[i] = (ts_light){.kind = i,
+		                       .position = {x + 1, x + 2, x + 3},
+		                       .direction = {x + 4, x + 5, x + 6},
+		                       .intensity = {x + 7, x + 8, x + 9}};
+	}
+	for (u32 i = 0; i < 2; i++) cameras[i].name = camera_names[i];
+	for (u32 i = 0; i < NODES; i++) {
+		snprintf(names[i], sizeof names[i], "node %u", (unsigned)i);
+		nodes[i] = (ts_named_node){names[i], 100 + i};
+	}
+	return (ts_scene){
+		.name = name,
+		.info = {.box_min = {1, 2, 3}, .box_max = {4, 5, 6}, .hall_min = {7, 8}, .hall_max = {9, 10}, .ambient = 0.25f},
+		.lights = lights,
+		.n_lights = 3,
+		.cameras = cameras,
+		.n_cameras = 2,
+		.camera = camera,
+		.nodes = nodes,
+		.n_nodes = n_nodes,
+		.notes = notes,
+		.n_notes = 1};
+}
+
+/* Each line by itself, in order. */
+static void text_has_a_line_for_each_part(void **state)
+{
+	(void)state;
+	static const char *const right[] = {"by hand\n",
+	                                    "  box x                 1 to 4\n  box y                 2 to 5\n",
+	                                    "  box z                 3 to 6\n",
+	                                    "  hall x                7 to 9\n  hall z                8 to 10\n",
+	                                    "  ambient               0.25\n",
+	                                    "  light 0               directional, intensity 7 8 9\n",
+	                                    "  light 1               point, intensity 17 18 19\n",
+	                                    "  light 2               spot, intensity 27 28 29\n"};
+	for (u32 camera = 0; camera <= 2; camera++) {
+		u32 n_nodes = camera < 2 ? 20 + 3 * camera : 0;
+		const ts_scene scene = scene_by_hand(camera < 2 ? camera : TS_NONE, n_nodes);
+		char *text = printed(&scene, false), *at = text, line[100];
+		for (u32 i = 0; i < sizeof right / sizeof *right; i++) {
+			if ((at = strstr(at, right[i])) == NULL) fail_msg("no \"%s\", or not there, in:\n%s", right[i], text);
+		}
+		for (u32 i = 0; i < 2; i++) {
+			snprintf(line, sizeof line, "\n  camera %u              %s%s\n", (unsigned)i, i == 0 ? "left" : "ri?ght",
+			         i == camera ? " (chosen)" : "");
+			assert_non_null(strstr(text, line));
+		}
+		assert_int_equal(strstr(text, "\n  eye                   circling\n") != NULL, camera == 2);
+		for (u32 i = 0; i < NODES; i++) {
+			snprintf(line, sizeof line, "\n  node                  %12u  triangles: node %u\n", 100 + (unsigned)i,
+			         (unsigned)i);
+			assert_int_equal(strstr(text, line) != NULL, i < n_nodes && i < 20);
+		}
+		assert_int_equal(strstr(text, "\n  3 more nodes; as JSON all are listed\n") != NULL, n_nodes == NODES);
+		assert_int_equal(strstr(text, "more nodes") != NULL, n_nodes == NODES);
+		assert_non_null(strstr(text, "a note\n"));
+		free(text);
+	}
+}
+
+/* The numbers of an array from `first` on, in steps of 1. */
+static void is_row(const json_t *row, double first, size_t n)
+{
+	assert_int_equal(json_array_size(row), n);
+	for (size_t i = 0; i < n; i++) assert_true(json_real_value(json_array_get(row, i)) == first + (double)i);
+}
+
+static void json_has_all_parts_of_a_scene(void **state)
+{
+	(void)state;
+	static const char *const kinds[] = {"directional", "point", "spot"};
+	for (u32 camera = 0; camera <= 2; camera++) {
+		const ts_scene scene = scene_by_hand(camera < 2 ? camera : TS_NONE, NODES);
+		char *json = printed(&scene, true);
+		json_t *root = json_loads(json, 0, NULL);
+		assert_non_null(root);
+		assert_string_equal(json_string_value(json_object_get(root, "scene")), "by hand");
+		is_row(json_object_get(root, "box_min"), 1, 3);
+		is_row(json_object_get(root, "box_max"), 4, 3);
+		is_row(json_object_get(root, "hall_min"), 7, 2);
+		is_row(json_object_get(root, "hall_max"), 9, 2);
+		assert_true(json_real_value(json_object_get(root, "ambient")) == 0.25);
+		for (u32 i = 0; i < 3; i++) {
+			const json_t *light = json_array_get(json_object_get(root, "light"), i);
+			assert_string_equal(json_string_value(json_object_get(light, "kind")), kinds[i]);
+			is_row(json_object_get(light, "position"), 10 * i + 1, 3);
+			is_row(json_object_get(light, "direction"), 10 * i + 4, 3);
+			is_row(json_object_get(light, "intensity"), 10 * i + 7, 3);
+		}
+		const json_t *eye = json_object_get(root, "eye"), *node = json_object_get(root, "nodes");
+		if (camera < 2) assert_int_equal(json_integer_value(eye), camera);
+		if (camera == 2) assert_string_equal(json_string_value(eye), "circling");
+		assert_string_equal(json_string_value(json_array_get(json_object_get(root, "camera"), 0)), "left");
+		assert_int_equal(json_array_size(json_object_get(root, "camera")), 2);
+		assert_int_equal(json_array_size(node), NODES);
+		for (u32 i = 0; i < NODES; i++) {
+			const json_t *one = json_array_get(node, i);
+			assert_string_equal(json_string_value(json_object_get(one, "name")), names[i]);
+			assert_int_equal(json_integer_value(json_object_get(one, "triangles")), 100 + i);
+		}
+		assert_string_equal(json_string_value(json_array_get(json_object_get(root, "notes"), 0)), note);
+		assert_null(json_object_get(root, "surfel_radius"));
+		json_decref(root);
+		free(json);
+	}
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(text_and_json_have_the_same_figures),
-	                                   cmocka_unit_test(quartiles_of_surfels_are_told_in_order)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(text_and_json_have_the_same_figures), cmocka_unit_test(quartiles_of_surfels_are_told_in_order),
+		cmocka_unit_test(text_has_a_line_for_each_part), cmocka_unit_test(json_has_all_parts_of_a_scene)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
