@@ -1,7 +1,7 @@
 /* Places of nodes against the same in double precision: translations, rotations and scales, nodes below nodes, what
  * mirrors and what flattens. */
-#include "scene/place.h"
 #include <math.h>
+#include "scene/place.h"
 #include "tests/lcg.h"
 #include "tests/model/test.h"
 

@@ -1,8 +1,8 @@
 /* Plots: every point where its values say, ticks at round values on their lines, and a legend of the curves. */
-#include "study/plot.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "study/plot.h"
 #include "tests/model/test.h"
 
 enum { LEFT = 70, RIGHT = 770, TOP = 50, BOTTOM = 500, MOST = 64, TEXT = 100000 };
