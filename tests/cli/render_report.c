@@ -25,6 +25,7 @@ static void begin(const char *effect, const char *methods)
 	render.effect = effect;
 	assert_int_equal(ts_methods_find(render.methods, &render.n_methods, effect, methods), TS_OK);
 	for (u32 i = 0; i < render.n_methods; i++) {
+		render.measures[i].method = render.methods[i];
 		render.pictures[i].srgb = srgb;
 		snprintf(render.pictures[i].name, sizeof render.pictures[i].name, "%s", render.methods[i]->name);
 	}
