@@ -50,7 +50,7 @@ has 'unless WERROR is 1' '-c src/model/commit.c' -Werror
 
 # x87 is refused, by one line that says what would be right; only where the compiler is one for x86.
 if [ "$(uname -m)" = x86_64 ]; then
-	said=$(env -u MAKEFLAGS -u MAKELEVEL make -n OPT='-O2 -mfpmath=387' core 2>&1 > /dev/null)
+	said=$(env -u MAKEFLAGS -u MAKELEVEL -u config make -n OPT='-O2 -mfpmath=387' core 2>&1 > /dev/null)
 	n=$((n + 1))
 	good=0
 	[ "$(wc -l <<< "$said")" -eq 1 ] && grep -q 'x87: .* -msse2 -mfpmath=sse" would be right' <<< "$said" || good=1
