@@ -5,7 +5,6 @@
 #include <string.h>
 #include "api/verdicts.h"
 #include "compare/compare.h"
-#include "replay/forced.h"
 #include "replay/judge.h"
 #include "trace/emitted/emit.h"
 #include "trace/item.h"

@@ -1,5 +1,4 @@
 /* Replays of a candidate's stages, judged one by one. */
-#include "replay/forced.h"
 #include <stdio.h>
 #include "replay/judge.h"
 

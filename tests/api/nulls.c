@@ -1,5 +1,5 @@
 /* Every function of the public headers, with NULL in the place of each argument that must point to something: refused
- * in one line that names the argument, or nothing done. tests/api/nulls.sh holds that none is forgotten. */
+ * in one line that names the argument, or nothing done. tests/headers/functions.sh holds that none is forgotten. */
 #include "tests/api/run.h"
 
 #define REFUSED(call, name) refused(call, name " is NULL")

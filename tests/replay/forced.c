@@ -1,5 +1,5 @@
 /* Teacher forcing: a stage answers for what it makes of its own inputs, not for theirs. */
-#include "replay/forced.h"
+#include "replay/judge.h"
 #include "replay/replay.h"
 #include "tests/replay/loaded.h"
 

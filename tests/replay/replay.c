@@ -1,5 +1,5 @@
 /* Replay: every stage of both methods, alone, makes what the trace holds; what a candidate made otherwise is found. */
-#include "replay/forced.h"
+#include "replay/judge.h"
 #include "tests/replay/traces.h"
 
 /* Samples of pixels, of traces with one sample a pixel. */

@@ -1,6 +1,20 @@
-/* Each kernel of kernels_of.h as an entry point of its name: items [first, n) of a grid of one dimension. */
+/* Each kernel as an entry point of its name: items [first, n) of a grid of one dimension. scripts/ptx compiles this
+ * file once for all kernels, and once for each folder OF of src/kernels. */
 #include "backends/cuda/builtins.h"
-#include "backends/kernels_of.h"
+
+#ifdef OF
+/* clang-format off */
+#define TEXT(path) QUOTED(path)
+#define QUOTED(path) #path
+#define KERNELS_H TEXT(kernels/OF/kernels.h)
+#define KERNELS_DEF TEXT(kernels/OF/kernels.def)
+#define BANDS(kernel, arguments, others)
+#define PIECES(kernel, by, arguments, from, unless, n)
+/* clang-format on */
+#else
+#define KERNELS_H "backends/kernels.h"
+#define KERNELS_DEF "backends/kernels.def"
+#endif
 #include KERNELS_H
 
 #define KERNEL(name, arguments) \

@@ -1,9 +1,12 @@
 /* The screen's depth down-sampled to the grid. */
 #include <inttypes.h>
 #include "kernels/hulls/depth_grid.h"
+#include "methods/registry.h"
 #include "methods/stages.h"
 
 static const ts_launch sampled = TS_LAUNCH(depth_grid, TS_ALL);
+
+u64 ts_size_grid_side(const ts_size_question *q) { return TS_PARAM(&q->run->params, depth_grid_px); }
 
 ts_status ts_grid_check(const ts_params *params)
 {

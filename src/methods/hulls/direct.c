@@ -1,6 +1,6 @@
 /* Light of every triangle, gathered by every pixel itself. */
 #include "methods/hulls/gloss.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 static const ts_launch gathered = TS_LAUNCH(direct, TS_ALL);
 static const ts_launch of_lamps = TS_LAUNCH(direct, TS_IN(patches, polygon_patch), TS_WITH(lamps), TS_WITH(shapes));

@@ -1,7 +1,7 @@
 /* Specular reflection of the light that hulls and direct gather. */
 #include "methods/hulls/gloss.h"
 #include "kernels/hulls/gloss.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 #define OF_HULL TS_BUT(of.box), TS_BUT(of.irradiance), TS_BUT(of.choice.offset)
 #define OF_DIRECT TS_BUT(of.irradiance)

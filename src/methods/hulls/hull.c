@@ -1,7 +1,7 @@
 /* Every pixel's box, and the lobes of its corners at the pixel. */
 #include "kernels/hulls/hull_margin.h"
 #include "methods/hulls/gloss.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 static const ts_launch interpolated = TS_LAUNCH(hull, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(hull_margin, TS_ALL);

@@ -1,7 +1,7 @@
 /* iVIR: colours of points into level 0, and the levels above. */
 #include "kernels/points/environment_map.h"
 #include "methods/points/points.h"
-#include "methods/raster/illuminate.h"
+#include "methods/raster/raster.h"
 
 static const ts_launch copied = TS_LAUNCH(environment_map, TS_BUT(to.scene), TS_BUT(to.depth_triangle));
 

@@ -1,6 +1,9 @@
 /* Look-ups of the first bounce, and queue and look-ups of each later one. */
-#include "methods/points/lookup.h"
 #include <inttypes.h>
+#include "kernels/points/lookup.h"
+#include "kernels/points/samples.h"
+#include "methods/points/points.h"
+#include "methods/registry.h"
 
 /* The first look-up finds a point or a colour per sample, and reads no points. */
 static const ts_launch first =
@@ -34,6 +37,12 @@ typedef struct {
 #define AGAIN TS_COUNTED_POINTS(from)
 static const later second[] = {SECOND(STORED), SECOND(AGAIN)};
 static const later third[] = {THIRD(STORED), THIRD(AGAIN)};
+
+u64 ts_size_lookup_samples(const ts_size_question *q)
+{
+	(void)q;
+	return TS_N_SAMPLES;
+}
 
 ts_lookup_args ts_lookup_values(const ts_run *run, u32 bounce)
 {

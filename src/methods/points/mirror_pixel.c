@@ -1,6 +1,6 @@
 /* The reflective pixels, compacted. */
 #include "kernels/points/mirror_pixel.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 static const ts_launch counted = TS_LAUNCH(mirror_pixel_count, TS_BUT(pixels));
 static const ts_launch written = TS_LAUNCH(mirror_pixel, TS_IN(offset, mirror_pixel_offset));

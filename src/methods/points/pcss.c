@@ -14,8 +14,7 @@
  * - parallel light needs no projection: its widths grow with the distance from the receiver. */
 #include "kernels/points/pcss.h"
 #include "methods/points/pipelines.h"
-#include "methods/raster/eye.h"
-#include "methods/raster/shadow_test.h"
+#include "methods/raster/raster.h"
 
 /* Taps about a pixel, in the one depth map of each light, that let light through. */
 

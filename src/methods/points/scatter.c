@@ -1,5 +1,6 @@
 /* Points into the off-screen views of the batch: stored ones, or made from the pieces on the spot. */
-#include "methods/points/scatter.h"
+#include "kernels/points/scatter.h"
+#include "methods/points/points.h"
 
 static const ts_scatters into_depths = {
 	TS_LAUNCH(scatter, TS_STORED_POINTS(from), TS_WITH(depths)),

@@ -1,6 +1,7 @@
 /* Shading, from the last bounce back to the eye. */
 #include <stdlib.h>
-#include "methods/points/lookup.h"
+#include "kernels/points/lookup.h"
+#include "methods/points/points.h"
 
 /* With and without the next bounce's radiance. */
 typedef struct {

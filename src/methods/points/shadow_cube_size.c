@@ -1,7 +1,7 @@
 /* Cubes of the light samples at the resolution that the eye needs. */
 #include <stdlib.h>
 #include "kernels/points/shadow_cube_size.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 #include "scene/lamp.h"
 
 static const ts_launch launch = TS_LAUNCH(shadow_cube_size, TS_BUT_SURFACES, TS_WORK(cubes, other));

@@ -1,6 +1,7 @@
 /* Points of EPR's shadows into the depth maps of the batch. */
+#include "kernels/points/scatter.h"
 #include "kernels/points/shadow_splat.h"
-#include "methods/points/scatter.h"
+#include "methods/points/points.h"
 
 static const ts_scatters splats = {
 	TS_LAUNCH(shadow_splat, TS_STORED_POINTS(of.from), TS_WITH(of.depths)),

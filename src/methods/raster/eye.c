@@ -1,6 +1,6 @@
 /* The eye of this frame, and its depth and triangle. */
-#include "methods/raster/eye.h"
 #include "kernels/raster/eye.h"
+#include "methods/raster/raster.h"
 #include "methods/stages.h"
 #include "scene/view.h"
 

@@ -1,6 +1,6 @@
 /* The G-buffer. */
 #include "kernels/raster/gbuffer.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 static const ts_launch surfaces = TS_LAUNCH(gbuffer, TS_ALL);
 

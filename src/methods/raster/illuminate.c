@@ -1,5 +1,6 @@
 /* MVR: level 0 of the batch's cubes by shading every texel; mip chains. */
-#include "methods/raster/illuminate.h"
+#include "kernels/raster/texel_place.h"
+#include "methods/raster/raster.h"
 
 static const ts_launch shaded = TS_LAUNCH(illuminate, TS_ALL);
 const ts_launch ts_mip_averaged = TS_LAUNCH(mip, TS_BUT(scene), TS_BUT(depth_triangle));

@@ -1,7 +1,7 @@
 /* The picture. */
 #include "kernels/raster/image.h"
 #include "kernels/raster/indirect.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 /* For a picture without multisampling, and for samples that are resolved. */
 typedef struct {

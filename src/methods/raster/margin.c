@@ -1,6 +1,6 @@
 /* Margins of coverage and depths of triangles. */
 #include "kernels/raster/margin.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 static const ts_launch of_eye =
 	TS_LAUNCH(eye_margin, TS_WITH(view), TS_IN(depth_triangle, eye_depth_triangle), TS_MIN(margin, eye_margin));

@@ -1,6 +1,6 @@
 /* Shared by all methods of reflections: how much of the eye's image and of the cubes mirrors are likely to fill. */
-#include "methods/raster/eye.h"
 #include "methods/raster/pipelines.h"
+#include "methods/raster/raster.h"
 #include "methods/stages.h"
 
 /* A square about every added reflector, or a quarter of the image. */

@@ -1,7 +1,6 @@
 /* Shadows from depth maps: how many samples of each light reach a pixel, and the comparisons' margins. */
-#include "methods/raster/shadow_test.h"
 #include "kernels/raster/shadow_test_margin.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 static const ts_launch resolved = TS_LAUNCH(shadow_test, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(shadow_test_margin, TS_BUT(of.lit));

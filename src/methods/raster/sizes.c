@@ -1,6 +1,6 @@
 /* Computed sizes of rasterization. */
 #include "kernels/raster/mip.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 #include "methods/registry.h"
 #include "methods/stages.h"
 

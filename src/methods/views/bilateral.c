@@ -1,6 +1,6 @@
 /* Filters the gathered light. */
 #include "kernels/views/bilateral.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 static const ts_launch along_rows =
 	TS_LAUNCH(bilateral, TS_IN(from, vpl_gather_irradiance), TS_OUT(to, bilateral_filtered_rows));

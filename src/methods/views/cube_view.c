@@ -1,6 +1,6 @@
 /* Views from the middles of the reflectors' cubes, and their maps as mip chains. */
 #include "kernels/views/cube_view.h"
-#include "methods/raster/illuminate.h"
+#include "methods/raster/raster.h"
 #include "methods/views/views.h"
 
 static const ts_launch placed = TS_LAUNCH(cube_view, TS_ALL);

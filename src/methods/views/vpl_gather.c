@@ -1,7 +1,7 @@
 /* Light from virtual point lights: which nodes of views may light which nodes of the scene, and gathering by pixels. */
 #include "kernels/views/vpl_gather_margin.h"
 #include "kernels/views/vpl_gather_pairs.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 #include "methods/views/octree.h"
 #include "methods/views/traverse.h"
 

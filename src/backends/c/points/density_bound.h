@@ -1,7 +1,7 @@
 /* Triangles in vector lanes, and the cubes that may still change their densities. */
 #ifndef TS_BACKENDS_C_POINTS_DENSITY_BOUND_H
 #define TS_BACKENDS_C_POINTS_DENSITY_BOUND_H
-#include "kernels/points/density.h"
+#include "kernels/points/split.h"
 
 enum { TS_PART = 128, TS_COORDINATES = 9 };
 
@@ -30,5 +30,9 @@ void ts_density_begin(ts_density_part *p);
 
 /* Lists the triangles whose shortest way or densest need the cube may change; returns their number. */
 u32 ts_density_may_count(u32 list[TS_PART], const ts_density_part *p, const ts_density_cube *of);
+
+/* The other half of the fast path of split_count, as src/backends/fast.h has it: densities by the eye (density_eye.c).
+ */
+bool ts_c_eye_density(const ts_density_args *args, u32 n, u32 threads);
 
 #endif

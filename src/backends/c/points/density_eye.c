@@ -1,5 +1,4 @@
 /* EPR's densities, with the bits of ts_k_density: the triangles that a cube may see are processed side by side. */
-#include "backends/c/points/density_eye.h"
 #include "backends/c/points/closest_lanes.h"
 #include "backends/c/points/density_bound.h"
 #include "backends/wide.h"

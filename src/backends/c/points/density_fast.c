@@ -3,7 +3,7 @@
 #include <omp.h>
 #include <stdlib.h>
 #include "backends/c/points/closest_lanes.h"
-#include "backends/c/points/density_eye.h"
+#include "backends/c/points/density_bound.h"
 #include "backends/fast.h"
 #include "backends/wide.h"
 #include "kernels/points/split.h"

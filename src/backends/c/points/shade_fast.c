@@ -4,7 +4,7 @@
 #include <omp.h>
 #include <stdlib.h>
 #include "backends/c/points/point_batch.h"
-#include "backends/c/raster/light_batch.h"
+#include "backends/c/raster/surface_batch.h"
 #include "backends/fast.h"
 #include "kernels/points/lookup.h"
 #include "model/core.h"

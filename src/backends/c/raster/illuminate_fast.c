@@ -1,6 +1,6 @@
 /* Fast path of MVR's shading, with the same bits: neighbouring texels are transformed into the view together, and those
  * of one material are shaded together. */
-#include "backends/c/raster/light_batch.h"
+#include "backends/c/raster/surface_batch.h"
 #include "backends/c/raster/surface_rows.h"
 #include "backends/fast.h"
 #include "kernels/base/shade.h"

@@ -1,7 +1,7 @@
 /* Fast path of the picture, with the same bits: neighbouring pixels are transformed into the view together, and those
  * of one material are shaded together. */
-#include "backends/c/raster/light_batch.h"
 #include "backends/c/raster/srgb_table.h"
+#include "backends/c/raster/surface_batch.h"
 #include "backends/c/raster/surface_rows.h"
 #include "backends/fast.h"
 #include "kernels/raster/image.h"

@@ -1,5 +1,5 @@
 /* Lights one after another, each on all surfaces. */
-#include "backends/c/raster/light_batch.h"
+#include "backends/c/raster/surface_batch.h"
 #include "backends/wide.h"
 
 enum { N = TS_ABREAST };

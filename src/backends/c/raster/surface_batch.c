@@ -1,7 +1,6 @@
 /* Surfaces side by side: the corners' attributes are copied, then vectorized loops compute ts_k_surface from them. */
 #include "backends/c/raster/surface_batch.h"
 #include <string.h>
-#include "backends/c/raster/texture_batch.h"
 #include "backends/wide.h"
 
 enum { N = TS_ABREAST, UV_SETS = 2 };

@@ -1,5 +1,5 @@
 /* Textures side by side: where each sample reads two levels, their texels, and the mean of those. */
-#include "backends/c/raster/texture_batch.h"
+#include "backends/c/raster/surface_batch.h"
 #include "backends/wide.h"
 
 enum { N = TS_ABREAST, LEVELS = 2, TEXELS = 4, MOST_LEVELS = 17 /* of 65,536 texels a side */ };

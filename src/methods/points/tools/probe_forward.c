@@ -1,5 +1,6 @@
 /* What a reflective pixel of forward-shaded points shows: the colours that its samples looked up, and their mean. */
-#include "methods/points/lookup.h"
+#include "kernels/points/lookup.h"
+#include "methods/points/points.h"
 #include "methods/points/tools/probe.h"
 
 typedef struct {

@@ -1,6 +1,7 @@
 /* What a reflective pixel of EPR shows: its samples, and the bounces behind them. The kernels of look-up and shading
  * compute each entry again in a small world, whose arrays hold what the entry refers to. */
-#include "methods/points/lookup.h"
+#include "kernels/points/lookup.h"
+#include "methods/points/points.h"
 #include "methods/points/tools/probe.h"
 
 enum { MOST_POINTS = TS_N_SAMPLES + 1 };

@@ -2,8 +2,9 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include "kernels/raster/draw.h"
+#include "kernels/raster/eye_sample.h"
 #include "methods/points/tools/probe.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 enum { MOST_PIECES = 32, MOST_POINTS = 64 };
 

@@ -1,7 +1,7 @@
 /* Memory and work of methods by points beside MVR's, as the paper counts them; and which pixels are mirrors'. */
 #include "kernels/base/records.h"
 #include "methods/points/tools/tools.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 enum { NOMINAL_POINT = 80, NOMINAL_CUBE = 6 * 512 * 512 * 8, NOMINAL_TEXELS = 6 * 512 * 512, SAMPLES = 25 };
 

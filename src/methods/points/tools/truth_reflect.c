@@ -4,8 +4,9 @@
 #include "kernels/base/shade.h"
 #include "kernels/points/density.h"
 #include "kernels/points/samples.h"
+#include "kernels/raster/eye_sample.h"
 #include "methods/points/tools/tools.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 #include "truth/sampling.h"
 #include "truth/truth.h"
 

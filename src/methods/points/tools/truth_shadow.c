@@ -9,7 +9,7 @@
 #include "kernels/raster/shadow_test.h"
 #include "methods/pipeline.h"
 #include "methods/points/tools/tools.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 #include "truth/sampling.h"
 #include "truth/truth.h"
 

@@ -1,7 +1,7 @@
 /* Light gathered at the pixels of the G-buffer. */
 #include "methods/raster/tools/truth_gather.h"
 #include "kernels/raster/gbuffer.h"
-#include "methods/raster/eye.h"
+#include "methods/raster/raster.h"
 
 ts_status ts_truth_indirect_begin(ts_run *run, const char *effect)
 {

@@ -2,7 +2,7 @@
  * the five textures, of any size, levels, wraps, transforms and sets; corners with and without normals and tangents,
  * with degenerate texture coordinates; flat and unlit materials, mirrors; lights of every kind, within range and
  * beyond, in part shadowed; footprints from none to huge; viewers on either side, or on the surface, and lights too. */
-#include "backends/c/raster/light_batch.h"
+#include "backends/c/raster/surface_batch.h"
 #include "backends/c/raster/surface_bins.h"
 #include "tests/kernels/small.h"
 
