@@ -124,6 +124,8 @@ run compare r/trace-epr inclusive
 [ "$status" -eq 1 ] &&
 	tail -n 1 stdout | grep -q 'points.offset, element 0, where the sums begin, ref 0 candidate [1-9]'
 verdict $? 'sums that do not begin at 0'
+grep -q '^how the reference computes it: .* --element points.offset:0$' stdout
+verdict $? 'whose explanation is of element 0'
 run replay r/trace-epr --stage points.count --inputs count
 [ "$status" -eq 1 ] && grep -q "first count of element $last .*: [0-9]* is right, [0-9]* was found" stdout
 verdict $? 'replay names the count too'

@@ -77,6 +77,7 @@ trace = json.load(open(folder + "/canonical/trace-epr/trace.json"))
 device = next(d for d in json.load(open(folder + "/backends"))["backends"] if d["name"] == backend)
 producer, arithmetic = trace["producer"], trace["arithmetic"]
 assert producer["backend"] == backend and producer["device"].startswith(device["device"] + ", ")
+assert producer["device"].removeprefix(device["device"] + ", ").strip()
 assert producer["compiler"] and producer["flags"]
 assert arithmetic["rounding"] == "nearest even" and arithmetic["contraction"] is False and arithmetic["selftest"] == 0
 PY
