@@ -35,6 +35,10 @@ grep -q '^ok .* - shade # SKIP not judged: a relaxed comparison needs its file, 
 verdict $? 'and says so'
 cp -r "$other" arrival && sed -i 's/"order": "canonical"/"order": "arrival"/' arrival/trace.json
 judges 1 '^shade +shade.radiance .* not judged$' 'so do points in the order of their arrival' "$whole" arrival
+run compare "$whole" arrival --tap
+grep -q '^ok .* - shade # SKIP not judged: points in the order of their arrival needs its file, which arrival' stdout
+verdict $? 'and says so, too'
+judges 1 '^shade +shade.radiance .* not judged$' 'so does --allow' "$whole" "$other" --allow 1
 run compare "$whole" "$other" --json
 python3 - <<'PY'
 import json

@@ -67,6 +67,8 @@ make_test b/late.sh ':'
 runs 1 'reported no test' 'a test that reports nothing'
 make_test b/late.sh 'echo "ok 1 - no"; exit 3'
 runs 1 'exit status 3' 'a test that ends with another status'
+chmod -x tests/b/late.sh
+runs 1 'exit status 126' 'a test that may not be executed'
 make_test b/late.sh 'echo "ok 1 - no # SKIP nothing here"'
 runs 0 '^2 passed, 0 failed, 1 skipped' 'a skip'
 export TS_REQUIRE=all

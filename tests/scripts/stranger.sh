@@ -5,7 +5,7 @@
 . "$(dirname "$0")/../cli/tap.bash"
 lane=$(realpath scripts/stranger)
 cd "$scratch" || exit
-chmod 755 .
+chmod a+rx . && chmod a+x .. # the stranger is another user
 mkdir -p small/{reference,src/methods/points,src/kernels/points,src/scene/builtin}
 cd small || exit
 printf '# Small\n\n## Start\n\n    make demo\n    make test # after it\n' > README.md
