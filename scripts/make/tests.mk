@@ -113,7 +113,7 @@ faults faults-short: deps-test
 ##                      mutants, mutants-src, fresh mutants, and the tests with each sanitizer; hours
 release-check:
 	$(Q)scripts/install-deps --matrix
-	$(Q)for part in test test-long test-ports test-packages faults matrix distros mutants mutants-src; do \
+	$(Q)for part in test test-devices test-long test-ports test-packages faults matrix distros mutants mutants-src; do \
 		TS_WHOLE=1 $(MAKE) $$part || exit; done
 	$(Q)$(MAKE) mutants-src T='--fresh commit'
 	$(Q)for config in asan ubsan tsan; do $(MAKE) test config=$$config || exit; done
