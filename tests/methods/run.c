@@ -339,21 +339,33 @@ static void is_expected(const ts_pipeline *method, ts_dim dim, const ts_expected
 		         info->name, (unsigned long long)made);
 }
 
+static void sizes_of_a_run_are_expected(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)
+{
+	ts_run run;
+	ts_expected expected = ts_pipeline_expect(method, scene, params);
+	ts_run_begin(&run, scene, params, 2);
+	if (ts_pipeline_run(method, &run) != TS_OK) fail_msg("%s: %s", method->name, ts_error_message());
+	for (ts_dim d = 0; d < TS_N_DIMS; d++) is_expected(method, d, &expected, ts_run_size(&run, d));
+	ts_run_end(&run);
+}
+
 /* Sizes that are given are expected as they are; others are at most three times of what is expected, and at least an
- * eighth, where there are any. */
+ * eighth, where there are any. The scene has three lights. */
 static void sizes_are_as_each_method_expects(void **state)
 {
 	(void)state;
 	ts_scene *scene = NULL;
 	ts_params params = small_params_of_all();
 	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
-		ts_run run;
 		small_scene_of(&scene, *at, &params);
-		ts_expected expected = ts_pipeline_expect(*at, scene, &params);
-		ts_run_begin(&run, scene, &params, 2);
-		if (ts_pipeline_run(*at, &run) != TS_OK) fail_msg("%s: %s", (*at)->name, ts_error_message());
-		for (ts_dim d = 0; d < TS_N_DIMS; d++) is_expected(*at, d, &expected, ts_run_size(&run, d));
-		ts_run_end(&run);
+		ts_scene lit = *scene;
+		ts_light lights[3] = {scene->lights[0], scene->lights[0], scene->lights[0]};
+		lit.lights = lights;
+		lit.n_lights = 3;
+		for (u32 source = TS_LAMP_LAMP; source <= TS_LAMP_SCENE; source++) {
+			params.lamp_source = source;
+			sizes_of_a_run_are_expected(*at, &lit, &params);
+		}
 	}
 	ts_scene_free(scene);
 }

@@ -1,12 +1,12 @@
 /* Pictures of stages: as many as there is room for, found by name; what a mask leaves out is the image in grey; and
  * each picture of a family, pixel by pixel, is what its caption says of the buffers. */
-#include "study/stage_pictures.h"
 #include <math.h>
 #include "image/falsecolour.h"
 #include "kernels/base/srgb.h"
 #include "kernels/points/forward.h"
 #include "kernels/raster/gpixel.h"
 #include "kernels/views/paraboloid.h"
+#include "study/stage_pictures.h"
 #include "tests/methods/small.h"
 
 static void pictures_are_found_by_their_names(void **state)

@@ -103,8 +103,18 @@ static u32 try_draws(const traced *t, const json_t *lights, u32 pixel)
 	}
 	assert_int_equal(i, figure(lights, "draws"));
 	for (u32 c = 0; c < 3; c++) assert_bits(ts_put(sum[c] * shown(lights, "share", 0)), right[c]);
-	double parts = 0;
+	double parts = 0, before = INFINITY;
 	json_array_foreach (json_object_get(lights, "brightest"), i, entry) {
+		size_t k;
+		json_t *view;
+		u64 times = 0;
+		f32 light = shown(entry, "irradiance", 0) + shown(entry, "irradiance", 1) + shown(entry, "irradiance", 2);
+		json_array_foreach (json_object_get(lights, "drawn"), k, view) {
+			times += json_integer_value(view) == json_integer_value(json_object_get(entry, "light"));
+		}
+		assert_int_equal(figure(entry, "drawn"), times);
+		assert_true((double)times * light <= before * 1.000001);
+		before = (double)times * light;
 		n_dark += try_light(t, entry);
 		parts += json_real_value(json_object_get(entry, "part"));
 	}
