@@ -35,7 +35,7 @@ static const row calls[] = {
 	{TS_WRITE, SYS_writev},    {TS_SHORT, SYS_write},     {TS_INTERRUPT, SYS_write}, {TS_FSYNC, SYS_fsync},
 	{TS_FSYNC, SYS_fdatasync}, {TS_RENAME, SYS_rename},   {TS_RENAME, SYS_renameat}, {TS_RENAME, SYS_renameat2},
 	{TS_UNLINK, SYS_unlink},   {TS_UNLINK, SYS_unlinkat}, {TS_UNLINK, SYS_rmdir},    {TS_MKDIR, SYS_mkdir},
-	{TS_MKDIR, SYS_mkdirat},   {TS_LOCK, SYS_flock},
+	{TS_MKDIR, SYS_mkdirat},   {TS_LOCK, SYS_flock},      {TS_INTERRUPT, SYS_flock},
 };
 enum { N_CALLS = sizeof calls / sizeof calls[0] };
 
@@ -72,7 +72,7 @@ static long result_of(int number, long *arguments)
 {
 	bool syncs = number == SYS_fsync || number == SYS_fdatasync;
 	if (moves && number == SYS_renameat2) return -EINVAL;
-	if (syncs && watched != TS_FSYNC && watched != TS_KILL) return 0;
+	if (syncs && watched != TS_FSYNC && watched != TS_INTERRUPT && watched != TS_KILL) return 0;
 	if (!counts(number, arguments) || !ts_fault_is(watched)) return syncs ? 0 : ts_calls_pass(number, arguments);
 	if (watched == TS_KILL) kill(getpid(), SIGKILL);
 	if (watched != TS_SHORT) return -ts_fault_rows[watched].error;

@@ -3,7 +3,7 @@
  * `said`. Then a case is good if the command
  *   ends as it did undisturbed, having left and printed the same; or
  *   ends with 2, its last line on standard error naming the cause, or saying TOUCHSTONE_FAULT_SAYS, and everything
- *   being as it was before, or complete.
+ *   being as it was before, or complete; but no interruption ends a command.
  * Bad cases are lines `bad N: WHY`, the last line is `TRIED BAD`. */
 #define _GNU_SOURCE
 #include <errno.h>
@@ -143,7 +143,7 @@ static bool is_good(int status, bool left)
 		snprintf(serve.why, MAX_WHY, "signal %d: %s", WTERMSIG(status), line);
 	} else if (WEXITSTATUS(status) == serve.usual) {
 		return as_undisturbed();
-	} else if (WEXITSTATUS(status) == 2) {
+	} else if (WEXITSTATUS(status) == 2 && serve.kind != TS_INTERRUPT) {
 		return failed_well(line);
 	} else {
 		snprintf(serve.why, MAX_WHY, "exit %d: %s", WEXITSTATUS(status), line);
