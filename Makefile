@@ -159,7 +159,7 @@ shared = $(CXX) $(LINK_FLAGS) -shared -Wl,-soname,$(1) -Wl,--version-script=$(fi
 $(BUILD)/libtouchstone.so: $(LIB_O) scripts/exports.map | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)$(call shared,$(@F).$(ABI)) $(FIND_MODULE):'$$ORIGIN/touchstone' $(LIBS) -o $@
-$(BUILD)/libtouchstone-image.so: $(IMAGE_O) scripts/module.map
+$(BUILD)/libtouchstone-image.so: $(IMAGE_O) scripts/exports.map
 	$(call say,LINK,$@)
 	$(Q)$(call shared,$(@F)) $(IMAGE_LIBS) -o $@
 

@@ -13,6 +13,13 @@ static u32 count_values(const char *values)
 	return n;
 }
 
+u32 ts_sweep_count(const ts_sweep *sweep)
+{
+	u32 n = 1;
+	for (u32 k = 0; k < sweep->n; k++) n *= sweep->swept[k].n;
+	return n;
+}
+
 ts_status ts_sweep_add(ts_sweep *sweep, const ts_params *params, const char *name, const char *values)
 {
 	ts_params trial = *params;
@@ -22,20 +29,14 @@ ts_status ts_sweep_add(ts_sweep *sweep, const ts_params *params, const char *nam
 	for (const char *list = values; ts_words_item(&list, item, sizeof item);) {
 		if (ts_params_set(&trial, name, item) != TS_OK) return TS_ERROR;
 	}
-	ts_swept *swept = &sweep->swept[sweep->n++];
+	ts_swept *swept = &sweep->swept[sweep->n];
 	snprintf(swept->name, sizeof swept->name, "%s", name);
 	swept->values = values;
 	swept->n = count_values(values);
-	return ts_sweep_count(sweep) <= MAX_COMBINATIONS
-	           ? TS_OK
-	           : ts_fail("--set %s: more than %d combinations", name, MAX_COMBINATIONS);
-}
-
-u32 ts_sweep_count(const ts_sweep *sweep)
-{
-	u64 n = 1;
-	for (u32 k = 0; k < sweep->n; k++) n = n * sweep->swept[k].n > UINT32_MAX ? UINT32_MAX : n * sweep->swept[k].n;
-	return (u32)n;
+	if ((u64)ts_sweep_count(sweep) * swept->n > MAX_COMBINATIONS)
+		return ts_fail("--set %s: more than %d combinations", name, MAX_COMBINATIONS);
+	sweep->n++;
+	return TS_OK;
 }
 
 ts_status ts_sweep_set(const ts_sweep *sweep, u32 i, ts_params *params, char values[TS_MAX_SWEEPS][TS_SWEEP_TEXT])
