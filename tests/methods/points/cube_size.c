@@ -1,4 +1,5 @@
-/* Sizes of cubes over frames: what a sequence remembers, what the turn repeats, and replaying every frame agree. */
+/* Sizes of cubes over frames: what a sequence remembers, what the turn repeats, and replaying every frame agree;
+ * and sizes of shadow cubes. */
 #include <stdlib.h>
 #include "kernels/points/cube_size.h"
 #include "methods/stages.h"
@@ -171,6 +172,51 @@ static void a_foreign_history_is_none(void **state)
 	ts_scene_free(scene);
 }
 
+/* All shadow cubes have the side that the eye's least quotient asks, METHODS' rule in other words; here the eye goes
+ * back from the hall, until the least sides do. */
+static void shadow_cubes_are_as_fine_as_the_eye_needs(void **state)
+{
+	(void)state;
+	enum { MOST = 100, N_EYES = 6 };
+	static const u32 steps[] = {0, 1, 8, 24};
+	ts_params params = small_params(64, 36);
+	params.lamp_cubes = 3;
+	params.depth_map_px = MOST;
+	ts_scene *scene = small_scene(&params);
+	ts_view view;
+	u32 n_between = 0;
+	ts_view_eye(&view, &scene->info, &params);
+	scene->path = calloc(1, sizeof *scene->path);
+	scene->n_path = 1;
+	for (u32 i = 0; i < N_EYES * 4; i++) {
+		ts_path_eye *at = scene->path;
+		ts_run run;
+		params.cube_hysteresis = steps[i % 4];
+		params.shadow_splat_resize = i != 0;
+		memcpy(at->eye, view.eye, sizeof at->eye);
+		memcpy(at->right, view.right, sizeof at->right);
+		memcpy(at->up, view.up, sizeof at->up);
+		memcpy(at->back, view.back, sizeof at->back);
+		for (u32 k = 0; k < 3; k++) at->eye[k] += view.back[k] * 20 * (f32)(i / 4 * (i / 4));
+		ts_run_begin(&run, scene, &params, 2);
+		if (ts_pipeline_run(ts_pipeline_find("omni-shadows", "epr"), &run) != TS_OK) fail_msg("%s", ts_error_message());
+		const ts_face *cubes = ts_frame_data(&run.frame, TS_B_cube_size_face);
+		f32 least = ts_u2f(*(const u32 *)ts_frame_data(&run.frame, TS_B_shadow_cube_size_least_ratio));
+		u32 side = 0, step = steps[i % 4] > 0 ? steps[i % 4] : 1;
+		while (side < MOST && (side % step != 0 || side < 16 || (f32)side <= MOST / least)) side++;
+		if (i == 0) side = MOST;
+		assert_int_equal(ts_frame_n(&run.frame, TS_B_cube_size_face), 3);
+		for (u32 k = 0; k < 3; k++) {
+			assert_int_equal(cubes[k].n, side);
+			assert_int_equal(cubes[k].offset, k * 6 * side * side);
+		}
+		n_between += side > 16 && side < MOST;
+		ts_run_end(&run);
+	}
+	assert_true(n_between >= 4);
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -178,6 +224,7 @@ int main(void)
 		cmocka_unit_test(a_moving_eye_sizes_cubes_as_replays),
 		cmocka_unit_test(moving_mirrors_size_cubes_as_a_replay),
 		cmocka_unit_test(a_foreign_history_is_none),
+		cmocka_unit_test(shadow_cubes_are_as_fine_as_the_eye_needs),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
