@@ -183,7 +183,7 @@ static void without_a_buffer_nothing_else_is_told(void **state)
 			char view[32];
 			if (!is_for(part, each[k].run.pipeline)) continue;
 			ts_probe_question q = question_of(&each[k], part, 9 * 32 + 16, view);
-			n_needed += try_without(&each[k], &q, whole_or(1, 2));
+			n_needed += try_without(&each[k], &q, whole_or(1, 5));
 			n_rows++;
 		}
 	}

@@ -230,6 +230,19 @@ static inline bool was_read(const ts_probe *p, u32 id)
 	return p->reader[id] != NULL || p->whole[id] != NULL || (p->load != NULL && p->load->item[id] != NULL);
 }
 
+/* A trace whose file of a buffer is not there, or is empty since the trace was opened. */
+static inline ts_trace without(const traced *t, u32 id, bool emptied, char path[512])
+{
+	ts_trace other = *t->trace;
+	other.item[id].path = NULL;
+	if (!emptied) return other;
+	snprintf(path, 512, "%.199s/%s.empty", t->dir, ts_buffer_table[id].name);
+	FILE *file = fopen(path, "w");
+	assert_true(file != NULL && fclose(file) == 0);
+	other.item[id].path = path;
+	return other;
+}
+
 /* Without one of the buffers that it reads an answer has nothing else than it has with it; of these every `step`-th is
  * left out. Returns how many buffers were needed. */
 static inline u32 try_without(const traced *t, const ts_probe_question *q, u32 step)
@@ -237,12 +250,14 @@ static inline u32 try_without(const traced *t, const ts_probe_question *q, u32 s
 	json_t *whole, *answer;
 	ts_probe *probe;
 	u32 n = 0, n_read = below(step);
+	char path[512];
 	require(ts_probe_open(&probe, t->trace));
 	require(ts_probe_ask(probe, q, &whole));
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		ts_trace other = *t->trace;
-		other.item[id].path = NULL;
-		if (!was_read(probe, id) || n_read++ % step != 0) continue;
+	for (u32 k = 0; k < 2 * TS_N_BUFFERS; k++) {
+		u32 id = k / 2;
+		bool is_file = t->trace->item[id].path != NULL;
+		if (!is_file || !was_read(probe, id) || n_read++ % step != 0) continue;
+		ts_trace other = without(t, id, k % 2 == 1, path);
 		n += ask_other(&other, q, (ts_buffer_id)id, &answer) != TS_OK;
 		if (answer != NULL && !is_part(answer, whole)) {
 			fail_msg("without %s: %s\n%s", ts_buffer_table[id].name, json_dumps(answer, 0), json_dumps(whole, 0));

@@ -268,16 +268,22 @@ ts_status ts_probe_mvr_triangle(ts_probe *p, const ts_probe_question *q, json_t 
 	return describe_mvr(p, (u32)q->index, o);
 }
 
+static ts_status put_key(ts_probe *p, u32 point, json_t *o)
+{
+	u64 key;
+	if (!ts_probe_has(p, TS_B_points_key)) return TS_OK;
+	if (ts_probe_fetch(p, TS_B_points_key, point, 1, &key) != TS_OK) return TS_ERROR;
+	ts_probe_put(p, o, "key", ts_probe_key(key));
+	return TS_OK;
+}
+
 static ts_status describe_point(ts_probe *p, u32 point, const ts_point *record, const ts_piece *piece, json_t *o)
 {
 	fate f = {.seen = true, .n_pieces = 1, .n_kept = 1};
-	json_t *made = json_object();
-	u64 key;
-	bool kept;
 	ts_probe_put(p, o, "point", ts_probe_int(point));
-	if (ts_probe_has(p, TS_B_points_key) && ts_probe_fetch(p, TS_B_points_key, point, 1, &key) == TS_OK) {
-		ts_probe_put(p, o, "key", ts_probe_key(key));
-	}
+	if (put_key(p, point, o) != TS_OK) return TS_ERROR;
+	json_t *made = json_object();
+	bool kept;
 	ts_probe_put(p, o, "centre", ts_probe_v3_bits(ts_load3(record->centre)));
 	ts_probe_put(p, o, "splat_length", ts_probe_bits(record->length));
 	ts_probe_put(p, o, "tiny", json_boolean((record->flags & 1) != 0));
