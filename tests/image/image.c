@@ -205,6 +205,25 @@ static void damaged_files_are_refused(void **state)
 	refuse_file(file, n, "pixels are justified");
 }
 
+/* As a file of few bytes may say, if they are packed as deflate packs one value. */
+static void pictures_of_one_value_are_read(void **state)
+{
+	(void)state;
+	enum { SIDE = 4200 };
+	float *read;
+	uint32_t width, height, channels;
+	uint8_t *pixels = malloc((size_t)SIDE * SIDE);
+	assert_non_null(pixels);
+	memset(pixels, 51, (size_t)SIDE * SIDE);
+	assert_int_equal(ts_image_write_png(name("g.png"), pixels, SIDE, SIDE, 1, NULL), TS_OK);
+	free(pixels);
+	assert_int_equal(ts_image_read(&read, &width, &height, &channels, path), TS_OK);
+	assert_true(width == SIDE && height == SIDE && channels == 1);
+	for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) assert_true(read[i] == 51 / 255.0f);
+	free(read);
+	assert_gone();
+}
+
 static void bad_paths_are_named(void **state)
 {
 	(void)state;
@@ -243,11 +262,11 @@ static void other_formats_are_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(a_png_is_read_back_the_same),   cmocka_unit_test(a_png_is_read_as_floats),
-		cmocka_unit_test(an_exr_is_read_back_the_same),  cmocka_unit_test(damaged_bytes_are_refused),
-		cmocka_unit_test(bad_paths_are_named),           cmocka_unit_test(other_formats_are_refused),
-		cmocka_unit_test(damaged_files_are_refused),     cmocka_unit_test(files_in_memory_are_those_on_disk),
-		cmocka_unit_test(odd_sizes_are_refused_by_name),
+		cmocka_unit_test(a_png_is_read_back_the_same),       cmocka_unit_test(a_png_is_read_as_floats),
+		cmocka_unit_test(an_exr_is_read_back_the_same),      cmocka_unit_test(damaged_bytes_are_refused),
+		cmocka_unit_test(pictures_of_one_value_are_read),    cmocka_unit_test(bad_paths_are_named),
+		cmocka_unit_test(other_formats_are_refused),         cmocka_unit_test(damaged_files_are_refused),
+		cmocka_unit_test(files_in_memory_are_those_on_disk), cmocka_unit_test(odd_sizes_are_refused_by_name),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -91,6 +91,9 @@ static void wrong_data_uris_are_refused(void **state)
 	coded[0] = '=';
 	assert_refused(load("application/octet-stream;base64", coded), "byte 0 of the data is no base64");
 	assert_refused(load("application/octet-stream;base64", coded + 1), "47 base64 characters; a multiple of 4");
+	base64(coded, buffer, BYTES);
+	memcpy(coded + BYTES / 3 * 4 - 3, "===", 3);
+	assert_refused(load("application/octet-stream;base64", coded), "byte 45 of the data is no base64");
 	data[3 * BYTES - 1] = 0;
 	assert_refused(load("application/octet-stream", data), "without two hexadecimal digits");
 }
