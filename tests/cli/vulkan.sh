@@ -30,12 +30,12 @@ verdict $? 'and how it is run'
 # llvmpipe's limit, which newer versions may not have: triangles of the whole screen are drawn in bands, and a loop that
 # the driver ends all the same is an error.
 if grep -q llvmpipe "$scratch/backends"; then
-	same_digests 'more pixels than llvmpipe has turns, and no reflectors' compiling atrium --size 480x270 --method mvr \
+	same_digests 'more pixels than llvmpipe has turns, and no reflectors' compiling atrium --size 320x210 --method mvr \
 		--reflectors 0
-	run digest atrium --size 3840x2160 --method mvr --reflectors 0 "${on[@]}"
+	run digest atrium --size 1920x1080 --method mvr --reflectors 0 "${on[@]}"
 	if [ "$status" -eq 0 ]; then
 		cp "$scratch/stdout" "$scratch/expected"
-		run digest atrium --size 3840x2160 --method mvr --reflectors 0
+		run digest atrium --size 1920x1080 --method mvr --reflectors 0
 		cmp -s "$scratch/stdout" "$scratch/expected"
 		verdict $? 'the digests of C, as the driver ends no loop'
 	else
