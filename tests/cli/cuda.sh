@@ -3,7 +3,8 @@
 # GPU, if there is one. What it refuses, how it ends where there is no device, and where the driver fails.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
-. "$(dirname "$0")/cuda.bash"
+. "$(dirname "$0")/device.bash"
+stand_in_cuda
 small=(dining:triangles=10000:texels=32 --size 48x32 --reflectors 2 --set reflectors.px=16 --set cube.max_px=16)
 on=(--backend cuda)
 

@@ -83,3 +83,9 @@ assert arithmetic["rounding"] == "nearest even" and arithmetic["contraction"] is
 PY
 	verdict $? "its producer and arithmetic are the device's"
 }
+
+# stand_in_cuda: the driver that needs no GPU (tests/backends/cuda) stands before the machine's own, if there is one.
+stand_in_cuda() {
+	without_driver=${LD_LIBRARY_PATH:-}
+	export LD_LIBRARY_PATH=${touchstone%/*}/cuda${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+}

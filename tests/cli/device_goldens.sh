@@ -9,7 +9,8 @@ check() {
 	grep -v '^same' "$scratch/all" | sed 's/^/# /'
 }
 
-. "$(dirname "$0")/cuda.bash"
+. "$(dirname "$0")/device.bash"
+stand_in_cuda
 check cuda
 tail -n 1 "$scratch/all" | grep -q "^$n passed, 0 failed, 0 skipped"
 verdict $? 'every golden case by the PTX'

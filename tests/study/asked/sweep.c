@@ -1,5 +1,5 @@
-/* Sweeps: every combination of the values stands once, the last parameter's values fastest; what there cannot be more of
- * is refused and changes nothing. */
+/* Sweeps: every combination of the values stands once, the last parameter's values fastest; what there cannot be more
+ * of is refused and changes nothing. */
 #include <stdio.h>
 #include <string.h>
 #include "study/asked/sweep.h"
