@@ -154,12 +154,14 @@ $(BUILD)/libtouchstone.a: $(LIB_O)
 	$(call say,AR,$@)
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
-# The map hides what C++ headers of other libraries make visible.
+# The map hides what C++ headers of other libraries make visible, and of the module all but its table.
+$(BUILD)/libtouchstone.map $(BUILD)/libtouchstone-image.map: | $(BUILD)/flags
+	$(Q)echo '{ global: $(if $(findstring image,$@),ts_image_codec_module,ts_*); local: *; };' > $@
 shared = $(CXX) $(LINK_FLAGS) -shared -Wl,-soname,$(1) -Wl,--version-script=$(filter %.map,$^) $(filter %.o,$^)
-$(BUILD)/libtouchstone.so: $(LIB_O) scripts/exports.map | $(BUILD)/libtouchstone-image.so
+$(BUILD)/libtouchstone.so: $(LIB_O) $(BUILD)/libtouchstone.map | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)$(call shared,$(@F).$(ABI)) $(FIND_MODULE):'$$ORIGIN/touchstone' $(LIBS) -o $@
-$(BUILD)/libtouchstone-image.so: $(IMAGE_O) scripts/exports.map
+$(BUILD)/libtouchstone-image.so: $(IMAGE_O) $(BUILD)/libtouchstone-image.map
 	$(call say,LINK,$@)
 	$(Q)$(call shared,$(@F)) $(IMAGE_LIBS) -o $@
 
