@@ -43,6 +43,11 @@ runs 0 'make test-late`: 1 tests: b/late.sh' 'what is left out is named, with wh
 grep -q 'slowest' stdout && grep -q ' a/quick.sh$' build/times.txt
 verdict $? 'the slowest are named, and times are kept'
 runs 0 '^1 passed' 'a tier' --tier late
+printf 'late: what is late\n\tb/late.sh\n\ta/quick.sh\n' > tests/tiers.txt
+runs 0 '^2 passed' 'two tests of a tier' --tier late
+[ "$(grep -o 'b/late.sh\|a/quick.sh' stdout | head -n 2 | tr '\n' ' ')" = 'b/late.sh a/quick.sh ' ]
+verdict $? 'they run in the order of their list'
+printf '# tiers\nlate: what is late\n\tb/late.sh\n' > tests/tiers.txt
 runs 0 '^1 passed' 'a whole name is that test alone' a/quick
 runs 0 '^1 passed' 'and so is its file' tests/a/quick.sh
 runs 0 '^2 passed' 'a part of a name' quic
