@@ -36,6 +36,14 @@ static u32 pace_of(u32 frame)
 	return last > STARTS ? PACE * (last - STARTS) : 0;
 }
 
+static void set_eye(ts_path_eye *at, const ts_view *view)
+{
+	memcpy(at->eye, view->eye, sizeof at->eye);
+	memcpy(at->right, view->right, sizeof at->right);
+	memcpy(at->up, view->up, sizeof at->up);
+	memcpy(at->back, view->back, sizeof at->back);
+}
+
 static void set_path(ts_scene *scene, ts_params params)
 {
 	scene->path = calloc(PATH_FRAMES, sizeof *scene->path);
@@ -45,10 +53,7 @@ static void set_path(ts_scene *scene, ts_params params)
 		ts_path_eye *at = &scene->path[frame];
 		params.frame = pace_of(frame);
 		ts_view_eye(&view, &scene->info, &params);
-		memcpy(at->eye, view.eye, sizeof at->eye);
-		memcpy(at->right, view.right, sizeof at->right);
-		memcpy(at->up, view.up, sizeof at->up);
-		memcpy(at->back, view.back, sizeof at->back);
+		set_eye(at, &view);
 	}
 }
 
@@ -193,10 +198,7 @@ static void shadow_cubes_are_as_fine_as_the_eye_needs(void **state)
 		ts_run run;
 		params.cube_hysteresis = steps[i % 4];
 		params.shadow_splat_resize = i != 0;
-		memcpy(at->eye, view.eye, sizeof at->eye);
-		memcpy(at->right, view.right, sizeof at->right);
-		memcpy(at->up, view.up, sizeof at->up);
-		memcpy(at->back, view.back, sizeof at->back);
+		set_eye(at, &view);
 		for (u32 k = 0; k < 3; k++) at->eye[k] += view.back[k] * 20 * (f32)(i / 4 * (i / 4));
 		ts_run_begin(&run, scene, &params, 2);
 		if (ts_pipeline_run(ts_pipeline_find("omni-shadows", "epr"), &run) != TS_OK) fail_msg("%s", ts_error_message());
