@@ -96,10 +96,17 @@ PATH=$scratch/bin:$PATH run "${small[@]}" --method epr,mvr --truth=B --frames 3.
 verdict $? 'another run, with other threads, leaves the same files'
 
 ln -s "$(command -v timeout)" none/timeout
-PATH=$scratch/none run "${small[@]}" --method epr --frames 0..1 -o plain
+PATH=$scratch/none run "${small[@]}" --method epr --truth=B --frames 0..1 -o plain
 [ "$status" -eq 0 ] && grep -q 'no video: ffmpeg is not installed' stderr && [ "$(grep -c ffmpeg stderr)" -eq 1 ] &&
 	[ -e plain/frame-000001/epr.png ] && [ ! -e plain/epr.mp4 ] && ! grep -q '"epr.mp4"' plain/report.json
 verdict $? 'without ffmpeg there are frames'
+python3 - <<'PY'
+import csv
+lines = [line for line in csv.DictReader(open("plain/sequence.csv")) if line["image"] == "epr"]
+first, second = (line["reflective_flicker_truth-b"] for line in lines)
+assert first == "" and float(second) > 0, (first, second)
+PY
+verdict $? 'mirrors flicker from the second frame on'
 
 printf '#!/bin/bash\necho "Unknown encoder" >&2\nexit 1\n' > bin/ffmpeg
 PATH=$scratch/bin:$PATH run "${small[@]}" --method epr --frames 0..1 -o failing

@@ -93,10 +93,32 @@ static void pictures_come_back_where_nothing_changed(void **state)
 	ts_keep_free(&series.keep);
 }
 
+static void a_truth_comes_back_unless_it_reads_what_changed(void **state)
+{
+	(void)state;
+	u32 truth = 0;
+	begin("epr");
+	job.effect = render.effect = "soft-shadows";
+	assert_int_equal(ts_methods_find(render.methods, &render.n_methods, "soft-shadows", "ivir"), TS_OK);
+	assert_int_equal(ts_truths_find(&job.truths, "soft-shadows", "area"), TS_OK);
+	while (job.truths >> truth != 1) truth++;
+	job.sweep = (ts_sweep){{{"truth.area_samples", "1,2", 2}, {"density.scale", "1,2", 2}}, 2};
+	u8 *area = render.truths[truth].srgb = calloc(3, WIDTH * HEIGHT);
+	for (series.combination = 0; series.combination < 4; series.combination++) {
+		ts_keep_give(&series);
+		bool first = series.combination < 2; /* value of truth.area_samples; the truth does not read the other */
+		assert_true((render.truths[truth].srgb == area) == first);
+		if (!first && render.truths[truth].srgb == NULL) render.truths[truth].srgb = calloc(3, WIDTH * HEIGHT);
+		assert_int_equal(ts_keep_take(&series), TS_OK);
+	}
+	ts_keep_free(&series.keep);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(kept_pictures_count_their_bytes),
 	                                   cmocka_unit_test(a_truth_in_part_counts_twice),
-	                                   cmocka_unit_test(pictures_come_back_where_nothing_changed)};
+	                                   cmocka_unit_test(pictures_come_back_where_nothing_changed),
+	                                   cmocka_unit_test(a_truth_comes_back_unless_it_reads_what_changed)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

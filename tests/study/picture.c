@@ -36,7 +36,9 @@ static void truth_tells_its_time(void **state)
 	small_run(&run, scene, &params, "epr", 2, NULL, NULL);
 	double begin = ts_seconds();
 	assert_int_equal(ts_picture_truth(&picture, ts_truths()[0], &run), TS_OK);
-	assert_true(picture.seconds > 0 && picture.seconds <= ts_seconds() - begin);
+	double all = ts_seconds() - begin;
+	assert_true(picture.seconds > 0 && picture.seconds <= all);
+	assert_true(picture.cost.rays > 0 && picture.cost.seconds > 0 && picture.cost.seconds <= all);
 	ts_picture_free(&picture);
 	ts_run_end(&run);
 	ts_scene_free(scene);

@@ -375,6 +375,22 @@ static void lights_without_a_view_are_refused(void **state)
 	ts_scene_free(scene);
 }
 
+/* VIR's points about a light grow with the texels of its cube, two of them each, whatever the triangles. */
+static void points_about_a_light_are_expected_by_its_texels(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	u64 points[2];
+	for (u32 i = 0; i < 2; i++) {
+		params.depth_map_px = i == 0 ? 64 : 512;
+		ts_expected expected = ts_pipeline_expect(ts_pipeline_find("omni-shadows", "vir"), scene, &params);
+		points[i] = expected.sizes.n[TS_DIM_points];
+	}
+	assert_int_equal(points[1] - points[0], 2 * 6 * (512 * 512 - 64 * 64));
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -386,6 +402,7 @@ int main(void)
 		cmocka_unit_test(culling_keeps_as_many_as_expected),
 		cmocka_unit_test(lights_share_their_views_evenly),
 		cmocka_unit_test(lights_without_a_view_are_refused),
+		cmocka_unit_test(points_about_a_light_are_expected_by_its_texels),
 		cmocka_unit_test(white_stays_white_in_a_mirror),
 		cmocka_unit_test(headroom_keeps_the_brightness_of_mirrors),
 	};

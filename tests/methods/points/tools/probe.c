@@ -1,4 +1,5 @@
 /* What the probe says of reflections, against the buffers of the run that wrote the trace. */
+#include "methods/points/tools/probe.h"
 #include "tests/probe/probed.h"
 
 enum { N_TRIED = 50 };
@@ -266,12 +267,19 @@ static void index_and_key_tell_the_same_point(void **state)
 		require(ask_point(&epr, point, &answer));
 		assert_int_equal(figure(by_key, "point"), point);
 		assert_true(json_equal(answer, by_key));
+		const ts_point *record = (const ts_point *)data(&epr, TS_B_points_record) + point;
+		unsigned piece;
+		int x, y;
+		json_t *key = ts_probe_key(keys[point]);
+		assert_int_equal(sscanf(json_string_value(key), "%u,%d,%d", &piece, &x, &y), 3);
+		assert_true(piece == keys[point] >> 32 && piece == record->piece);
+		assert_true(x == (int)(keys[point] & 0xffff) - 32768 && y == (int)(keys[point] >> 16 & 0xffff) - 32768);
+		json_decref(key);
 		json_decref(by_key);
 		for (u64 k = 0; k < count(&epr, TS_B_splat_depth_index); k++)
 			won += texels[k] != TS_EMPTY && (u32)texels[k] == point;
 		assert_int_equal(json_integer_value(get(answer, "cubes", "texels_won")), won);
 		assert_int_equal(figure(answer, "triangle"), triangle_of(point));
-		const ts_point *record = (const ts_point *)data(&epr, TS_B_points_record) + point;
 		const json_t *made = json_object_get(answer, "piece");
 		assert_int_equal(figure(made, "piece"), record->piece);
 		assert_int_equal(figure(made, "path"), ((const ts_piece *)data(&epr, TS_B_split_piece))[record->piece].path);
