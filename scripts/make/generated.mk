@@ -22,7 +22,8 @@ endef
 
 # Which sources include what is generated, and flags that they have beside.
 GENERATED := -I$(BUILD)/gen
-$(call object,$(patsubst %,src/%.c,backends/fast $(patsubst %,backends/%/program,opencl vulkan cuda) report/page)): \
+$(call object,$(patsubst %,src/%.c,backends/fast $(patsubst %,backends/%/program,opencl vulkan cuda) report/page \
+		study/tables/tables)): \
 	OWN := $(GENERATED)
 
 # Of all kernels; the rows of those that stand in a header.
@@ -97,7 +98,13 @@ $(call object,src/backends/cuda/program.c): $(PACKED_PTX)
 PAGE := $(BUILD)/gen/page.inc
 $(PAGE): scripts/report-page $(wildcard src/report/page/*)
 	$(call generate,scripts/report-page)
-$(call object,src/report/page.c): $(PAGE)
+$(call object,src/report/page.c src/study/tables/tables.c): $(PAGE)
+
+# The tables of `bench`, which are text.
+TABLES := $(BUILD)/gen/tables.inc
+$(TABLES): scripts/tables src/families.def $(wildcard src/methods/*/tables/*.table)
+	$(call generate,scripts/tables)
+$(call object,src/study/tables/tables.c): $(TABLES)
 
 # The manual, of what the command says by itself.
 MANUAL := $(BUILD)/gen/manual

@@ -5,7 +5,8 @@
 #include "cli/client.h"
 #include "study/asked/methods.h"
 #include "study/asked/reads.h"
-#include "study/bench.h"
+#include "study/tables/figure.h"
+#include "study/tables/tables.h"
 
 static const ts_column stage_columns[] = {{"name", "stage", false},
                                           {"kind", "kind", false},
@@ -48,6 +49,11 @@ static const ts_column backend_columns[] = {
 	{"memory_mib", "MiB", true},        {"most_mib", "MiB a buffer", true}, {0}};
 static const ts_column vector_columns[] = {
 	{"name", "vector", false}, {"rule", "rule", false}, {"kind", "kind", false}, {"doc", "what comes out", false}, {0}};
+static const ts_column figure_columns[] = {{"name", "figure", false},
+                                           {"unit", "unit", false},
+                                           {"differs", "between runs", false},
+                                           {"doc", "what", false},
+                                           {0}};
 static const ts_column plain_columns[] = {{"name", "name", false}, {"doc", "what", false}, {0}};
 
 /* The methods whose table to list; none: all. The name or pattern of the rows; NULL: all. */
@@ -262,22 +268,37 @@ static ts_table list_vectors(void)
 	return table;
 }
 
+static ts_table list_figures(void)
+{
+	static const char *const objects[] = {"", ".COUNTER", ".STAGES", ".BUFFERS", ".PARAMETER", ".IMAGE"};
+	ts_table table = ts_table_begin("figures", "", figure_columns);
+	for (const ts_figure_row *row = ts_figure_rows; row->name != NULL; row++) {
+		char name[64];
+		snprintf(name, sizeof name, "%s%s%s", row->of_case ? "" : "VARIANT.", row->name, objects[row->object]);
+		ts_table_text(&table, name);
+		ts_table_text(&table, row->unit);
+		ts_table_text(&table, row->timed ? "differs" : "same");
+		ts_table_text(&table, row->doc);
+	}
+	return table;
+}
+
 static const struct {
 	const char *name;
 	ts_table (*make)(void);
 	ts_table (*make_of)(const ts_listed *of); /* instead, where methods matter */
 } lists[] = {
-	{"stages", list_stages, NULL},    {"buffers", list_buffers, NULL},   {"sizes", list_sizes, NULL},
-	{"params", NULL, list_params},    {"methods", list_methods, NULL},   {"truths", list_truths, NULL},
-	{"scenes", list_scenes, NULL},    {"backends", list_backends, NULL}, {"vectors", list_vectors, NULL},
-	{"benches", ts_bench_list, NULL},
+	{"stages", list_stages, NULL},     {"buffers", list_buffers, NULL},   {"sizes", list_sizes, NULL},
+	{"params", NULL, list_params},     {"methods", list_methods, NULL},   {"truths", list_truths, NULL},
+	{"scenes", list_scenes, NULL},     {"backends", list_backends, NULL}, {"vectors", list_vectors, NULL},
+	{"benches", ts_tables_list, NULL}, {"figures", list_figures, NULL},
 };
 
 enum { N_LISTS = sizeof lists / sizeof lists[0] };
 
 static ts_status unknown(const char *name)
 {
-	char names[128] = "";
+	char names[160] = "";
 	ts_nearest nearest = ts_nearest_begin(name);
 	for (size_t i = 0; i < N_LISTS; i++) {
 		size_t used = strlen(names);

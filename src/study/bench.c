@@ -1,13 +1,8 @@
 /* The tables of `bench`. */
 #include "study/bench.h"
-#include <assert.h>
 #include <stdlib.h>
 #include "study/asked/truths.h"
-#include "study/bench_paper.h"
-#include "study/claims.h"
 #include "study/frames.h"
-
-enum { RUNS = 3, MOST = 64 };
 
 static int by_value(const void *a, const void *b)
 {
@@ -54,61 +49,4 @@ ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job, const c
 	while (truths != 0 && ts_truth_bit(*kind) != truths) kind++;
 	*judge = truths != 0 ? *kind : NULL;
 	return TS_OK;
-}
-
-/* Tables of no family. */
-static const ts_bench_row general[] = {
-	{"backends", "each stage in C and on every device, of one frame by one --method (epr); and builds",
-     "truth " TS_BENCH_FILES, .run = ts_bench_backends, .runs = 5},
-	{"speed", "stages beside Embree, bare points and the machine's limits; --scene names frames and growths",
-     "truth frames", .run = ts_bench_speed, .quiet = true},
-	{"start", "the seconds from opening --backend to its first frames", "truth " TS_BENCH_FILES, .run = ts_bench_start},
-	{"list", "what the papers show, which table asks it, and the verdict", "", .takes = "json", .run = ts_bench_claims},
-	{0},
-};
-
-static const ts_bench_row *table[MOST + 1];
-
-static u32 append(u32 n, const ts_bench_row *row)
-{
-	for (; row->name != NULL; row++) {
-		assert(n < MOST);
-		table[n++] = row;
-	}
-	return n;
-}
-
-void ts_benches_use(const ts_bench_row *const *rows)
-{
-	u32 n = 0;
-	for (; *rows != NULL; rows++) n = append(n, *rows);
-	table[append(n, general)] = NULL;
-}
-
-const ts_bench_row *const *ts_benches(void) { return table; }
-
-ts_table ts_bench_list(void)
-{
-	static const ts_column columns[] = {
-		{"name", "table", false}, {"doc", "what it measures", false}, {"brief", "in brief", false}, {0}};
-	ts_table list = ts_table_begin("benches", "", columns);
-	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) {
-		ts_table_text(&list, (*row)->name);
-		ts_table_text(&list, (*row)->doc);
-		if ((*row)->brief != NULL) {
-			ts_table_text(&list, (*row)->brief);
-		} else {
-			ts_table_none(&list);
-		}
-	}
-	return list;
-}
-
-ts_status ts_bench_run(const ts_bench_row *row, const ts_job *job)
-{
-	ts_job own = *job;
-	if (own.runs == 0) own.runs = row->runs != 0 ? row->runs : RUNS;
-	if (ts_selftest_require() != TS_OK) return TS_ERROR;
-	ts_measure_keep_memory();
-	return row->paper != NULL ? ts_paper_bench(&own, row->paper) : row->run(&own);
 }

@@ -68,14 +68,6 @@ typedef struct {
 } ts_bench_relation;
 void ts_bench_relation_add(ts_table *table, const ts_bench_relation *relation);
 
-/* Takes the tables of all families: lists ended by NULL, each ended by a row without a name. The rows must stay. */
-void ts_benches_use(const ts_bench_row *const *rows);
-/* All tables: those of families in that order, then those of backends; ended by NULL. */
-const ts_bench_row *const *ts_benches(void);
-ts_status ts_bench_run(const ts_bench_row *row, const ts_job *job);
-/* The table that `list benches` prints. */
-ts_table ts_bench_list(void);
-
 /* Tables of a file each. */
 ts_status ts_bench_backends(const ts_job *job);
 ts_status ts_bench_start(const ts_job *job);

@@ -13,11 +13,4 @@ typedef struct {
 	const char *cannot; /* why no table can test it */
 } ts_claim;
 
-/* Takes the claims of all families: lists ended by NULL, each ended by a row without a paper. They must stay. */
-void ts_claims_use(const ts_claim *const *claims);
-/* All of them in that order. */
-const ts_claim *const *ts_claims(void);
-/* `bench list`: a row for each. */
-ts_status ts_bench_claims(const ts_job *job);
-
 #endif

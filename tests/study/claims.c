@@ -1,17 +1,12 @@
 /* What the papers show: each claim is asked by a table of `bench` that can be run in brief, or says why it cannot be
  * asked, and none is there twice. Causes have classes. */
 #include <string.h>
-#include "study/bench_paper.h"
-#include "study/claims.h"
+#include "study/tables/paper.h"
+#include "study/tables/tables.h"
 #include "tests/model/test.h"
 #include "tools/tools.h"
 
-static const ts_bench_row *bench_of(const ts_claim *claim)
-{
-	const ts_bench_row *const *row = ts_benches();
-	while (*row != NULL && strcmp((*row)->name, claim->bench) != 0) row++;
-	return *row;
-}
+static ts_tables *tables;
 
 /* Each beginning is that of some relation's text. */
 static void check_rows(const ts_claim *claim, const ts_paper_table *table)
@@ -31,8 +26,9 @@ static void check(const ts_claim *claim)
 	if ((claim->bench != NULL) == (claim->cannot != NULL))
 		fail_msg("%s, %s: asked or not?", claim->paper, claim->place);
 	if (claim->bench == NULL) return;
-	const ts_bench_row *row = bench_of(claim);
-	if (row == NULL) fail_msg("%s, %s: no table %s", claim->paper, claim->place, claim->bench);
+	const ts_bench_row *row;
+	if (ts_tables_find(&row, tables, claim->bench) != TS_OK)
+		fail_msg("%s, %s: %s", claim->paper, claim->place, ts_error_message());
 	if (row->brief == NULL) fail_msg("%s: no options to be run in brief", row->name);
 	if (row->paper != NULL) check_rows(claim, row->paper);
 }
@@ -40,13 +36,13 @@ static void check(const ts_claim *claim)
 static void each_claim_is_asked_or_excused(void **state)
 {
 	(void)state;
+	const ts_claim *claim, *other;
 	u32 n = 0;
-	for (const ts_claim *const *list = ts_claims(); *list != NULL; list++) {
-		for (const ts_claim *claim = *list; claim->paper != NULL; claim++, n++) {
-			check(claim);
-			for (const ts_claim *other = *list; other < claim; other++) {
-				if (strcmp(other->paper, claim->paper) == 0) assert_string_not_equal(other->place, claim->place);
-			}
+	for (; (claim = ts_tables_claim(tables, n)) != NULL; n++) {
+		check(claim);
+		for (u32 k = 0; k < n; k++) {
+			other = ts_tables_claim(tables, k);
+			if (strcmp(other->paper, claim->paper) == 0) assert_string_not_equal(other->place, claim->place);
 		}
 	}
 	assert_true(n > 50);
@@ -56,14 +52,14 @@ static void each_claim_is_asked_or_excused(void **state)
 static void each_table_of_a_paper_is_asked(void **state)
 {
 	(void)state;
-	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) {
-		bool asks = (*row)->brief == NULL;
-		for (const ts_claim *const *list = ts_claims(); *list != NULL; list++) {
-			for (const ts_claim *claim = *list; claim->paper != NULL; claim++)
-				asks |= claim->bench != NULL && strcmp(claim->bench, (*row)->name) == 0;
-		}
-		if (!asks) fail_msg("%s: no claim asks it", (*row)->name);
-		if ((*row)->paper != NULL && (*row)->brief == NULL) fail_msg("%s: no options to be run in brief", (*row)->name);
+	const ts_bench_row *row;
+	const ts_claim *claim;
+	for (u32 i = 0; (row = ts_tables_at(tables, i)) != NULL; i++) {
+		bool asks = row->brief == NULL;
+		for (u32 k = 0; (claim = ts_tables_claim(tables, k)) != NULL; k++)
+			asks |= claim->bench != NULL && strcmp(claim->bench, row->name) == 0;
+		if (!asks) fail_msg("%s: no claim asks it", row->name);
+		if (row->paper != NULL && row->brief == NULL) fail_msg("%s: no options to be run in brief", row->name);
 	}
 }
 
@@ -71,13 +67,13 @@ static void each_table_of_a_paper_is_asked(void **state)
 static void each_cause_has_a_class(void **state)
 {
 	(void)state;
+	const ts_bench_row *row;
 	u32 n = 0;
-	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) {
-		if ((*row)->paper == NULL) continue;
+	for (u32 i = 0; (row = ts_tables_at(tables, i)) != NULL; i++) {
+		if (row->paper == NULL) continue;
 		n++;
-		for (const ts_paper_relation *r = (*row)->paper->relations; r->text != NULL; r++)
-			if (!ts_bench_has_class(r->because))
-				fail_msg("%s, %s: no class of cause: %s", (*row)->name, r->text, r->because);
+		for (const ts_paper_relation *r = row->paper->relations; r->text != NULL; r++)
+			if (!ts_bench_has_class(r->because)) fail_msg("%s, %s: no class: %s", row->name, r->text, r->because);
 	}
 	assert_true(n > 0);
 }
@@ -85,8 +81,11 @@ static void each_cause_has_a_class(void **state)
 int main(void)
 {
 	ts_tools_begin();
+	if (ts_tables_open(&tables) != TS_OK) return 1;
 	const struct CMUnitTest tests[] = {cmocka_unit_test(each_claim_is_asked_or_excused),
 	                                   cmocka_unit_test(each_table_of_a_paper_is_asked),
 	                                   cmocka_unit_test(each_cause_has_a_class)};
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	int failed = cmocka_run_group_tests(tests, NULL, NULL);
+	ts_tables_close(tables);
+	return failed;
 }

@@ -1,14 +1,17 @@
 /* What families hand in: handed in again it is the same, and each table of bench has a name of its own and is
  * measured in one way. */
 #include "study/asked/truths.h"
-#include "study/bench.h"
+#include "study/tables/tables.h"
 #include "tests/model/test.h"
 #include "tools/tools.h"
 
 static u32 count_benches(void)
 {
 	u32 n = 0;
-	while (ts_benches()[n] != NULL) n++;
+	ts_tables *tables;
+	if (ts_tables_open(&tables) != TS_OK) fail_msg("%s", ts_error_message());
+	while (ts_tables_at(tables, n) != NULL) n++;
+	ts_tables_close(tables);
 	return n;
 }
 
@@ -34,10 +37,14 @@ static void tools_handed_in_again_are_the_same(void **state)
 static void each_table_has_its_own_name(void **state)
 {
 	(void)state;
-	for (const ts_bench_row *const *a = ts_benches(); *a != NULL; a++) {
-		assert_int_equal(((*a)->paper != NULL) + ((*a)->run != NULL), 1);
-		for (const ts_bench_row *const *b = ts_benches(); b < a; b++) assert_string_not_equal((*a)->name, (*b)->name);
+	const ts_bench_row *row;
+	ts_tables *tables;
+	if (ts_tables_open(&tables) != TS_OK) fail_msg("%s", ts_error_message());
+	for (u32 i = 0; (row = ts_tables_at(tables, i)) != NULL; i++) {
+		assert_int_equal((row->paper != NULL) + (row->run != NULL), 1);
+		for (u32 k = 0; k < i; k++) assert_string_not_equal(row->name, ts_tables_at(tables, k)->name);
 	}
+	ts_tables_close(tables);
 }
 
 int main(void)

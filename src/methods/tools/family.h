@@ -6,12 +6,11 @@
 #include "probe/probe.h"
 #include "replay/check.h"
 #include "study/asked/truths.h"
-#include "study/bench.h"
-#include "study/claims.h"
 #include "study/notes.h"
 #include "study/speed.h"
 #include "study/stage_pictures.h"
 #include "study/sums.h"
+#include "study/tables/text.h"
 #include "trace/where.h"
 #include "truth/texels.h"
 
@@ -22,9 +21,8 @@ typedef struct {
 	const ts_check_rule *checks;           /* ended by a row without `check` */
 	const ts_truth_kind *truths;           /* ended by a row without a name */
 	const ts_texel_rule *texels;           /* ended by a row without `judge` */
-	const ts_bench_row *benches;           /* ended by a row without a name */
+	const ts_table_code *codes;            /* ended by a row without a name */
 	const ts_speed_of *speed;              /* the frames and figures of `bench speed` */
-	const ts_claim *claims;                /* ended by a row without a paper */
 	const ts_probe_part *parts;            /* ended by a row without `answer` */
 	const ts_stage_picture_rule *pictures; /* ended by a row without `take` */
 	const ts_picture_mark *marks;          /* ended by NULL */

@@ -22,30 +22,9 @@ static const ts_truth_kind truths[] = {
 	{0},
 };
 
-static const ts_bench_row benches[] = {
-	{"ssagh-1", "SSAGH: frames a second by size of the image; --objects takes sizes, WxH; also of models in TS_SCENES",
-     TS_BENCH_BY_ITSELF " size", .paper = &ts_ssagh_1, .brief = "--objects 640x360,1280x720 --runs 1"},
-	{"ssagh-2", "SSAGH: pictures without segments, and by other cosines; --objects takes sizes",
-     TS_BENCH_BY_ITSELF " size runs", .paper = &ts_ssagh_2, .brief = "--objects 480x270"},
-	{"ssagh-segments", "SSAGH: labels of algorithm 1 beside connected components", TS_BENCH_BY_ITSELF " objects runs",
-     .run = ts_bench_segments, .brief = "--size 960x540"},
-	{"ssagh-borders", "SSAGH: seams with the paper's facing and corners; also of models in TS_SCENES",
-     TS_BENCH_BY_ITSELF " objects runs", .run = ts_bench_borders},
-	{"ssagh-3", "SSAGH: a broad lamp with the cosine constant; also of models in TS_SCENES",
-     TS_BENCH_BY_ITSELF " objects runs", .paper = &ts_ssagh_3, .brief = "--size 480x270"},
-	{"ssagh-4", "SSAGH: the same with the cosine as a Gaussian", TS_BENCH_BY_ITSELF " objects runs",
-     .paper = &ts_ssagh_4, .brief = "--size 480x270"},
-	{"ssagh-gloss", "SSAGH: specular reflection by lobes, beside the BRDF; also of models in TS_SCENES",
-     TS_BENCH_BY_ITSELF " objects runs", .paper = &ts_ssagh_gloss, .brief = "--size 240x135"},
-	{"ssagh-flicker", "SSAGH: change from frame to frame beyond that of direct", TS_BENCH_BY_ITSELF " objects runs",
-     .paper = &ts_ssagh_flicker, .brief = "--frames 0..29"},
-	{"ssagh-5", "SSAGH: the curves c and s; no scene", "", .takes = TS_BENCH_FILES " json", .run = ts_bench_curves,
-     .brief = ""},
-	{"ssagh-6", "SSAGH: logistic curves fitted to s; no scene", "", .takes = TS_BENCH_FILES " json",
-     .run = ts_bench_logistic, .brief = ""},
-	{"ssagh-7", "SSAGH: errors of integrals with the cosine; no scene", "", .takes = TS_BENCH_FILES " json",
-     .run = ts_bench_cosines, .brief = ""},
-	{0},
+static const ts_table_code codes[] = {
+	{"segments", .work = ts_bench_segments}, {"borders", .work = ts_bench_borders}, {"curves", .work = ts_bench_curves},
+	{"logistic", .work = ts_bench_logistic}, {"cosines", .work = ts_bench_cosines}, {0},
 };
 
 /* clang-format off */
@@ -62,7 +41,6 @@ const ts_family_tools ts_hulls_tools = {
 	.checks = ts_hulls_checks,
 	.pictures = ts_hulls_pictures,
 	.truths = truths,
-	.benches = benches,
-	.claims = ts_hulls_claims,
+	.codes = codes,
 	.parts = parts,
 };

@@ -2,10 +2,8 @@
 #ifndef TS_METHODS_HULLS_TOOLS_TOOLS_H
 #define TS_METHODS_HULLS_TOOLS_TOOLS_H
 #include "replay/check.h"
-#include "study/bench.h"
-#include "study/bench_paper.h"
-#include "study/claims.h"
 #include "study/stage_pictures.h"
+#include "study/tables/text.h"
 #include "truth/sampling.h"
 #include "truth/truth.h"
 
@@ -31,8 +29,6 @@ ts_status ts_truth_lamps_shadowed(ts_truth *truth, ts_run *run, ts_sampling *sam
 
 /* Tables of bench. */
 
-extern const ts_claim ts_hulls_claims[];
-extern const ts_paper_table ts_ssagh_1, ts_ssagh_2, ts_ssagh_3, ts_ssagh_4, ts_ssagh_gloss, ts_ssagh_flicker;
 ts_status ts_bench_segments(const ts_job *job);
 ts_status ts_bench_borders(const ts_job *job);
 ts_status ts_bench_curves(const ts_job *job);

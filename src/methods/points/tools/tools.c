@@ -55,37 +55,6 @@ static const ts_texel_rule texels[] = {
 	{0},
 };
 
-static const ts_bench_row benches[] = {
-	{"ivir-1", "iVIR: soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects", .paper = &ts_ivir_1,
-     .brief = "--size 160x90 --runs 1 --set lamp.views=16"},
-	{"ivir-2", "iVIR: reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_2, .brief = "--objects 1,8 --runs 1"},
-	{"ivir-3", "iVIR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_3,
-     .brief = "--objects 1,5 --size 160x90 --runs 1"},
-	{"ivir-culling", "iVIR: stochastic culling; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
-     .paper = &ts_ivir_culling, .brief = "--size 240x135 --set depth_map.px=256 --set lamp.views=16"},
-	{"ivir-4", "iVIR: pictures of soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
-     .paper = &ts_ivir_4, .brief = "--size 240x135 --set lamp.views=16"},
-	{"ivir-5", "iVIR: soft shadows of few maps beside PCSS; also of models in TS_SCENES", TS_BENCH_BY_ITSELF,
-     .paper = &ts_ivir_5, .brief = "--objects 16 --size 160x90 --runs 1"},
-	{"ivir-6", "iVIR: pictures of reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_6, .brief = "--objects 8"},
-	{"epr-1", "EPR: shading operations", TS_BENCH_BY_ITSELF, .paper = &ts_epr_1,
-     .brief = "--scene atrium:triangles=20k,gallery:triangles=20k,dining:triangles=20k --objects 1,10 --size 240x135 "
-              "--set reflectors.px=12.5 --set cube.max_px=64 --set density.scale=0.0625 --frames 0..238:2"},
-	{"epr-2", "EPR: times, points, and errors against truth C or --truth", "method", .paper = &ts_epr_2,
-     .brief = "--objects 10 --size 960x540 --set reflectors.px=57.5 --set cube.max_px=256 --runs 1"},
-	{"epr-3", "EPR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_epr_3,
-     .brief = "--objects 1,5 --size 320x180 --runs 1"},
-	{"epr-5", "EPR: deferred shading of one, two and three bounces; numbers of these", "method", .paper = &ts_epr_5,
-     .brief = "--size 640x360 --set reflectors.px=320 --runs 1"},
-	{"epr-costs", "EPR: what culling, resizing and clipping cost and save", "method", .paper = &ts_epr_costs,
-     .brief = "--scene atrium:triangles=1M,gallery:triangles=1M,dining:triangles=1M --size 1920x1080 --runs 1"},
-	{"epr-buffers", "EPR without buffers of points, and with cubes of colours", "method", .paper = &ts_epr_buffers,
-     .brief = "--runs 1"},
-	{"epr-6", "EPR: speed against accuracy as density, sampling and faces vary", "method", .run = ts_bench_sweep,
-     .brief = "--objects 2 --size 320x180 --runs 1"},
-	{0},
-};
-
 /* clang-format off */
 static const ts_probe_part parts[] = {
 	{TS_PROBE_PIXEL, "lookup", ts_probe_epr_pixel, "what samples of a mirror looked up, and the bounces behind it",
@@ -125,9 +94,8 @@ const ts_family_tools ts_points_tools = {
 	.pictures = ts_points_pictures,
 	.truths = truths,
 	.texels = texels,
-	.benches = benches,
+	.codes = ts_points_codes,
 	.speed = &ts_points_speed,
-	.claims = ts_points_claims,
 	.parts = parts,
 	.marks = ts_points_marks,
 	.viewers = viewers,

@@ -20,17 +20,8 @@ static const ts_truth_kind truths[] = {
 	{0},
 };
 
-static const ts_bench_row benches[] = {
-	{"nv40", "surface splatting: surfels a second and fragments a pixel; --objects takes sizes",
-     TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40, .brief = "--objects 240x135,480x270 --runs 1"},
-	{"nv40-shading", "surface splatting: work and errors of flat, Gouraud, Phong and deferred shading",
-     TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40_shading, .brief = "--objects 240x135,960x540"},
-	{"nv40-filter", "surface splatting: errors of filters and of frame buffers; --objects takes sizes",
-     TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40_filter, .brief = ""},
-	{"nv40-discs", "surface splatting: pictures beside rays into surfels; --objects takes sizes",
-     TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40_discs, .brief = ""},
-	{"nv40-crumbs", "surface splatting: pixels along edges that no surface explains, with backs and without",
-     TS_BENCH_BY_ITSELF " objects runs", .run = ts_bench_crumbs},
+static const ts_table_code codes[] = {
+	{"crumbs", .work = ts_bench_crumbs},
 	{0},
 };
 
@@ -50,9 +41,8 @@ const ts_family_tools ts_surfels_tools = {
 	.margins = margins,
 	.checks = ts_surfels_checks,
 	.truths = truths,
-	.benches = benches,
+	.codes = codes,
 	.speed = &ts_surfels_speed,
-	.claims = ts_surfels_claims,
 	.parts = parts,
 	.notes = notes,
 };

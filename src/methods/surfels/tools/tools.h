@@ -2,11 +2,9 @@
 #ifndef TS_METHODS_SURFELS_TOOLS_TOOLS_H
 #define TS_METHODS_SURFELS_TOOLS_TOOLS_H
 #include "replay/check.h"
-#include "study/bench.h"
-#include "study/bench_paper.h"
-#include "study/claims.h"
 #include "study/notes.h"
 #include "study/speed.h"
+#include "study/tables/text.h"
 #include "truth/sampling.h"
 #include "truth/truth.h"
 
@@ -44,8 +42,6 @@ ts_status ts_layers_note(char note[TS_NOTE_CHARS], const ts_run *run);
 /* Tables of bench. */
 
 extern const ts_speed_of ts_surfels_speed;
-extern const ts_claim ts_surfels_claims[];
-extern const ts_paper_table ts_nv40, ts_nv40_shading, ts_nv40_filter, ts_nv40_discs;
 ts_status ts_bench_crumbs(const ts_job *job);
 
 #endif

@@ -1,0 +1,20 @@
+/* The columns of a table. */
+#include "study/tables/column.h"
+#include <math.h>
+
+void ts_bench_derive(double *values, const double *measured, const double *before, const ts_bench_figure *figures)
+{
+	const ts_expression_values all = {measured, values, before};
+	for (u32 i = 0; figures[i].key != NULL; i++)
+		if (isnan(values[i]) && (measured != NULL || !figures[i].measured))
+			values[i] = ts_expression_value(figures[i].terms, figures[i].n_terms, &all);
+}
+
+void ts_bench_cell(ts_table *table, const ts_bench_figure *figure, double value)
+{
+	if (!isnan(value) && figure->decimals == TS_WHOLE) {
+		ts_table_count(table, (i64)value);
+	} else {
+		ts_table_known(table, value, figure->decimals);
+	}
+}

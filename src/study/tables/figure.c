@@ -1,0 +1,242 @@
+/* Figures of a case by their names. */
+#include "study/tables/figure.h"
+#include <ctype.h>
+#include <math.h>
+#include <touchstone/image.h>
+#include "model/decimal.h"
+#include "study/asked/words.h"
+
+static double triangles(const ts_figure *f, const ts_bench_case *c) { return (void)f, c->scene->n_triangles; }
+static double surfels(const ts_figure *f, const ts_bench_case *c) { return (void)f, c->scene->n_surfels; }
+static double width(const ts_figure *f, const ts_bench_case *c) { return (void)f, TS_PARAM(&c->params, width); }
+static double height(const ts_figure *f, const ts_bench_case *c) { return (void)f, TS_PARAM(&c->params, height); }
+
+static double parameter(const ts_figure *f, const ts_bench_case *c)
+{
+	char text[64];
+	size_t n, row = 0;
+	const ts_param_info *table = ts_param_table(&n);
+	while (row + 1 < n && strcmp(table[row].name, f->what) != 0) row++;
+	ts_params_format(&c->params, row, text, sizeof text);
+	return ts_strtod(text, NULL);
+}
+
+/* Whether a counter has the name, in which blanks and signs are `_`. */
+static bool is_named(const char *counter, const char *name)
+{
+	while (*counter != 0 && (*counter == *name || (*name == '_' && !isalnum((unsigned char)*counter))))
+		counter++, name++;
+	return *counter == 0 && *name == 0;
+}
+
+static double counter(const ts_figure *f, const ts_bench_case *c)
+{
+	const ts_measure *m = &c->measures[f->variant];
+	for (u32 i = 0; i < m->n_counters; i++)
+		if (is_named(m->counters[i].name, f->what)) return (double)m->counters[i].value;
+	return NAN;
+}
+
+/* Of the stages that ran; `none` if none did. */
+static double milliseconds(const ts_figure *f, const ts_bench_case *c, double none)
+{
+	char stage[32];
+	double sum = 0;
+	bool any = false;
+	for (const char *list = f->what; ts_words_item(&list, stage, sizeof stage);) {
+		const ts_timing *timing = ts_measure_timing(&c->measures[f->variant], stage);
+		sum += timing != NULL ? 1e3 * timing->seconds : 0;
+		any |= timing != NULL;
+	}
+	return any ? sum : none;
+}
+
+static double of_stages(const ts_figure *f, const ts_bench_case *c) { return milliseconds(f, c, NAN); }
+static double spent(const ts_figure *f, const ts_bench_case *c) { return milliseconds(f, c, 0); }
+
+static double frame(const ts_figure *f, const ts_bench_case *c) { return 1e3 * c->measures[f->variant].seconds; }
+
+/* A buffer, or all that a stage makes. */
+static double bytes(const ts_figure *f, const ts_bench_case *c)
+{
+	char item[64];
+	double sum = 0;
+	for (const char *list = f->what; ts_words_item(&list, item, sizeof item);) {
+		size_t n = strlen(item);
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+			const char *name = ts_buffer_table[id].name;
+			bool is_of = strncmp(name, item, n) == 0 && (name[n] == '.' || name[n] == 0);
+			if (is_of) sum += (double)c->measures[f->variant].bytes[id];
+		}
+	}
+	return sum;
+}
+
+static double cube_side(const ts_figure *f, const ts_bench_case *c)
+{
+	const ts_measure *m = &c->measures[f->variant];
+	return m->n_in_sight > 0 ? m->mean_diameter : NAN;
+}
+
+static double cubes_in_sight(const ts_figure *f, const ts_bench_case *c) { return c->measures[f->variant].n_in_sight; }
+
+static double looked(const ts_figure *f, const ts_bench_case *c) { return c->looked[f->variant]; }
+
+static double pixels_seen(const ts_figure *f, const ts_bench_case *c)
+{
+	const ts_picture *image = &c->images[f->variant];
+	size_t n = 0, n_pixels = (size_t)TS_PARAM(&c->params, width) * TS_PARAM(&c->params, height);
+	for (size_t i = 0; image->seen != NULL && i < n_pixels; i++) n += image->seen[i];
+	return image->seen != NULL ? (double)n : NAN;
+}
+
+/* The two pictures of an error; false: one is missing. */
+static bool pictures(const ts_figure *f, const ts_bench_case *c, const ts_picture **image, const ts_picture **other)
+{
+	*image = &c->images[f->variant];
+	*other = f->other == TS_FIGURE_TO_TRUTH ? &c->truth : &c->images[f->other];
+	return (*image)->srgb != NULL && (*other)->srgb != NULL;
+}
+
+static ts_metrics errors(const ts_figure *f, const ts_bench_case *c)
+{
+	const ts_picture *image, *other;
+	if (!pictures(f, c, &image, &other)) return (ts_metrics){.psnr = NAN, .ssim = NAN, .rmse = NAN};
+	return ts_metrics_compare(other->srgb, image->srgb, NULL, TS_PARAM(&c->params, width),
+	                          TS_PARAM(&c->params, height));
+}
+
+static double rmse(const ts_figure *f, const ts_bench_case *c) { return errors(f, c).rmse; }
+static double psnr(const ts_figure *f, const ts_bench_case *c) { return errors(f, c).psnr; }
+static double ssim(const ts_figure *f, const ts_bench_case *c) { return errors(f, c).ssim; }
+
+static double flicker(const ts_figure *f, const ts_bench_case *c)
+{
+	const ts_picture *image = &c->images[f->variant], *other = &c->images[f->other];
+	if (f->other == TS_FIGURE_TO_TRUTH || image->before == NULL || other->before == NULL) return NAN;
+	return ts_metrics_flicker(other->before, other->srgb, image->before, image->srgb, NULL, TS_PARAM(&c->params, width),
+	                          TS_PARAM(&c->params, height));
+}
+
+/* An image's own change is measured against a constant reference. */
+static double change(const ts_figure *f, const ts_bench_case *c)
+{
+	return ts_picture_change(&c->images[f->variant], NULL, &c->params);
+}
+
+/* Of all pixels with a surface, or of those in `only`; false: a picture is missing. */
+static bool light(const ts_figure *f, const ts_bench_case *c, const u8 *only, ts_light_metrics *found)
+{
+	const ts_picture *image, *other;
+	if (!pictures(f, c, &image, &other)) return false;
+	*found = ts_metrics_light(other->radiance, image->radiance, only != NULL ? only : image->seen,
+	                          TS_PARAM(&c->params, width), TS_PARAM(&c->params, height));
+	return true;
+}
+
+/* NaN where the error is infinite. */
+static double known(double value) { return isfinite(value) ? value : NAN; }
+
+static double relative(const ts_figure *f, const ts_bench_case *c)
+{
+	ts_light_metrics all;
+	return light(f, c, NULL, &all) ? known(all.relative) : NAN;
+}
+
+static double near(const ts_figure *f, const ts_bench_case *c)
+{
+	ts_light_metrics part;
+	const u8 *only = c->images[f->variant].near;
+	return only != NULL && light(f, c, only, &part) ? known(part.relative) : NAN;
+}
+
+static double elsewhere(const ts_figure *f, const ts_bench_case *c)
+{
+	ts_light_metrics part;
+	const u8 *only = c->images[f->variant].elsewhere;
+	return only != NULL && light(f, c, only, &part) ? known(part.relative) : NAN;
+}
+
+static double near_share(const ts_figure *f, const ts_bench_case *c)
+{
+	ts_light_metrics all, part;
+	const u8 *only = c->images[f->variant].near;
+	if (only == NULL || !light(f, c, NULL, &all) || !light(f, c, only, &part)) return NAN;
+	return known(100 * (double)part.pixels / (double)all.pixels);
+}
+
+static double near_error(const ts_figure *f, const ts_bench_case *c)
+{
+	ts_light_metrics all, part;
+	const u8 *only = c->images[f->variant].near;
+	if (only == NULL || !light(f, c, NULL, &all) || !light(f, c, only, &part)) return NAN;
+	return known(100 * part.squares / all.squares);
+}
+
+static double median(const ts_figure *f, const ts_bench_case *c)
+{
+	ts_light_metrics all;
+	return light(f, c, NULL, &all) ? known(all.median) : NAN;
+}
+
+static double beyond(const ts_figure *f, const ts_bench_case *c)
+{
+	ts_light_metrics all;
+	return light(f, c, NULL, &all) ? known(100 * all.beyond) : NAN;
+}
+
+static double unlit(const ts_figure *f, const ts_bench_case *c)
+{
+	ts_light_metrics all;
+	return light(f, c, NULL, &all) ? (double)all.unlit : NAN;
+}
+
+static double given(const ts_figure *f, const ts_bench_case *c)
+{
+	ts_light_metrics all;
+	return light(f, c, NULL, &all) ? known(100 * all.given) : NAN;
+}
+
+const ts_figure_row ts_figure_rows[] = {
+	{"scene.triangles", "triangles", "", TS_FIGURE_ALONE, true, false, triangles},
+	{"scene.surfels", "surfels", "", TS_FIGURE_ALONE, true, false, surfels},
+	{"image.width", "width of the eye's image", "pixels", TS_FIGURE_ALONE, true, false, width},
+	{"image.height", "height of the eye's image", "pixels", TS_FIGURE_ALONE, true, false, height},
+	{"param", "a parameter", "", TS_FIGURE_OF_PARAM, true, false, parameter},
+	{"count", "a counter, with _ for blanks", "", TS_FIGURE_OF_COUNTER, false, false, counter},
+	{"ms.frame", "time of the whole frame", "ms", TS_FIGURE_ALONE, false, true, frame},
+	{"ms", "time of a stage, or of a list of them", "ms", TS_FIGURE_OF_STAGES, false, true, of_stages},
+	{"spent", "the same, but 0 where none of them ran", "ms", TS_FIGURE_OF_STAGES, false, true, spent},
+	{"bytes", "memory of a buffer, or of all of a stage or list", "bytes", TS_FIGURE_OF_BUFFERS, false, false, bytes},
+	{"cubes.side", "mean side of the cubes in sight", "texels", TS_FIGURE_ALONE, false, false, cube_side},
+	{"cubes.in_sight", "cubes in sight", "", TS_FIGURE_ALONE, false, false, cubes_in_sight},
+	{"looked", "what the table's `look` computes", "", TS_FIGURE_ALONE, false, false, looked},
+	{"pixels.seen", "pixels with a surface", "", TS_FIGURE_ALONE, false, false, pixels_seen},
+	{"rmse", "RMSE of the variant's image to another variant's, or to the truth", "grey levels", TS_FIGURE_OF_IMAGE,
+     false, false, rmse},
+	{"psnr", "its PSNR", "dB", TS_FIGURE_OF_IMAGE, false, false, psnr},
+	{"ssim", "its SSIM, 1 of equal ones", "", TS_FIGURE_OF_IMAGE, false, false, ssim},
+	{"flicker", "change since the frame before beyond the other's", "grey levels", TS_FIGURE_OF_IMAGE, false, false,
+     flicker},
+	{"change", "change since the frame before", "grey levels", TS_FIGURE_ALONE, false, false, change},
+	{"relative", "RMSE of radiance by the other's mean radiance, without the sky", "", TS_FIGURE_OF_IMAGE, false, false,
+     relative},
+	{"near", "`relative` of pixels near a triangle of light", "", TS_FIGURE_OF_IMAGE, false, false, near},
+	{"elsewhere", "`relative` of all other pixels", "", TS_FIGURE_OF_IMAGE, false, false, elsewhere},
+	{"near_share", "pixels near a triangle of light", "%", TS_FIGURE_OF_IMAGE, false, false, near_share},
+	{"near_error", "the part of pixels near a triangle of light in the sum of squared errors", "%", TS_FIGURE_OF_IMAGE,
+     false, false, near_error},
+	{"median", "median over pixels of the error in radiance by the other's", "", TS_FIGURE_OF_IMAGE, false, false,
+     median},
+	{"beyond", "pixels whose error in radiance is above a tenth of the other's", "%", TS_FIGURE_OF_IMAGE, false, false,
+     beyond},
+	{"unlit", "pixels where only the image has light", "", TS_FIGURE_OF_IMAGE, false, false, unlit},
+	{"given", "mean radiance where only the image has light, of the other's mean", "%", TS_FIGURE_OF_IMAGE, false,
+     false, given},
+	{0},
+};
+
+double ts_figure_value(const ts_figure *figure, const ts_bench_case *c)
+{
+	return figure->row->of_case || c->methods[figure->variant] != NULL ? figure->row->value(figure, c) : NAN;
+}

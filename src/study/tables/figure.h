@@ -1,0 +1,44 @@
+/* Figures of a case by their names: what was measured of a variant (`epr.ms.splat`, `epr.count.points`, `epr.rmse.C`),
+ * of the scene, the image and the parameters. */
+#ifndef TS_STUDY_TABLES_FIGURE_H
+#define TS_STUDY_TABLES_FIGURE_H
+#include "study/bench_case.h"
+
+enum { TS_FIGURE_TO_TRUTH = 255 };
+
+/* What a figure's name has behind it. */
+typedef enum {
+	TS_FIGURE_ALONE,
+	TS_FIGURE_OF_COUNTER,
+	TS_FIGURE_OF_STAGES, /* a stage, or a list of them that the table names */
+	TS_FIGURE_OF_BUFFERS,
+	TS_FIGURE_OF_PARAM,
+	TS_FIGURE_OF_IMAGE, /* another variant, or "truth" */
+} ts_figure_object;
+
+typedef struct ts_figure ts_figure;
+
+/* A kind of figure. */
+typedef struct {
+	const char *name; /* without the variant and the object */
+	const char *doc, *unit;
+	ts_figure_object object;
+	bool of_case; /* of the scene, the image and the parameters: no variant stands before the name */
+	bool timed;   /* two runs differ */
+	double (*value)(const ts_figure *figure, const ts_bench_case *c);
+} ts_figure_row;
+
+/* One figure. */
+struct ts_figure {
+	const ts_figure_row *row;
+	u32 variant, other; /* other: a variant, or TS_FIGURE_TO_TRUTH */
+	const char *what;   /* the object: a counter; a parameter; stages or buffers, separated by commas */
+};
+
+/* All kinds, ended by one without a name. */
+extern const ts_figure_row ts_figure_rows[];
+
+/* The value; NaN: it is missing, as that of a variant which was not run, or of a stage that it does not have. */
+double ts_figure_value(const ts_figure *figure, const ts_bench_case *c);
+
+#endif

@@ -1,0 +1,385 @@
+/* Reads tables. */
+#include "study/tables/text.h"
+#include <ctype.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+#include "study/asked/words.h"
+#include "study/tables/reader.h"
+
+static const ts_table_code *const *all_codes;
+
+void ts_table_codes_use(const ts_table_code *const *codes) { all_codes = codes; }
+
+static u32 variant(ts_table_reader *r)
+{
+	const char *word = ts_cursor_word(&r->c, "a variant");
+	ts_name_scope scope = ts_table_scope(r);
+	u32 at = ts_name_variant(&scope, word, strlen(word));
+	if (at == TS_NONE) ts_cursor_wrong(&r->c, word, "no variant \"%s\" above", word);
+	return at != TS_NONE ? at : 0;
+}
+
+static const ts_table_code *code(ts_table_reader *r, bool look)
+{
+	static const ts_table_code none = {0};
+	const char *word = ts_cursor_word(&r->c, "a name");
+	for (const ts_table_code *const *list = all_codes; *list != NULL; list++) {
+		for (const ts_table_code *row = *list; row->name != NULL; row++)
+			if (strcmp(row->name, word) == 0 && (row->look != NULL) == look) return row;
+	}
+	ts_cursor_wrong(&r->c, word, "nothing computes \"%s\"", word);
+	return &none;
+}
+
+/* Of any effect. */
+static bool is_method(const char *name)
+{
+	const ts_pipeline *const *all = ts_pipelines();
+	while (*all != NULL && strcmp((*all)->name, name) != 0) all++;
+	return *all != NULL;
+}
+
+static void take_effect(ts_table_reader *r)
+{
+	const char *effect = ts_cursor_word(&r->c, "an effect");
+	if (ts_effect_find(effect) == NULL)
+		ts_cursor_wrong(&r->c, effect, "no effect \"%s\"; `touchstone list methods` lists all", effect);
+	r->t->paper.effect = effect;
+}
+
+/* Parameters that are set: "NAME=VALUE,...". */
+static void check_set(ts_table_reader *r, const char *list)
+{
+	char item[128];
+	ts_params params;
+	ts_params_default(&params);
+	for (const char *items = list; ts_words_item(&items, item, sizeof item);) {
+		char *value = strchr(item, '=');
+		if (value != NULL) *value = 0;
+		if (value == NULL) {
+			ts_cursor_wrong(&r->c, list, "\"%s\": NAME=VALUE,... is expected", item);
+		} else if (ts_params_set(&params, item, value + 1) != TS_OK) {
+			ts_cursor_wrong(&r->c, list, "%s", ts_error_message());
+		}
+	}
+}
+
+static void take_option(ts_table_reader *r, ts_bench_variant *v, const char *word)
+{
+	static const char *const runs[] = {"timed", "once", "first", "alone", "long"};
+	for (u32 k = 0; k < sizeof runs / sizeof *runs; k++) {
+		if (strcmp(runs[k], word) != 0) continue;
+		v->runs = (ts_bench_runs)k;
+		return;
+	}
+	if (strcmp(word, "seen") == 0) {
+		v->seen = true;
+	} else if (strchr(word, '=') != NULL) {
+		check_set(r, word);
+		v->set = word;
+	} else {
+		ts_cursor_wrong(&r->c, word, "\"%s\": seen, once, first, alone, long or NAME=VALUE,... is expected", word);
+	}
+}
+
+/* `variant NAME = METHOD [seen] [once|first|alone|long] [NAME=VALUE,...]` */
+static void take_variant(ts_table_reader *r)
+{
+	ts_one_table *t = r->t;
+	const char *name = ts_cursor_name(&r->c, "a name");
+	ts_name_scope scope = ts_table_scope(r);
+	if (ts_name_variant(&scope, name, strlen(name)) != TS_NONE)
+		ts_cursor_wrong(&r->c, name, "the variant \"%s\" stands above", name);
+	ts_cursor_expect(&r->c, "=");
+	ts_bench_variant v = {.method = ts_cursor_word(&r->c, "a method"), .set = ""};
+	if (!is_method(v.method))
+		ts_cursor_wrong(&r->c, v.method, "no method \"%s\"; `touchstone list methods` lists all", v.method);
+	while (!ts_cursor_ended(&r->c)) take_option(r, &v, ts_cursor_more(&r->c));
+	u32 at = ts_take_next(r, &t->n_variants, TS_BENCH_VARIANTS, "variants");
+	t->names[at] = name;
+	t->variants[at] = v;
+}
+
+/* `objects HEAD PARAMETER|size LIST [MOST]` */
+static void take_objects(ts_table_reader *r)
+{
+	ts_paper_table *paper = &r->t->paper;
+	paper->objects_head = ts_cursor_word(&r->c, "a column's head");
+	paper->objects_param = ts_cursor_word(&r->c, "a parameter, or \"size\"");
+	paper->objects = ts_cursor_word(&r->c, "values");
+	if (strcmp(paper->objects_param, "size") == 0) {
+		paper->objects_param = NULL;
+	} else if (!ts_name_is_param(paper->objects_param)) {
+		ts_cursor_wrong(&r->c, paper->objects_param, "no parameter \"%s\"", paper->objects_param);
+	}
+	if (!ts_cursor_ended(&r->c)) paper->most = ts_cursor_count(&r->c, TS_NONE - 1);
+}
+
+/* `picture NAME = VARIANT` */
+static void take_picture(ts_table_reader *r)
+{
+	ts_paper_picture picture = {.name = ts_cursor_name(&r->c, "a name")};
+	ts_cursor_expect(&r->c, "=");
+	picture.variant = variant(r);
+	r->t->pictures[ts_take_next(r, &r->t->n_pictures, MOST_PICTURES, "pictures")] = picture;
+	r->t->paper.pictures = r->t->pictures;
+}
+
+/* `plot "ACROSS" "UP" [rising] FIGURE CURVE...` */
+static void take_plot(ts_table_reader *r)
+{
+	ts_paper_plot *plot = &r->t->plot;
+	u32 n = 0;
+	*plot = (ts_paper_plot){.x_axis = ts_cursor_word(&r->c, "a title"), .y_axis = ts_cursor_word(&r->c, "a title")};
+	const char *word = ts_cursor_word(&r->c, "a figure");
+	plot->rises = strcmp(word, "rising") == 0;
+	plot->x = plot->rises ? ts_take_key(r) : ts_take_key_of(r, word);
+	do {
+		u8 curve = ts_take_key(r);
+		plot->curves[ts_take_next(r, &n, TS_PLOT_CURVES, "curves")] = curve;
+	} while (!ts_cursor_ended(&r->c));
+	plot->curves[n] = TS_NO_FIGURE;
+	r->t->paper.plot = plot;
+}
+
+/* `brief [OPTIONS]`: a run by them takes seconds. */
+static void take_brief(ts_table_reader *r) { r->t->row.brief = ts_cursor_rest(&r->c, NULL); }
+
+static void take_look(ts_table_reader *r) { r->t->paper.look = code(r, true)->look; }
+
+/* `work NAME`: code measures the whole table. */
+static void take_work(ts_table_reader *r)
+{
+	r->t->row.run = code(r, false)->work;
+	r->t->row.paper = NULL;
+}
+
+/* `nearest FIGURE`: the paper's row is the one nearest in this figure. */
+static void take_nearest(ts_table_reader *r) { r->t->paper.nearest = ts_take_key(r); }
+
+/* `stages NAME = ITEM,...`, for all tables below. */
+static void take_stages(ts_table_reader *r)
+{
+	char item[64];
+	ts_named_list list = {.name = ts_cursor_name(&r->c, "a name")};
+	ts_cursor_expect(&r->c, "=");
+	list.items = ts_cursor_word(&r->c, "stages");
+	for (const char *items = list.items; ts_words_item(&items, item, sizeof item);)
+		if (ts_stage_find(item) == NULL) ts_cursor_wrong(&r->c, list.items, "no stage \"%s\"", item);
+	r->texts->lists[ts_take_next(r, &r->texts->n_lists, MOST_LISTS, "lists of stages")] = list;
+}
+
+/* `shows PAPER "PLACE" "WHAT" TABLE ["MOST_ROWS"]`, or `shows PAPER "PLACE" "WHAT" by nothing "WHY"` */
+static void take_shows(ts_table_reader *r)
+{
+	ts_claim claim = {.paper = ts_cursor_word(&r->c, "a paper"),
+	                  .place = ts_cursor_word(&r->c, "a place"),
+	                  .shows = ts_cursor_word(&r->c, "what is shown")};
+	const char *word = ts_cursor_word(&r->c, "\"in\" or \"not\"");
+	if (strcmp(word, "in") == 0) {
+		claim.bench = ts_cursor_name(&r->c, "a table");
+		if (!ts_cursor_ended(&r->c)) claim.rows = ts_cursor_more(&r->c);
+	} else if (strcmp(word, "not") == 0) {
+		claim.cannot = ts_cursor_word(&r->c, "a reason");
+	} else {
+		ts_cursor_wrong(&r->c, word, "\"%s\": \"in\" or \"not\" is expected", word);
+	}
+	r->texts->claims[ts_take_next(r, &r->texts->n_claims, MOST_CLAIMS, "of these")] = claim;
+}
+
+/* What a table cannot do without. */
+static void end_table(ts_table_reader *r)
+{
+	const ts_one_table *t = r->t;
+	if (t == NULL || t->row.run != NULL) return;
+	const char *lacks = t->n_variants == 0                                   ? "variant"
+	                    : t->n_parts == 0                                    ? "part"
+	                    : t->paper.effect == NULL                            ? "effect"
+	                    : t->paper.scenes == NULL && t->paper.models == NULL ? "scenes"
+	                                                                         : NULL;
+	if (lacks != NULL) ts_cursor_wrong(&r->c, r->c.begin, "the table \"%s\" above lacks \"%s\"", t->row.name, lacks);
+	for (u32 i = 0; i < t->n_parts; i++)
+		if (t->parts[i].figures[0] == TS_NO_FIGURE)
+			ts_cursor_wrong(&r->c, r->c.begin, "the part \"%s\" above has no figure", t->parts[i].key);
+}
+
+/* `table NAME` */
+static void take_table(ts_table_reader *r)
+{
+	ts_table_texts *texts = r->texts;
+	end_table(r);
+	const char *name = ts_cursor_name(&r->c, "a name");
+	ts_one_table *t = ts_alloc_zero(1, sizeof *t, "a table");
+	u32 at = ts_take_next(r, &texts->n_tables, MOST_TABLES, "tables");
+	if (t == NULL || r->c.status != TS_OK) {
+		free(t);
+		r->c.status = TS_ERROR;
+		return;
+	}
+	t->paper = (ts_paper_table){.name = name,
+	                            .title = name,
+	                            .set = "",
+	                            .defaults = "",
+	                            .alone_set = "",
+	                            .nearest = TS_NO_FIGURE,
+	                            .variants = t->variants,
+	                            .figures = t->figures,
+	                            .measured = t->measured,
+	                            .parts = t->parts,
+	                            .relations = t->relations,
+	                            .rows = t->rows};
+	t->row = (ts_bench_row){.name = name, .doc = "", .without = TS_BENCH_BY_ITSELF, .paper = &t->paper};
+	r->t = texts->tables[at] = t;
+}
+
+/* Lines of a key with a text, a number or nothing behind it. */
+static const struct {
+	const char *key;
+	size_t at;
+	bool set; /* parameters */
+} texts_of[] =
+	{
+		{"title", offsetof(ts_one_table, paper.title), false},
+		{"doc", offsetof(ts_one_table, row.doc), false},
+		{"refuses", offsetof(ts_one_table, row.without), false},
+		{"takes", offsetof(ts_one_table, row.takes), false},
+		{"scenes", offsetof(ts_one_table, paper.scenes), false},
+		{"models", offsetof(ts_one_table, paper.models), false},
+		{"alone", offsetof(ts_one_table, paper.alone), false},
+		{"alone_set", offsetof(ts_one_table, paper.alone_set), true},
+		{"set", offsetof(ts_one_table, paper.set), true},
+		{"defaults", offsetof(ts_one_table, paper.defaults), true},
+		{"size", offsetof(ts_one_table, paper.size), true},
+		{"note", offsetof(ts_one_table, paper.note), false},
+		{"truth", offsetof(ts_one_table, paper.judge), false},
+},
+  counts_of[] =
+	  {
+		  {"surfels", offsetof(ts_one_table, paper.sampled), false},
+		  {"long_to", offsetof(ts_one_table, paper.most_long), false},
+},
+  flags_of[] = {
+	  {"timed", offsetof(ts_one_table, paper.timed), false},
+	  {"rays", offsetof(ts_one_table, paper.rays), false},
+	  {"own_camera", offsetof(ts_one_table, paper.own_camera), false},
+};
+
+/* Other lines; the first need no table. */
+static const struct {
+	const char *key;
+	void (*take)(ts_table_reader *r);
+} lines_of[] = {
+	{"table", take_table},     {"stages", take_stages},  {"shows", take_shows},     {"objects", take_objects},
+	{"look", take_look},       {"work", take_work},      {"variant", take_variant}, {"figure", ts_take_figure},
+	{"part", ts_take_part},    {"claim", ts_take_claim}, {"nearest", take_nearest}, {"paper", ts_take_paper},
+	{"picture", take_picture}, {"plot", take_plot},      {"brief", take_brief},     {"effect", take_effect},
+};
+enum { WITHOUT_TABLE = 3 };
+
+#define COUNT(rows) (sizeof(rows) / sizeof *(rows))
+
+static void take_text(ts_table_reader *r, size_t i)
+{
+	const char *text = ts_cursor_rest(&r->c, "a text");
+	if (texts_of[i].set) check_set(r, text);
+	*(const char **)((char *)r->t + texts_of[i].at) = text;
+}
+
+/* Whether the key has a text, a number or nothing behind it. */
+static bool take_plain(ts_table_reader *r, const char *key)
+{
+	char *t = (char *)r->t;
+	for (size_t i = 0; i < COUNT(texts_of); i++)
+		if (strcmp(key, texts_of[i].key) == 0) return take_text(r, i), true;
+	for (size_t i = 0; i < COUNT(counts_of); i++)
+		if (strcmp(key, counts_of[i].key) == 0)
+			return *(u32 *)(t + counts_of[i].at) = ts_cursor_count(&r->c, TS_NONE - 1), true;
+	for (size_t i = 0; i < COUNT(flags_of); i++)
+		if (strcmp(key, flags_of[i].key) == 0) return *(bool *)(t + flags_of[i].at) = true, true;
+	return false;
+}
+
+static void take_line(ts_table_reader *r)
+{
+	const char *key = ts_cursor_more(&r->c);
+	size_t i = 0;
+	r->indented = TS_IN_NOTHING;
+	while (i < COUNT(lines_of) && strcmp(key, lines_of[i].key) != 0) i++;
+	if (r->t == NULL && i >= WITHOUT_TABLE) {
+		ts_cursor_wrong(&r->c, key, "\"table\", \"stages\" or \"shows\" is expected");
+	} else if (i < COUNT(lines_of)) {
+		lines_of[i].take(r);
+	} else if (!take_plain(r, key)) {
+		ts_cursor_wrong(&r->c, key, "no key \"%s\"", key);
+	}
+}
+
+static void take_indented(ts_table_reader *r)
+{
+	switch (r->indented) {
+	case TS_IN_PART: ts_add_to_part(r); break;
+	case TS_IN_ROWS: ts_add_to_paper(r); break;
+	default: ts_cursor_wrong(&r->c, r->c.at, "an indented line belongs to a part or the paper's rows");
+	}
+}
+
+static void read_line(ts_table_reader *r)
+{
+	size_t n = strlen(r->c.begin);
+	while (n > 0 && isspace((unsigned char)r->c.begin[n - 1])) r->c.begin[--n] = 0;
+	r->c.at = r->c.begin;
+	if (ts_cursor_ended(&r->c) || *r->c.at == '#') return;
+	if (r->c.at == r->c.begin) {
+		take_line(r);
+	} else {
+		take_indented(r);
+	}
+	ts_cursor_end(&r->c);
+}
+
+static ts_status read_lines(ts_table_reader *r)
+{
+	for (char *end = r->c.begin; r->c.status == TS_OK && end != NULL; r->c.begin = end) {
+		end = strchr(r->c.begin, '\n');
+		if (end != NULL) *end++ = 0;
+		r->c.number++;
+		read_line(r);
+		if (end == NULL) end_table(r);
+	}
+	return r->c.status;
+}
+
+ts_status ts_table_texts_read(ts_table_texts **texts, const char *text, const char *path)
+{
+	size_t bytes = strlen(text) + 1;
+	ts_table_texts *made = *texts = ts_alloc_zero(1, sizeof *made, path);
+	if (made == NULL) return TS_ERROR;
+	made->text = ts_alloc(3 * bytes, 1, path);
+	ts_status status = made->text != NULL ? TS_OK : TS_ERROR;
+	if (status == TS_OK) {
+		ts_table_reader r = {.c = {.path = path, .begin = memcpy(made->text, text, bytes)}, .texts = made};
+		made->names = made->text + bytes;
+		status = read_lines(&r);
+	}
+	if (status == TS_OK) return TS_OK;
+	ts_table_texts_free(made);
+	*texts = NULL;
+	return TS_ERROR;
+}
+
+const ts_bench_row *ts_table_texts_at(const ts_table_texts *texts, u32 i)
+{
+	return i < texts->n_tables ? &texts->tables[i]->row : NULL;
+}
+
+const ts_claim *ts_table_texts_claims(const ts_table_texts *texts) { return texts->claims; }
+
+void ts_table_texts_free(ts_table_texts *texts)
+{
+	if (texts == NULL) return;
+	for (u32 i = 0; i < texts->n_tables; i++) free(texts->tables[i]);
+	free(texts->text);
+	free(texts);
+}
