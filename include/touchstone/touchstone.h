@@ -16,6 +16,7 @@
  * Start at context.h, scene.h and trace.h; then compare.h. */
 #ifndef TOUCHSTONE_TOUCHSTONE_H
 #define TOUCHSTONE_TOUCHSTONE_H
+#include <touchstone/bench.h>
 #include <touchstone/compare.h>
 #include <touchstone/context.h>
 #include <touchstone/explain.h>
@@ -25,6 +26,7 @@
 #include <touchstone/params.h>
 #include <touchstone/probe.h>
 #include <touchstone/records.h>
+#include <touchstone/render.h>
 #include <touchstone/scene.h>
 #include <touchstone/status.h>
 #include <touchstone/tables.h>

@@ -14,6 +14,7 @@ typedef struct {
 
 struct ts_context {
 	ts_how how;
+	const ts_backend_kind *kind;
 	ts_listener listener;
 	ts_api_words words; /* of the primitive that was asked for last */
 };

@@ -91,10 +91,9 @@ static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 devi
 
 static ts_status open_context(ts_context *context, const ts_context_options *options)
 {
-	const ts_backend_kind *kind;
 	const char *name = options->backend != NULL ? options->backend : ts_backend_kinds[0]->name;
 	context->listener = (ts_listener){options->say, options->progress, options->cancelled, options->user};
-	if (ts_backend_find(&kind, ts_backend_kinds, name) != TS_OK) return TS_ERROR;
+	if (ts_backend_find(&context->kind, ts_backend_kinds, name) != TS_OK) return TS_ERROR;
 	if (options->threads > TS_MOST_THREADS) {
 		return ts_fail("%lu threads; 0 to %d are right", (unsigned long)options->threads, TS_MOST_THREADS);
 	}
@@ -103,7 +102,7 @@ static ts_status open_context(ts_context *context, const ts_context_options *opt
 	ts_listen(&host);
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
 	context->how.no_fast_paths = options->no_fast_paths != 0;
-	ts_status status = open_backend(&context->how, kind, options->device);
+	ts_status status = open_backend(&context->how, context->kind, options->device);
 	ts_api_leave();
 	return status;
 }

@@ -5,7 +5,7 @@
 #include "cli/client.h"
 #include "study/asked/methods.h"
 #include "study/asked/reads.h"
-#include "study/tables/figure.h"
+#include "study/figure.h"
 #include "study/tables/tables.h"
 
 static const ts_column stage_columns[] = {{"name", "stage", false},

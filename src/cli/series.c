@@ -252,8 +252,8 @@ static ts_status make_combination(ts_series *series)
 	ts_status status = ts_sweep_set(&job->sweep, series->combination, &job->params, series->values);
 	ts_frames_set(&job->params, &job->frames, 0);
 	if (status == TS_OK && series->begun && is_other_scene(series, &before)) {
-		ts_scene_free(series->render->scene);
-		series->render->scene = NULL;
+		ts_scene_free(series->render->own);
+		series->render->scene = series->render->own = NULL;
 	}
 	if (status == TS_OK) status = ts_render_open(series->render);
 	if (status != TS_OK) return status;

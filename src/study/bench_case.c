@@ -157,3 +157,8 @@ void ts_bench_case_close(ts_bench_case *c)
 	}
 	ts_scene_free(c->scene);
 }
+
+ts_figure_source ts_bench_case_source(const ts_bench_case *c)
+{
+	return (ts_figure_source){c->scene, &c->params, c->methods, c->measures, c->images, &c->truth, c->looked};
+}

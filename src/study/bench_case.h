@@ -2,6 +2,7 @@
 #ifndef TS_STUDY_BENCH_CASE_H
 #define TS_STUDY_BENCH_CASE_H
 #include "study/asked/job.h"
+#include "study/figure.h"
 #include "study/measure.h"
 
 enum { TS_BENCH_VARIANTS = 24 }; /* at most */
@@ -51,6 +52,8 @@ ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params
  * parameter `frame` may be set before the call; successive frames keep their history. */
 ts_status ts_bench_case_run(ts_bench_case *c, u32 run);
 void ts_bench_case_close(ts_bench_case *c);
+/* What figures are of. */
+ts_figure_source ts_bench_case_source(const ts_bench_case *c);
 /* The parameters of a variant. */
 ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 variant);
 /* ts_bench_set sets all parameters of "NAME=VALUE,..."; the other function only those that have their defaults, unless

@@ -91,6 +91,12 @@ ts_status ts_bench_with_report(const ts_job *job, ts_bench_work *work, const voi
 	ts_report_begin(&report, job->output.json);
 	status = work(job, &report, user);
 	if (status == TS_OK && files) status = write_files(&report);
+	if (status == TS_OK && job->output.tree != NULL) {
+		status = ts_report_check(&report);
+		if (status == TS_OK) *job->output.tree = json_incref(report.root);
+		ts_report_discard(&report);
+		return status;
+	}
 	if (status == TS_OK) return ts_report_end(&report);
 	if (files) ts_folder_discard();
 	ts_report_discard(&report);

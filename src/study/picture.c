@@ -77,6 +77,27 @@ void ts_picture_free(ts_picture *picture)
 	*picture = (ts_picture){.radiance = NULL};
 }
 
+static const u8 *srgb_of(const ts_picture *picture)
+{
+	return picture->chosen != NULL ? picture->all_srgb : picture->srgb;
+}
+
+const u8 *ts_picture_chosen(const ts_picture *a, const ts_picture *b)
+{
+	if (a->chosen == NULL || b->chosen == NULL) return a->chosen != NULL ? a->chosen : b->chosen;
+	return a->sampling.chance < b->sampling.chance ? a->chosen : b->chosen;
+}
+
+ts_metrics ts_picture_metrics(const ts_picture *reference, const ts_picture *image, const u8 *mask,
+                              const ts_params *params)
+{
+	u32 width = TS_PARAM(params, width), height = TS_PARAM(params, height);
+	const ts_metrics_part part = {reference->srgb, image->srgb, srgb_of(reference), srgb_of(image),
+	                              ts_picture_chosen(reference, image)};
+	return part.chosen != NULL ? ts_metrics_estimate(&part, mask, width, height)
+	                           : ts_metrics_compare(reference->srgb, image->srgb, mask, width, height);
+}
+
 u8 *ts_picture_difference(const ts_picture *image, const ts_picture *reference, const ts_params *params, u32 scale)
 {
 	size_t n = (size_t)TS_PARAM(params, width) * TS_PARAM(params, height) * 3;

@@ -1,6 +1,7 @@
 /* Pictures of the eye's size: of runs, and of the truths. */
 #ifndef TS_STUDY_PICTURE_H
 #define TS_STUDY_PICTURE_H
+#include <touchstone/image.h>
 #include "methods/stage.h"
 #include "study/asked/truths.h"
 
@@ -46,6 +47,11 @@ void ts_picture_free(ts_picture *picture);
 /* The change since the frame before (ts_metrics_flicker), where `mask` is not 0; NaN: there is no frame before. */
 double ts_picture_change(const ts_picture *picture, const u8 *mask, const ts_params *params);
 
+/* How far two pictures are apart, where `mask` is not 0: an estimate, where one is a truth in part. */
+ts_metrics ts_picture_metrics(const ts_picture *reference, const ts_picture *image, const u8 *mask,
+                              const ts_params *params);
+/* The pixels that give the estimate, of two pictures the fewer; NULL: none is a truth in part. */
+const u8 *ts_picture_chosen(const ts_picture *a, const ts_picture *b);
 /* The distance of two pictures in grey levels, times `scale`, width x height x 3; to be released by free(). NULL
  * without memory. */
 u8 *ts_picture_difference(const ts_picture *image, const ts_picture *reference, const ts_params *params, u32 scale);

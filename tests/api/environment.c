@@ -80,6 +80,7 @@ static void answers_keep_the_rounding_of_the_host(void **state)
 	ts_trace *candidate = candidate_of(reference, 0), *trace;
 	ts_verdicts *verdicts;
 	ts_tree *answer;
+	ts_rendering *rendering;
 	ts_truth_image *image;
 	static uint8_t marks[64 * 36 * 3];
 	ts_golden_judged judged = {.bytes = sizeof judged};
@@ -93,6 +94,7 @@ static void answers_keep_the_rounding_of_the_host(void **state)
 	KEEPS(ts_probe_pixel(context, &answer, reference, 20, 10, NULL), ts_tree_free(answer));
 	KEEPS(ts_probe_triangle(context, &answer, reference, 5), ts_tree_free(answer));
 	KEEPS(ts_truth_render(context, &image, scene, params, "reflections", "A"), ts_truth_image_free(image));
+	KEEPS(ts_rendering_make(context, &rendering, scene, params, "reflections", NULL), ts_rendering_free(rendering));
 	KEEPS(ts_vector_words(context, NULL, NULL, ts_vector_at(0)->name), (void)0);
 	KEEPS(ts_golden_check(context, &judged, "reference/goldens/small-epr"), (void)0);
 	ts_trace_close(candidate);

@@ -231,6 +231,32 @@ static void null_truths_are_refused(void **state)
 	ts_truth_image_free(NULL);
 }
 
+static void null_renderings_are_refused(void **state)
+{
+	(void)state;
+	double value;
+	ts_rendering *rendering;
+	REFUSED(ts_rendering_make(NULL, &rendering, scene, params, "reflections", NULL), "context");
+	REFUSED(ts_rendering_make(context, NULL, scene, params, "reflections", NULL), "rendering");
+	REFUSED(ts_rendering_make(context, &rendering, NULL, params, "reflections", NULL), "scene");
+	REFUSED(ts_rendering_make(context, &rendering, scene, NULL, "reflections", NULL), "params");
+	REFUSED(ts_rendering_make(context, &rendering, scene, params, NULL, NULL), "effect");
+	assert_null(rendering);
+	done(ts_rendering_make(context, &rendering, scene, params, "reflections", NULL));
+	REFUSED(ts_rendering_figure_named(NULL, rendering, "epr.ms.frame"), "value");
+	REFUSED(ts_rendering_figure_named(&value, NULL, "epr.ms.frame"), "rendering");
+	REFUSED(ts_rendering_figure_named(&value, rendering, NULL), "name");
+	assert_true(ts_rendering_figure_at(NULL, 0) == NULL && ts_rendering_picture_at(NULL, 0) == NULL);
+	ts_rendering_free(rendering);
+	ts_rendering_free(NULL);
+	ts_tree *figures;
+	REFUSED(ts_bench_table(NULL, &figures, "epr-3", params, NULL), "context");
+	REFUSED(ts_bench_table(context, NULL, "epr-3", params, NULL), "figures");
+	REFUSED(ts_bench_table(context, &figures, NULL, params, NULL), "table");
+	REFUSED(ts_bench_table(context, &figures, "epr-3", NULL, NULL), "params");
+	assert_null(figures);
+}
+
 static void null_answers_are_refused(void **state)
 {
 	(void)state;
@@ -356,13 +382,13 @@ static void null_metrics_give_nothing(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(releasing_null_does_nothing),   cmocka_unit_test(null_parameters_are_refused),
-		cmocka_unit_test(null_scenes_are_refused),       cmocka_unit_test(null_traces_are_refused),
-		cmocka_unit_test(null_verdicts_are_refused),     cmocka_unit_test(null_answers_are_refused),
-		cmocka_unit_test(null_truths_are_refused),       cmocka_unit_test(null_vectors_are_refused),
-		cmocka_unit_test(null_images_are_refused),       cmocka_unit_test(null_encoders_are_refused),
-		cmocka_unit_test(null_metrics_give_nothing),     cmocka_unit_test(null_pages_are_refused),
-		cmocka_unit_test(null_explanations_are_refused),
+		cmocka_unit_test(releasing_null_does_nothing), cmocka_unit_test(null_parameters_are_refused),
+		cmocka_unit_test(null_scenes_are_refused),     cmocka_unit_test(null_traces_are_refused),
+		cmocka_unit_test(null_verdicts_are_refused),   cmocka_unit_test(null_answers_are_refused),
+		cmocka_unit_test(null_truths_are_refused),     cmocka_unit_test(null_renderings_are_refused),
+		cmocka_unit_test(null_vectors_are_refused),    cmocka_unit_test(null_images_are_refused),
+		cmocka_unit_test(null_encoders_are_refused),   cmocka_unit_test(null_metrics_give_nothing),
+		cmocka_unit_test(null_pages_are_refused),      cmocka_unit_test(null_explanations_are_refused),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

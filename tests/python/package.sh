@@ -38,6 +38,19 @@ END
 $python "$scratch/notebook.py" tests/api/example/example.ipynb > "$scratch/notebook" &&
 	grep -q "given the candidate's inputs" "$scratch/notebook"
 verdict $? 'the notebook finds what it plants'
+python3 - "$scratch/notebook" << 'END'
+import sys
+errors = [float(word) for line in open(sys.argv[1]) if line.startswith("errors ") for word in line.split()[1:]]
+assert len(errors) == 5 and errors[0] > errors[-1] > 0, errors
+END
+verdict $? 'its sweep has less error by more points'
+soname=$(readelf -d "$build/libtouchstone.so" | sed -n 's/.*soname: \[\(.*\)\]/\1/p')
+ln -s "$PWD/$build/libtouchstone.so" "$scratch/$soname" && ln -s "$PWD/$build/libtouchstone-image.so" "$scratch" &&
+	${CC:-gcc} -std=c11 -Iinclude tests/api/example/measure.c -L"$scratch" -l":$soname" -Wl,-rpath,"$scratch" \
+		-o "$scratch/measure" && "$scratch/measure" > "$scratch/c" &&
+	$python tests/api/example/measure.py > "$scratch/python" &&
+	diff <(grep -v ms "$scratch/c") <(grep -v ms "$scratch/python") && [ "$(grep -c '[1-9]' "$scratch/c")" -eq 4 ]
+verdict $? 'C and Python measure the same'
 TOUCHSTONE_LIBRARY=/nowhere.so $python -c 'import touchstone' 2>&1 | grep -q 'TOUCHSTONE_LIBRARY can name the library'
 verdict $? 'without the library one line says so'
 finish

@@ -263,6 +263,38 @@ def test_what_the_documents_show(tmp_path, monkeypatch):
 	assert (tmp_path / "mine.png").exists()
 
 
+def test_rendering(context, scene, reference):
+	rendering = context.render(scene, "reflections", ["epr", "mvr"], "B", SMALL, stages=True)
+	pictures, figures = rendering.pictures, rendering.figures
+	assert {"epr", "mvr", "truth-b", "epr-points"} <= set(pictures) and "truth-b" in repr(rendering)
+	assert np.array_equal(pictures["epr"].radiance, reference["image.radiance"])
+	assert pictures["epr-points"].radiance is None and not pictures["truth-b"].estimated
+	shown = touchstone.metrics(pictures["truth-b"].srgb, pictures["epr"].srgb)
+	assert rendering["epr.rmse.B"] == figures["epr.rmse.B"].value == shown.rmse
+	assert figures["epr.ms.splat"].unit == "ms" and figures["epr.ms.splat"].timed and not figures["epr.rmse.B"].timed
+	assert rendering["epr.count.points"] == len(reference["points.record"])
+	assert rendering["epr.bytes.points.record"] == reference["points.record"].nbytes
+	kept = pictures["epr"].srgb
+	after = context.render(scene, "reflections", ["epr", "mvr"], "B", {**SMALL, "frame": 1}, before=rendering)
+	del rendering, pictures
+	assert after["epr.flicker.B"] > 0 and kept.max() > 0
+	with pytest.raises(touchstone.Error, match="no truth"):
+		context.render(scene, "reflections", "epr", "Z", SMALL)
+	with pytest.raises(touchstone.Error, match="no variant, and no truth"):
+		after["epr.rmse.Z"]
+
+
+def test_bench(context, tmp_path):
+	table = tmp_path / "my.table"
+	table.write_text("table mine\neffect reflections\nscenes atrium\nvariant epr = epr seen\nvariant mvr = mvr seen\n"
+	                 "part one \"One\"\n\trmse \"RMSE\" 3 = epr.rmse.mvr\n\twide \"wide\" whole = image.width\n")
+	figures = context.bench(table, scenes="atrium:triangles=10000:texels=32", params=SMALL)
+	assert figures["one"][0]["rmse"] > 0 and figures["one"][0]["wide"] == SMALL["width"]
+	table.write_text("table mine\neffect mirrors\n")
+	with pytest.raises(touchstone.Error, match="my.table:2:8: no effect"):
+		context.bench(table)
+
+
 def test_truth(context, scene, reference):
 	truth = context.truth(scene, "reflections", "B", SMALL)
 	light = touchstone.light_metrics(truth.radiance, reference["image.radiance"])

@@ -45,10 +45,11 @@ from ._pictures import (crumbs, decode_image, encode_exr, encode_png, estimate_m
 from ._tables import (backends, buffers, builtins, devices, float_passes, float_text, methods, parameters, primitive_of,
                       primitives, probes, settings, sizes, stages, truths, version)
 
-__all__ = ["Context", "Error", "Page", "Scene", "Trace", "Verdicts", "backends", "buffers", "builtins", "crumbs",
-           "decode_image", "devices", "encode_exr", "encode_png", "estimate_metrics", "flicker", "float_passes",
-           "float_text", "light_metrics", "methods", "metrics", "parameters", "primitives", "probes", "read_image",
-           "read_image_bytes", "settings", "sizes", "stages", "truths", "version", "write_exr", "write_png"]
+__all__ = ["Context", "Error", "Page", "Rendering", "Scene", "Trace", "Verdicts", "backends", "buffers", "builtins",
+           "crumbs", "decode_image", "devices", "encode_exr", "encode_png", "estimate_metrics", "flicker",
+           "float_passes", "float_text", "light_metrics", "methods", "metrics", "parameters", "primitives", "probes",
+           "read_image", "read_image_bytes", "settings", "sizes", "stages", "truths", "version", "write_exr",
+           "write_png"]
 
 Params = Mapping[str, object]
 
@@ -180,6 +181,27 @@ class Context:
 		return Row(radiance=view_of(image.radiance, shape, np.float32, image),
 		           srgb=view_of(image.srgb, shape, np.uint8, image), estimated=image.estimated != 0)
 
+	def render(self, scene: Scene, effect: str, methods: str | Iterable[str] | None = None,
+	           truths: str | Iterable[str] | None = None, params: Params | None = None, stages: bool = False,
+	           before: Rendering | None = None) -> Rendering:
+		"""Runs methods, by default all, and makes truths, by default none, of one frame. stages: also pictures of
+		stages. before: the rendering of the frame before."""
+		named = [names if names is None or isinstance(names, str) else ",".join(names) for names in (methods, truths)]
+		options, kept = options_for("ts_rendering_options", methods=named[0], truths=named[1], stages=stages,
+		                            before=before and before._handle)
+		handle, _ = made("ts_rendering", lib.ts_rendering_free, lib.ts_rendering_make, self._handle, made,
+		                 scene._handle, params_for(params), text_for(effect), options)
+		return Rendering(self, handle, scene, effect)
+
+	def bench(self, table: Path, scenes: str | None = None, objects: str | None = None, runs: int = 0,
+	          params: Params | None = None) -> dict:
+		"""Measures a table, by its name or from a file, FILE.table: a list of rows for each of its parts, and
+		"relations", what must hold."""
+		options, kept = options_for("ts_bench_options", scenes=scenes, objects=objects, runs=runs)
+		handle, _ = made("ts_tree", lib.ts_tree_free, lib.ts_bench_table, self._handle, made, path_for(table),
+		                 params_for(params), options)
+		return tree_of(handle)
+
 	def open(self, folder: Path) -> Trace:
 		"""Opens the trace in a folder."""
 		return self._traced(lib.ts_trace_open, path_for(folder))
@@ -291,6 +313,39 @@ class Scene:
 			check(lib.ts_scene_print(self._handle, file, 1))
 			file.seek(0)
 			return json.load(file)
+
+
+class Rendering:
+	"""One frame by methods and truths. rendering["epr.rmse.B"] is a figure."""
+
+	def __init__(self, context: Context, handle: Any, scene: Scene, effect: str) -> None:
+		self._context, self._handle, self._scene, self._effect = context, handle, scene, effect
+
+	def __repr__(self) -> str:
+		return f"<touchstone.Rendering: {self._effect}: {', '.join(self.pictures)}>"
+
+	@property
+	def pictures(self) -> dict[str, Row]:
+		"""By name, "epr", "truth-b", of stages "epr-points": `srgb`, rows of pixels as displayed; `radiance`, linear
+		RGB, or None of false colours; and `estimated`, whether rays of a truth were left out."""
+		def row(p: Any) -> Row:
+			shape = (p.height, p.width, 3)
+			light = view_of(p.radiance, shape, np.float32, self._handle) if p.radiance != ffi.NULL else None
+			return Row(name=text_of(p.name), srgb=view_of(p.srgb, shape, np.uint8, self._handle), radiance=light,
+			           estimated=p.estimated != 0)
+		return {p.name: p for p in rows_of(lambda i: lib.ts_rendering_picture_at(self._handle, i), row)}
+
+	@property
+	def figures(self) -> dict[str, Row]:
+		"""What was measured, by name: `value`, `unit`, `error`, the standard error of an estimate, and `timed`, whether
+		two runs differ."""
+		rows = rows_of(lambda i: lib.ts_rendering_figure_at(self._handle, i))
+		return {row.name: row for row in rows if row.value == row.value}
+
+	def __getitem__(self, name: str) -> float:
+		value = ffi.new("double *")
+		check(lib.ts_rendering_figure_named(value, self._handle, text_for(name)))
+		return value[0]
 
 
 class Trace(collections.abc.Mapping):

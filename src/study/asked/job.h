@@ -36,6 +36,7 @@ typedef struct {
 	bool self_contained, compress; /* traces, too */
 	const char *trace_only, *crop; /* NULL: all; either is a trace, too */
 	const char *report;            /* a page; NULL: none */
+	struct json_t **tree;          /* where a table's report goes, a new reference; NULL: it is printed */
 } ts_output;
 
 /* A job. Strings are NULL if the option was not typed. */

@@ -1,9 +1,9 @@
 /* The columns of a table: expressions over what is measured of the variants of a case, and over columns before. */
 #ifndef TS_STUDY_TABLES_COLUMN_H
 #define TS_STUDY_TABLES_COLUMN_H
+#include "study/figure.h"
 #include "study/results/table.h"
 #include "study/tables/expression.h"
-#include "study/tables/figure.h"
 
 enum { TS_BENCH_FIGURES = 96, TS_BENCH_MEASURED = 256 }; /* at most */
 

@@ -82,6 +82,7 @@ static ts_status run_frames(double *means, ts_paper_line *line, u32 run, ts_benc
 	const ts_bench_figure *figures = w->table->figures;
 	const ts_figure *measured = w->table->measured;
 	ts_frame_spread mean[TS_BENCH_MEASURED] = {{0}};
+	const ts_figure_source source = ts_bench_case_source(c);
 	ts_status status = TS_OK;
 	for (u32 k = 0; k < ts_frames_count(&w->job->frames) && status == TS_OK; k++) {
 		double frame[TS_BENCH_MEASURED], values[TS_BENCH_FIGURES];
@@ -89,7 +90,7 @@ static ts_status run_frames(double *means, ts_paper_line *line, u32 run, ts_benc
 		status = ts_bench_case_run(c, run);
 		if (status != TS_OK) break;
 		for (u32 i = 0; measured[i].row != NULL; i++) {
-			frame[i] = ts_figure_value(&measured[i], c);
+			frame[i] = ts_figure_value(&measured[i], &source);
 			ts_frame_spread_add(&mean[i], frame[i], TS_PARAM(&c->params, frame));
 		}
 		derive(values, frame, NULL, figures);

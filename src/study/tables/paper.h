@@ -2,6 +2,7 @@
  * hold. */
 #ifndef TS_STUDY_TABLES_PAPER_H
 #define TS_STUDY_TABLES_PAPER_H
+#include "study/bench_case.h"
 #include "study/frames.h"
 #include "study/plot.h"
 #include "study/tables/column.h"

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "study/asked/words.h"
-#include "study/measure.h"
 #include "study/tables/text.h"
 
 enum { ROWS = 128, CLAIMS = 256, TEXTS = 32, RUNS = 3 };
@@ -91,6 +90,45 @@ ts_status ts_tables_find(const ts_bench_row **row, const ts_tables *tables, cons
 	return ts_fail("bench: no table \"%s\"%s", name, ts_nearest_hint(&nearest, "touchstone list benches"));
 }
 
+/* The length of the path that ends with .table, behind which nothing stands or a colon; 0: there is none. */
+static size_t path_length(const char *argument)
+{
+	const char *end = strstr(argument, ".table");
+	while (end != NULL && end[6] != 0 && end[6] != ':') end = strstr(end + 1, ".table");
+	return end != NULL ? (size_t)(end + 6 - argument) : 0;
+}
+
+/* Opens the tables of FILE.table or FILE.table:NAME, and finds the one; if there is only one it needs no name. */
+static ts_status open_file(ts_tables **tables, const ts_bench_row **row, const char *argument, size_t path_bytes)
+{
+	char path[4096];
+	const char *name = argument[path_bytes] != 0 ? argument + path_bytes + 1 : NULL;
+	if (path_bytes >= sizeof path) return ts_fail("bench: the name of the file of tables is too long");
+	snprintf(path, path_bytes + 1, "%s", argument);
+	if (ts_tables_open_file(tables, path) != TS_OK) return TS_ERROR;
+	*row = ts_tables_at(*tables, 0);
+	if (name != NULL) return ts_tables_find(row, *tables, name);
+	if (*row == NULL) return ts_fail("%s: has no table", path);
+	if (ts_tables_at(*tables, 1) == NULL) return TS_OK;
+	return ts_fail("%s: has several tables; name one, as %s:%s", path, path, (*row)->name);
+}
+
+ts_status ts_tables_open_named(ts_tables **tables, const ts_bench_row **row, const char *argument)
+{
+	size_t path = path_length(argument);
+	*tables = NULL;
+	if (path != 0) return open_file(tables, row, argument, path);
+	ts_status status = ts_tables_open(tables);
+	return status == TS_OK ? ts_tables_find(row, *tables, argument) : status;
+}
+
+bool ts_tables_is_general(const ts_bench_row *row)
+{
+	const ts_bench_row *own = general;
+	while (own->name != NULL && own != row) own++;
+	return own->name != NULL;
+}
+
 void ts_tables_close(ts_tables *tables)
 {
 	if (tables == NULL) return;
@@ -158,8 +196,7 @@ static ts_status bench_list(const ts_job *job) { return ts_bench_with_report(job
 ts_status ts_tables_run(const ts_bench_row *row, const ts_job *job)
 {
 	ts_job own = *job;
+	own.scene.options.camera = TS_CAMERA_CIRCLE;
 	if (own.runs == 0) own.runs = row->runs != 0 ? row->runs : RUNS;
-	if (ts_selftest_require() != TS_OK) return TS_ERROR;
-	ts_measure_keep_memory();
 	return row->paper != NULL ? ts_paper_bench(&own, row->paper) : row->run(&own);
 }

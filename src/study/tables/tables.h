@@ -16,6 +16,11 @@ const ts_bench_row *ts_tables_at(const ts_tables *tables, u32 i);
 const ts_claim *ts_tables_claim(const ts_tables *tables, u32 i);
 /* By name; fails with the nearest name. */
 ts_status ts_tables_find(const ts_bench_row **row, const ts_tables *tables, const char *name);
+/* Opens the tables of which an argument names one: FILE.table, which has only that one, FILE.table:NAME, or NAME of the
+ * program's. *tables is to be closed on failure, too. */
+ts_status ts_tables_open_named(ts_tables **tables, const ts_bench_row **row, const char *argument);
+/* Whether a table is of no family: it measures machines, in processes of its own. */
+bool ts_tables_is_general(const ts_bench_row *row);
 void ts_tables_close(ts_tables *tables);
 ts_status ts_tables_run(const ts_bench_row *row, const ts_job *job);
 

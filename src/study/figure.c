@@ -1,35 +1,41 @@
-/* Figures of a case by their names. */
-#include "study/tables/figure.h"
+/* Figures of what was measured by their names. */
+#include "study/figure.h"
 #include <ctype.h>
 #include <math.h>
 #include <touchstone/image.h>
 #include "model/decimal.h"
 #include "study/asked/words.h"
 
-static double triangles(const ts_figure *f, const ts_bench_case *c) { return (void)f, c->scene->n_triangles; }
-static double surfels(const ts_figure *f, const ts_bench_case *c) { return (void)f, c->scene->n_surfels; }
-static double width(const ts_figure *f, const ts_bench_case *c) { return (void)f, TS_PARAM(&c->params, width); }
-static double height(const ts_figure *f, const ts_bench_case *c) { return (void)f, TS_PARAM(&c->params, height); }
+static double triangles(const ts_figure *f, const ts_figure_source *c) { return (void)f, c->scene->n_triangles; }
+static double surfels(const ts_figure *f, const ts_figure_source *c) { return (void)f, c->scene->n_surfels; }
+static double width(const ts_figure *f, const ts_figure_source *c) { return (void)f, TS_PARAM(c->params, width); }
+static double height(const ts_figure *f, const ts_figure_source *c) { return (void)f, TS_PARAM(c->params, height); }
 
-static double parameter(const ts_figure *f, const ts_bench_case *c)
+static double parameter(const ts_figure *f, const ts_figure_source *c)
 {
 	char text[64];
 	size_t n, row = 0;
 	const ts_param_info *table = ts_param_table(&n);
 	while (row + 1 < n && strcmp(table[row].name, f->what) != 0) row++;
-	ts_params_format(&c->params, row, text, sizeof text);
+	ts_params_format(c->params, row, text, sizeof text);
 	return ts_strtod(text, NULL);
 }
 
-/* Whether a counter has the name, in which blanks and signs are `_`. */
-static bool is_named(const char *counter, const char *name)
+void ts_figure_counter(char *name, size_t bytes, const char *counter)
 {
-	while (*counter != 0 && (*counter == *name || (*name == '_' && !isalnum((unsigned char)*counter))))
-		counter++, name++;
-	return *counter == 0 && *name == 0;
+	snprintf(name, bytes, "%s", counter);
+	for (; *name != 0; name++)
+		if (!isalnum((unsigned char)*name)) *name = '_';
 }
 
-static double counter(const ts_figure *f, const ts_bench_case *c)
+static bool is_named(const char *counter, const char *name)
+{
+	char own[64];
+	ts_figure_counter(own, sizeof own, counter);
+	return strcmp(own, name) == 0;
+}
+
+static double counter(const ts_figure *f, const ts_figure_source *c)
 {
 	const ts_measure *m = &c->measures[f->variant];
 	for (u32 i = 0; i < m->n_counters; i++)
@@ -38,7 +44,7 @@ static double counter(const ts_figure *f, const ts_bench_case *c)
 }
 
 /* Of the stages that ran; `none` if none did. */
-static double milliseconds(const ts_figure *f, const ts_bench_case *c, double none)
+static double milliseconds(const ts_figure *f, const ts_figure_source *c, double none)
 {
 	char stage[32];
 	double sum = 0;
@@ -51,13 +57,13 @@ static double milliseconds(const ts_figure *f, const ts_bench_case *c, double no
 	return any ? sum : none;
 }
 
-static double of_stages(const ts_figure *f, const ts_bench_case *c) { return milliseconds(f, c, NAN); }
-static double spent(const ts_figure *f, const ts_bench_case *c) { return milliseconds(f, c, 0); }
+static double of_stages(const ts_figure *f, const ts_figure_source *c) { return milliseconds(f, c, NAN); }
+static double spent(const ts_figure *f, const ts_figure_source *c) { return milliseconds(f, c, 0); }
 
-static double frame(const ts_figure *f, const ts_bench_case *c) { return 1e3 * c->measures[f->variant].seconds; }
+static double frame(const ts_figure *f, const ts_figure_source *c) { return 1e3 * c->measures[f->variant].seconds; }
 
 /* A buffer, or all that a stage makes. */
-static double bytes(const ts_figure *f, const ts_bench_case *c)
+static double bytes(const ts_figure *f, const ts_figure_source *c)
 {
 	char item[64];
 	double sum = 0;
@@ -72,92 +78,98 @@ static double bytes(const ts_figure *f, const ts_bench_case *c)
 	return sum;
 }
 
-static double cube_side(const ts_figure *f, const ts_bench_case *c)
+static double cube_side(const ts_figure *f, const ts_figure_source *c)
 {
 	const ts_measure *m = &c->measures[f->variant];
 	return m->n_in_sight > 0 ? m->mean_diameter : NAN;
 }
 
-static double cubes_in_sight(const ts_figure *f, const ts_bench_case *c) { return c->measures[f->variant].n_in_sight; }
+static double cubes_in_sight(const ts_figure *f, const ts_figure_source *c)
+{
+	return c->measures[f->variant].n_in_sight;
+}
 
-static double looked(const ts_figure *f, const ts_bench_case *c) { return c->looked[f->variant]; }
+static double looked(const ts_figure *f, const ts_figure_source *c)
+{
+	return c->looked != NULL ? c->looked[f->variant] : NAN;
+}
 
-static double pixels_seen(const ts_figure *f, const ts_bench_case *c)
+static double pixels_seen(const ts_figure *f, const ts_figure_source *c)
 {
 	const ts_picture *image = &c->images[f->variant];
-	size_t n = 0, n_pixels = (size_t)TS_PARAM(&c->params, width) * TS_PARAM(&c->params, height);
+	size_t n = 0, n_pixels = (size_t)TS_PARAM(c->params, width) * TS_PARAM(c->params, height);
 	for (size_t i = 0; image->seen != NULL && i < n_pixels; i++) n += image->seen[i];
 	return image->seen != NULL ? (double)n : NAN;
 }
 
 /* The two pictures of an error; false: one is missing. */
-static bool pictures(const ts_figure *f, const ts_bench_case *c, const ts_picture **image, const ts_picture **other)
+static bool pictures(const ts_figure *f, const ts_figure_source *c, const ts_picture **image, const ts_picture **other)
 {
 	*image = &c->images[f->variant];
-	*other = f->other == TS_FIGURE_TO_TRUTH ? &c->truth : &c->images[f->other];
+	*other = f->other >= TS_FIGURE_TRUTHS ? &c->truths[f->other - TS_FIGURE_TRUTHS] : &c->images[f->other];
 	return (*image)->srgb != NULL && (*other)->srgb != NULL;
 }
 
-static ts_metrics errors(const ts_figure *f, const ts_bench_case *c)
+static ts_metrics errors(const ts_figure *f, const ts_figure_source *c)
 {
 	const ts_picture *image, *other;
 	if (!pictures(f, c, &image, &other)) return (ts_metrics){.psnr = NAN, .ssim = NAN, .rmse = NAN};
-	return ts_metrics_compare(other->srgb, image->srgb, NULL, TS_PARAM(&c->params, width),
-	                          TS_PARAM(&c->params, height));
+	return ts_picture_metrics(other, image, NULL, c->params);
 }
 
-static double rmse(const ts_figure *f, const ts_bench_case *c) { return errors(f, c).rmse; }
-static double psnr(const ts_figure *f, const ts_bench_case *c) { return errors(f, c).psnr; }
-static double ssim(const ts_figure *f, const ts_bench_case *c) { return errors(f, c).ssim; }
+static double rmse(const ts_figure *f, const ts_figure_source *c) { return errors(f, c).rmse; }
+static double psnr(const ts_figure *f, const ts_figure_source *c) { return errors(f, c).psnr; }
+static double ssim(const ts_figure *f, const ts_figure_source *c) { return errors(f, c).ssim; }
 
-static double flicker(const ts_figure *f, const ts_bench_case *c)
+static double flicker(const ts_figure *f, const ts_figure_source *c)
 {
-	const ts_picture *image = &c->images[f->variant], *other = &c->images[f->other];
-	if (f->other == TS_FIGURE_TO_TRUTH || image->before == NULL || other->before == NULL) return NAN;
-	return ts_metrics_flicker(other->before, other->srgb, image->before, image->srgb, NULL, TS_PARAM(&c->params, width),
-	                          TS_PARAM(&c->params, height));
+	const ts_picture *image, *other;
+	if (!pictures(f, c, &image, &other)) return NAN;
+	if (image->before == NULL || other->before == NULL) return NAN;
+	return ts_metrics_flicker(other->before, other->srgb, image->before, image->srgb, NULL, TS_PARAM(c->params, width),
+	                          TS_PARAM(c->params, height));
 }
 
 /* An image's own change is measured against a constant reference. */
-static double change(const ts_figure *f, const ts_bench_case *c)
+static double change(const ts_figure *f, const ts_figure_source *c)
 {
-	return ts_picture_change(&c->images[f->variant], NULL, &c->params);
+	return ts_picture_change(&c->images[f->variant], NULL, c->params);
 }
 
 /* Of all pixels with a surface, or of those in `only`; false: a picture is missing. */
-static bool light(const ts_figure *f, const ts_bench_case *c, const u8 *only, ts_light_metrics *found)
+static bool light(const ts_figure *f, const ts_figure_source *c, const u8 *only, ts_light_metrics *found)
 {
 	const ts_picture *image, *other;
 	if (!pictures(f, c, &image, &other)) return false;
 	*found = ts_metrics_light(other->radiance, image->radiance, only != NULL ? only : image->seen,
-	                          TS_PARAM(&c->params, width), TS_PARAM(&c->params, height));
+	                          TS_PARAM(c->params, width), TS_PARAM(c->params, height));
 	return true;
 }
 
 /* NaN where the error is infinite. */
 static double known(double value) { return isfinite(value) ? value : NAN; }
 
-static double relative(const ts_figure *f, const ts_bench_case *c)
+static double relative(const ts_figure *f, const ts_figure_source *c)
 {
 	ts_light_metrics all;
 	return light(f, c, NULL, &all) ? known(all.relative) : NAN;
 }
 
-static double near(const ts_figure *f, const ts_bench_case *c)
+static double near(const ts_figure *f, const ts_figure_source *c)
 {
 	ts_light_metrics part;
 	const u8 *only = c->images[f->variant].near;
 	return only != NULL && light(f, c, only, &part) ? known(part.relative) : NAN;
 }
 
-static double elsewhere(const ts_figure *f, const ts_bench_case *c)
+static double elsewhere(const ts_figure *f, const ts_figure_source *c)
 {
 	ts_light_metrics part;
 	const u8 *only = c->images[f->variant].elsewhere;
 	return only != NULL && light(f, c, only, &part) ? known(part.relative) : NAN;
 }
 
-static double near_share(const ts_figure *f, const ts_bench_case *c)
+static double near_share(const ts_figure *f, const ts_figure_source *c)
 {
 	ts_light_metrics all, part;
 	const u8 *only = c->images[f->variant].near;
@@ -165,7 +177,7 @@ static double near_share(const ts_figure *f, const ts_bench_case *c)
 	return known(100 * (double)part.pixels / (double)all.pixels);
 }
 
-static double near_error(const ts_figure *f, const ts_bench_case *c)
+static double near_error(const ts_figure *f, const ts_figure_source *c)
 {
 	ts_light_metrics all, part;
 	const u8 *only = c->images[f->variant].near;
@@ -173,25 +185,25 @@ static double near_error(const ts_figure *f, const ts_bench_case *c)
 	return known(100 * part.squares / all.squares);
 }
 
-static double median(const ts_figure *f, const ts_bench_case *c)
+static double median(const ts_figure *f, const ts_figure_source *c)
 {
 	ts_light_metrics all;
 	return light(f, c, NULL, &all) ? known(all.median) : NAN;
 }
 
-static double beyond(const ts_figure *f, const ts_bench_case *c)
+static double beyond(const ts_figure *f, const ts_figure_source *c)
 {
 	ts_light_metrics all;
 	return light(f, c, NULL, &all) ? known(100 * all.beyond) : NAN;
 }
 
-static double unlit(const ts_figure *f, const ts_bench_case *c)
+static double unlit(const ts_figure *f, const ts_figure_source *c)
 {
 	ts_light_metrics all;
 	return light(f, c, NULL, &all) ? (double)all.unlit : NAN;
 }
 
-static double given(const ts_figure *f, const ts_bench_case *c)
+static double given(const ts_figure *f, const ts_figure_source *c)
 {
 	ts_light_metrics all;
 	return light(f, c, NULL, &all) ? known(100 * all.given) : NAN;
@@ -236,7 +248,17 @@ const ts_figure_row ts_figure_rows[] = {
 	{0},
 };
 
-double ts_figure_value(const ts_figure *figure, const ts_bench_case *c)
+static bool is_there(const ts_figure *figure, const ts_figure_source *c)
 {
-	return figure->row->of_case || c->methods[figure->variant] != NULL ? figure->row->value(figure, c) : NAN;
+	return figure->row->of_case || c->methods[figure->variant] != NULL;
+}
+
+double ts_figure_error(const ts_figure *figure, const ts_figure_source *source)
+{
+	return figure->row->value == rmse && is_there(figure, source) ? errors(figure, source).rmse_error : 0;
+}
+
+double ts_figure_value(const ts_figure *figure, const ts_figure_source *source)
+{
+	return is_there(figure, source) ? figure->row->value(figure, source) : NAN;
 }

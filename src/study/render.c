@@ -1,8 +1,8 @@
 /* One render: runs its methods and truths, and compares the results. */
+#include "study/render.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "cli/render.h"
 #include "scene/sources.h"
 #include "study/asked/reads.h"
 
@@ -83,21 +83,9 @@ static ts_status run_method(ts_render *render, u32 i)
 	return ts_measure_run(measure, render->methods[i], render->scene, &job->params, &job->how, take_picture, &after);
 }
 
-static const u8 *srgb_of(const ts_picture *picture)
-{
-	return picture->chosen != NULL ? picture->all_srgb : picture->srgb;
-}
-
 static const f32 *radiance_of(const ts_picture *picture)
 {
 	return picture->chosen != NULL ? picture->all_radiance : picture->radiance;
-}
-
-/* The chosen pixels of two pictures: the smaller chance chose from both. */
-static const u8 *chosen_of(const ts_picture *a, const ts_picture *b)
-{
-	if (a->chosen == NULL || b->chosen == NULL) return a->chosen != NULL ? a->chosen : b->chosen;
-	return a->sampling.chance < b->sampling.chance ? a->chosen : b->chosen;
 }
 
 /* Errors over a mask. Estimates use its chosen pixels, which are marked in `room`. A relative RMSE depends on a few
@@ -141,25 +129,17 @@ static void compare_change(ts_pair *pair, const u8 *mirrors_still, const ts_para
 	pair->reflective_flicker = known && mirrors_still != NULL ? flicker(pair, mirrors_still, p) : NAN;
 }
 
-static ts_metrics metrics_of(const ts_pair *pair, const u8 *mask, const ts_params *p)
-{
-	const ts_picture *a = pair->reference, *b = pair->image;
-	u32 width = TS_PARAM(p, width), height = TS_PARAM(p, height);
-	const ts_metrics_part part = {a->srgb, b->srgb, srgb_of(a), srgb_of(b), pair->chosen};
-	return pair->chosen != NULL ? ts_metrics_estimate(&part, mask, width, height)
-	                            : ts_metrics_compare(a->srgb, b->srgb, mask, width, height);
-}
-
 static ts_status compare(ts_render *render, const ts_picture *reference, const ts_picture *image, const char *share)
 {
 	const ts_params *p = &render->job->params;
 	if (reference->srgb == NULL || image->srgb == NULL || render->n_pairs == TS_MAX_PAIRS) return TS_OK;
 	ts_pair *pair = &render->pairs[render->n_pairs++];
 	*pair = (ts_pair){.reference = reference, .image = image, .share = share};
-	pair->chosen = chosen_of(reference, image);
-	pair->all = metrics_of(pair, NULL, p);
+	pair->chosen = ts_picture_chosen(reference, image);
+	pair->all = ts_picture_metrics(reference, image, NULL, p);
 	compare_change(pair, render->mirrors_still, p);
-	if (render->mirrors != NULL) pair->reflective = metrics_of(pair, render->mirrors->reflective, p);
+	if (render->mirrors != NULL)
+		pair->reflective = ts_picture_metrics(reference, image, render->mirrors->reflective, p);
 	return compare_light(pair, p);
 }
 
@@ -215,8 +195,9 @@ ts_status ts_render_open(ts_render *render)
 {
 	const ts_job *job = render->job;
 	ts_status status = TS_OK;
-	if (render->scene == NULL) status = ts_scene_load(&render->scene, job->scenes, &job->params, &job->scene.options);
+	if (render->scene == NULL) status = ts_scene_load(&render->own, job->scenes, &job->params, &job->scene.options);
 	if (status != TS_OK) return status;
+	if (render->scene == NULL) render->scene = render->own;
 	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, job->truths, render->scene,
 	                           &job->params);
 }
@@ -232,23 +213,28 @@ void ts_render_clear(ts_render *render)
 	render->n_pairs = 0;
 }
 
-static void release(ts_render *render)
+ts_status ts_render_begin(ts_render *render, const ts_job *job)
+{
+	render->job = job;
+	render->effect = job->effect;
+	render->folder = "";
+	return ts_methods_find(render->methods, &render->n_methods, render->effect, job->method);
+}
+
+void ts_render_end(ts_render *render)
 {
 	ts_render_clear(render);
 	for (u32 i = 0; i < TS_MAX_METHODS; i++) free(render->histories[i].n);
-	ts_scene_free(render->scene);
-	free(render);
+	ts_scene_free(render->own);
 }
 
 ts_status ts_render_with(const ts_job *job, ts_status (*with)(ts_render *render, void *user), void *user)
 {
 	ts_render *render = ts_alloc_zero(1, sizeof *render, "a render");
 	if (render == NULL) return TS_ERROR;
-	render->job = job;
-	render->effect = job->effect;
-	render->folder = "";
-	ts_status status = ts_methods_find(render->methods, &render->n_methods, render->effect, job->method);
+	ts_status status = ts_render_begin(render, job);
 	if (status == TS_OK) status = with(render, user);
-	release(render);
+	ts_render_end(render);
+	free(render);
 	return status;
 }

@@ -1,5 +1,5 @@
 /* Finds what a name in an expression stands for. */
-#include "study/tables/name.h"
+#include "study/figure_name.h"
 #include <string.h>
 #include "study/asked/words.h"
 
@@ -36,6 +36,13 @@ static bool is_stages(ts_figure *figure, const ts_name_scope *scope)
 	return ts_stage_find(figure->what) != NULL;
 }
 
+static u32 find_image(const ts_name_scope *scope, const char *name)
+{
+	for (u32 t = 0; scope->truths[t] != NULL; t++)
+		if (strcmp(scope->truths[t], name) == 0) return TS_FIGURE_TRUTHS + t;
+	return ts_name_variant(scope, name, strlen(name));
+}
+
 /* Why there is no such object; NULL: there is. */
 static const char *find_object(ts_figure *figure, const ts_name_scope *scope)
 {
@@ -46,8 +53,8 @@ static const char *find_object(ts_figure *figure, const ts_name_scope *scope)
 		return is_stages(figure, scope) || is_buffer(name) ? NULL : "no buffer, no stage, and no list of stages";
 	case TS_FIGURE_OF_PARAM: return ts_name_is_param(name) ? NULL : "no parameter";
 	case TS_FIGURE_OF_IMAGE:
-		figure->other = strcmp(name, "truth") == 0 ? TS_FIGURE_TO_TRUTH : ts_name_variant(scope, name, strlen(name));
-		return figure->other != TS_NONE ? NULL : "no variant above, and not \"truth\"";
+		figure->other = find_image(scope, name);
+		return figure->other != TS_NONE ? NULL : "no variant, and no truth";
 	default: return NULL; /* counters are known when a method has run */
 	}
 }

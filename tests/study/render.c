@@ -1,6 +1,6 @@
 /* Pictures of a render that are compared: which with which, and over which pixels. */
 #include <math.h>
-#include "cli/render.h"
+#include "study/render.h"
 #include "tests/model/test.h"
 
 enum { WIDTH = 16, HEIGHT = 12, PIXELS = WIDTH * HEIGHT };

@@ -1,5 +1,5 @@
 /* The truths of a render. */
-#include "cli/render.h"
+#include "study/render.h"
 
 /* Whether the truth at that row is asked for and not yet made. */
 static bool lacks(const ts_render *render, u32 truth)

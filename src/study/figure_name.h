@@ -1,7 +1,7 @@
 /* Finds what a name in an expression stands for: `epr.ms.frame`. */
-#ifndef TS_STUDY_TABLES_NAME_H
-#define TS_STUDY_TABLES_NAME_H
-#include "study/tables/figure.h"
+#ifndef TS_STUDY_FIGURE_NAME_H
+#define TS_STUDY_FIGURE_NAME_H
+#include "study/figure.h"
 
 /* A list of stages or buffers by one name. */
 typedef struct {
@@ -10,7 +10,7 @@ typedef struct {
 
 /* What names may refer to. */
 typedef struct {
-	const char *const *variants; /* names */
+	const char *const *variants, *const *truths; /* names; truths ended by NULL */
 	u32 n_variants;
 	const ts_named_list *lists;
 	u32 n_lists;

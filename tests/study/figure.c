@@ -1,12 +1,14 @@
 /* Figures of a case by their names: those of the scene and of every parameter, and of variants. */
 #include <math.h>
 #include <stdlib.h>
-#include "study/tables/name.h"
+#include "study/bench_case.h"
+#include "study/figure_name.h"
 #include "tests/model/test.h"
 
 static const char *const variants[] = {"one", "two"};
 static const ts_named_list lists[] = {{"both", "splat,lookup"}};
-static const ts_name_scope scope = {variants, 2, lists, 1};
+static const char *const truths[] = {"other", "truth", NULL};
+static const ts_name_scope scope = {variants, truths, 2, lists, 1};
 
 static ts_bench_case *make_case(ts_scene *scene)
 {
@@ -24,7 +26,10 @@ static double value_of(const char *name, const ts_bench_case *c)
 {
 	ts_figure figure;
 	if (ts_name_find(&figure, &scope, name) != TS_OK) fail_msg("%s", ts_error_message());
-	return ts_figure_value(&figure, c);
+	ts_picture two[2] = {{.srgb = NULL}, c->truth};
+	ts_figure_source source = ts_bench_case_source(c);
+	source.truths = two;
+	return ts_figure_value(&figure, &source);
 }
 
 static void every_parameter_is_measured_by_its_name(void **state)
@@ -79,6 +84,7 @@ static void errors_are_to_the_named_picture(void **state)
 	c->images[1].srgb = b;
 	c->truth.srgb = truth;
 	assert_true(value_of("one.rmse.two", c) == 1 && value_of("one.rmse.truth", c) == 3);
+	assert_true(isnan(value_of("one.rmse.other", c)));
 	assert_true(value_of("one.rmse.one", c) == 0 && isnan(value_of("two.rmse.one", c)));
 	c->truth.srgb = NULL;
 	assert_true(isnan(value_of("one.rmse.truth", c)));
@@ -97,7 +103,7 @@ static void a_name_that_is_none_is_refused(void **state)
 		{"one.rmse", "a variant has no such figure"},
 		{"one.rmse.", "a variant has no such figure"},
 		{"one.ms.frames", "frames is no stage"},
-		{"one.rmse.three", "three is no variant"},
+		{"one.rmse.three", "three is no variant, and no truth"},
 		{"one.bytes.nothing", "nothing is no buffer"},
 		{"param.widths", "widths is no parameter"},
 		{"one.scene.triangles", "a variant has no such figure"},
