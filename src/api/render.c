@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <touchstone/render.h>
 #include "api/api.h"
-#include "study/figure_name.h"
+#include "study/figure.h"
 #include "study/render.h"
 
 /* A figure that callers hold. */

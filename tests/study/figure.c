@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "study/bench_case.h"
-#include "study/figure_name.h"
+#include "study/figure.h"
 #include "tests/model/test.h"
 
 static const char *const variants[] = {"one", "two"};

@@ -1,6 +1,6 @@
 /* The columns of a table. */
-#include "study/tables/column.h"
 #include <math.h>
+#include "study/tables/paper.h"
 
 void ts_bench_derive(double *values, const double *measured, const double *before, const ts_bench_figure *figures)
 {

@@ -1,7 +1,7 @@
 /* What readers of lines share: the texts that are made, the table that is read, and where. */
 #ifndef TS_STUDY_TABLES_READER_H
 #define TS_STUDY_TABLES_READER_H
-#include "study/figure_name.h"
+#include "study/figure.h"
 #include "study/tables/cursor.h"
 #include "study/tables/text.h"
 
