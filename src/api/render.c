@@ -30,7 +30,7 @@ struct ts_rendering {
 
 static ts_name_scope scope_of(const ts_rendering *r)
 {
-	return (ts_name_scope){r->methods, r->truths, r->render.n_methods, NULL, 0};
+	return (ts_name_scope){r->methods, r->truths, r->render.n_methods, NULL, 0, false};
 }
 
 static ts_figure_source source_of(const ts_rendering *r)

@@ -21,6 +21,7 @@ typedef struct {
 	const char *set; /* "NAME=VALUE,..." */
 	bool seen;       /* its image is kept */
 	ts_bench_runs runs;
+	const char *name; /* in its table */
 } ts_bench_variant;
 
 typedef struct {

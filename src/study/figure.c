@@ -314,7 +314,8 @@ static const char *find_object(ts_figure *figure, const ts_name_scope *scope)
 	case TS_FIGURE_OF_PARAM: return ts_name_is_param(name) ? NULL : "no parameter";
 	case TS_FIGURE_OF_IMAGE:
 		figure->other = find_image(scope, name);
-		return figure->other != TS_NONE ? NULL : "no variant, and no truth";
+		if (figure->other != TS_NONE) return NULL;
+		return scope->own_truth ? "no variant; the table's truth is \"truth\"" : "no variant, and no truth";
 	default: return NULL; /* counters are known when a method has run */
 	}
 }

@@ -66,6 +66,7 @@ typedef struct {
 	u32 n_variants;
 	const ts_named_list *lists;
 	u32 n_lists;
+	bool own_truth; /* there is one, "truth" */
 } ts_name_scope;
 
 /* The number of a variant, or TS_NONE. */

@@ -8,7 +8,7 @@
 static const char *const variants[] = {"one", "two"};
 static const ts_named_list lists[] = {{"both", "splat,lookup"}};
 static const char *const truths[] = {"other", "truth", NULL};
-static const ts_name_scope scope = {variants, truths, 2, lists, 1};
+static const ts_name_scope scope = {variants, truths, 2, lists, 1, false};
 
 static ts_bench_case *make_case(ts_scene *scene)
 {

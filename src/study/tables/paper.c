@@ -76,6 +76,28 @@ static void derive(double *values, const double *measured, const double *before,
 	ts_bench_derive(values, measured, before, figures);
 }
 
+static bool is_counted(const ts_figure *figure, const ts_bench_case *c)
+{
+	bool counted = false;
+	for (u32 v = 0; v < c->n_variants && !counted; v++) {
+		const ts_measure *m = &c->measures[v];
+		for (u32 i = 0; i < m->n_counters && !counted; i++) {
+			char name[64];
+			ts_figure_counter(name, sizeof name, m->counters[i].name);
+			counted = strcmp(name, figure->what) == 0;
+		}
+	}
+	return counted;
+}
+
+/* A counter that no variant has may be misspelt. */
+static void say_uncounted(const ts_figure *measured, const ts_bench_case *c)
+{
+	for (; measured->row != NULL; measured++)
+		if (measured->row->object == TS_FIGURE_OF_COUNTER && !is_counted(measured, c))
+			ts_say("bench: no variant has a counter \"%s\"; `touchstone render --json` has all", measured->what);
+}
+
 /* Means over the frames of a run. Only times differ from the first run's, which alone has pictures. */
 static ts_status run_frames(double *means, ts_paper_line *line, u32 run, ts_bench_case *c, const work *w)
 {
@@ -89,6 +111,7 @@ static ts_status run_frames(double *means, ts_paper_line *line, u32 run, ts_benc
 		ts_frames_set(&c->params, &w->job->frames, k);
 		status = ts_bench_case_run(c, run);
 		if (status != TS_OK) break;
+		if (run == 0 && k == 0) say_uncounted(measured, c);
 		for (u32 i = 0; measured[i].row != NULL; i++) {
 			frame[i] = ts_figure_value(&measured[i], &source);
 			ts_frame_spread_add(&mean[i], frame[i], TS_PARAM(&c->params, frame));
@@ -246,7 +269,8 @@ static ts_status measure_lines(work *w, ts_report *report)
 	return ts_bench_scenes(w->job, w->table->scenes, w->table->models, report, add_scene, w);
 }
 
-static const ts_column variant_columns[] = {{"method", "method", false}, {"set", "set for it", false}, {0}};
+static const ts_column variant_columns[] = {
+	{"variant", "variant", false}, {"method", "method", false}, {"set", "set for it", false}, {0}};
 
 static void report_variants(ts_report *report, const ts_paper_table *table)
 {
@@ -255,6 +279,7 @@ static void report_variants(ts_report *report, const ts_paper_table *table)
 		char set[128];
 		const char *how = v->runs == TS_ALONE ? "one thread" : v->runs == TS_FIRST ? "the first frame" : "";
 		snprintf(set, sizeof set, "%s%s%s", v->set, v->set[0] != 0 && how[0] != 0 ? "; " : "", how);
+		ts_table_text(&t, v->name);
 		ts_table_text(&t, v->method);
 		ts_table_text(&t, set);
 	}

@@ -60,6 +60,7 @@ typedef struct {
 	double low, high; /* bounds; TS_RISES_WITH: low is the other figure */
 	u32 given;        /* TS_NO_FIGURE: all rows */
 	double least, most;
+	bool falls;          /* TS_RISES_WITH: the figure falls instead as the other rises */
 	const char *because; /* printed with figure `cause` where the relation does not hold */
 	u32 cause;
 } ts_paper_relation;

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "study/tables/reader.h"
 
-/* `at most N`, `at least N`, `from N to N`, `rises with FIGURE`, `grows N`, `steady N` */
+/* `at most N`, `at least N`, `from N to N`, `rises|falls with FIGURE`, `grows N`, `steady N` */
 static void take_bound(ts_table_reader *r, ts_paper_relation *c)
 {
 	const char *word = ts_cursor_word(&r->c, "a bound");
@@ -18,8 +18,9 @@ static void take_bound(ts_table_reader *r, ts_paper_relation *c)
 		c->low = ts_cursor_number(&r->c);
 		ts_cursor_expect(&r->c, "to");
 		c->high = ts_cursor_number(&r->c);
-	} else if (strcmp(word, "rises") == 0) {
+	} else if (strcmp(word, "rises") == 0 || strcmp(word, "falls") == 0) {
 		c->kind = TS_RISES_WITH;
+		c->falls = *word == 'f';
 		ts_cursor_expect(&r->c, "with");
 		c->low = ts_take_key(r);
 	} else if (strcmp(word, "grows") == 0) {
@@ -29,7 +30,8 @@ static void take_bound(ts_table_reader *r, ts_paper_relation *c)
 		c->kind = TS_STEADY;
 		c->high = ts_cursor_number(&r->c);
 	} else {
-		ts_cursor_wrong(&r->c, word, "\"%s\": at most, at least, from, rises, grows or steady is expected", word);
+		ts_cursor_wrong(&r->c, word, "\"%s\": at most, at least, from, rises, falls, grows or steady is expected",
+		                word);
 	}
 }
 

@@ -7,7 +7,7 @@
 ts_name_scope ts_table_scope(const ts_table_reader *r)
 {
 	static const char *const truths[] = {"truth", NULL};
-	return (ts_name_scope){r->t->names, truths, r->t->n_variants, r->texts->lists, r->texts->n_lists};
+	return (ts_name_scope){r->t->names, truths, r->t->n_variants, r->texts->lists, r->texts->n_lists, true};
 }
 
 /* The place of the next of `n`, of which there are at most so many. */

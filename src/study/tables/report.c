@@ -149,7 +149,7 @@ static void rising_row(ts_table *t, const ts_paper_table *table, const ts_paper_
 			double both =
 				(lines[i].here[r->figure] - lines[j].here[r->figure]) * (lines[i].here[other] - lines[j].here[other]);
 			pairs += both > 0 || both < 0;
-			rise += both > 0;
+			rise += r->falls ? both < 0 : both > 0;
 		}
 	}
 	if (pairs == 0) return;

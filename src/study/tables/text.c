@@ -93,7 +93,7 @@ static void take_variant(ts_table_reader *r)
 	if (ts_name_variant(&scope, name, strlen(name)) != TS_NONE)
 		ts_cursor_wrong(&r->c, name, "the variant \"%s\" stands above", name);
 	ts_cursor_expect(&r->c, "=");
-	ts_bench_variant v = {.method = ts_cursor_word(&r->c, "a method"), .set = ""};
+	ts_bench_variant v = {.method = ts_cursor_word(&r->c, "a method"), .set = "", .name = name};
 	if (!is_method(v.method))
 		ts_cursor_wrong(&r->c, v.method, "no method \"%s\"; `touchstone list methods` lists all", v.method);
 	while (!ts_cursor_ended(&r->c)) take_option(r, &v, ts_cursor_more(&r->c));

@@ -13,7 +13,8 @@ static const char text[] =
 	"claim \"a count\" count at least 5 else ours: few\n"
 	"claim \"a count by the paper's\" count from 0.5 to 2 of paper beside ms else ours: fewer\n"
 	"claim \"a rate, from row to row\" rate grows 1 beside ms else ours: falls\n"
-	"claim \"times with counts\" ms rises with count beside ms else ours: they fall\n";
+	"claim \"times with counts\" ms rises with count beside ms else ours: they fall\n"
+	"claim \"times against counts\" ms falls with count beside ms else ours: they rise\n";
 static ts_table_texts *texts;
 static const ts_paper_table *table;
 
@@ -34,7 +35,7 @@ static int end(void **state)
 }
 
 /* The verdicts of two rows, in the order of the relations. */
-static void check(double others, const char *const wanted[7])
+static void check(double others, const char *const wanted[8])
 {
 	ts_report report;
 	ts_report_begin(&report, true);
@@ -47,8 +48,8 @@ static void check(double others, const char *const wanted[7])
 	lines[0].paper[COUNT] = 10; /* the other row has none */
 	ts_paper_report(&report, table, lines, 2);
 	const json_t *found = json_object_get(report.root, "relations");
-	assert_int_equal(json_array_size(found), 7);
-	for (size_t i = 0; i < 7; i++) {
+	assert_int_equal(json_array_size(found), 8);
+	for (size_t i = 0; i < 8; i++) {
 		const char *verdict = json_string_value(json_object_get(json_array_get(found, i), "verdict"));
 		if (strncmp(verdict, wanted[i], strlen(wanted[i])) != 0) fail_msg("%zu: %s, not %s", i, verdict, wanted[i]);
 	}
@@ -61,11 +62,16 @@ static void check(double others, const char *const wanted[7])
 static void times_of_busy_machines_are_not_judged(void **state)
 {
 	(void)state;
-	const char *const quiet[7] = {
-		"differs: ours: slow",     "holds", "differs: ours: few", "holds", "differs: ours: fewer (ms 20 here)", "holds",
-		"differs: ours: they fall"};
-	const char *const busy[7] = {"not judged: others used", "holds",      "differs: ours: few", "holds",
-	                             "differs: ours: fewer",    "not judged", "not judged"};
+	const char *const quiet[8] = {"differs: ours: slow",
+	                              "holds",
+	                              "differs: ours: few",
+	                              "holds",
+	                              "differs: ours: fewer (ms 20 here)",
+	                              "holds",
+	                              "differs: ours: they fall",
+	                              "holds"};
+	const char *const busy[8] = {"not judged: others used", "holds",      "differs: ours: few", "holds",
+	                             "differs: ours: fewer",    "not judged", "not judged",         "not judged"};
 	check(0, quiet);
 	check(NAN, quiet);
 	check(ts_busy_limit(), quiet);

@@ -46,12 +46,13 @@ static void a_mistake_is_said_with_its_place(void **state)
 		{HEAD EPR "figure a \"A\" 2 = ", "my.table:5:17: an expression is expected"},
 		{HEAD EPR "figure a \"A\" 2 = 1 + (2", "my.table:5:24: a ')' is missing"},
 		{HEAD EPR "figure a \"A\" 2 = epr.ms.nothing", "my.table:5:18: nothing is no stage"},
+		{HEAD EPR "figure a \"A\" 2 = epr.rmse.A", "my.table:5:18: A is no variant; the table's truth is \"truth\""},
 		{HEAD EPR "figure a \"A\" 2 = b", "my.table:5:18: b: no figure or variant above begins so"},
 		{HEAD EPR "figure a \"A\" 2 = 1\nfigure a \"A\" 2 = 1", "my.table:6:8: the figure \"a\" stands above"},
 		{HEAD EPR PART "\tpoint", "my.table:7:2: no figure \"point\" above; the nearest is points"},
 		{HEAD EPR PART "part one \"Again\"", "my.table:7:6: the part \"one\" stands above"},
 		{HEAD EPR PART "claim \"c\" points", "my.table:7:17: a bound is expected"},
-		{HEAD EPR PART "claim \"c\" points near 4", "my.table:7:18: \"near\": at most, at least, from, rises,"},
+		{HEAD EPR PART "claim \"c\" points near 4", "my.table:7:18: \"near\": at most, at least, from, rises, falls,"},
 		{HEAD EPR PART "claim \"c\" points at best 4", "my.table:7:21: \"most\" or \"least\" is expected"},
 		{HEAD EPR PART "claim \"c\" points at most inf", "my.table:7:26: \"inf\" is no number"},
 		{HEAD EPR PART "claim \"c\" points at most 4 today",
@@ -93,7 +94,7 @@ static void a_table_has_what_its_text_says(void **state)
 		"objects mirrors reflectors.count 1,2 50\nobjects \"sizes\" size 8x8\nlook projected_size\ntruth A\n" EPR
 		"variant slow = mvr long seed=2\n" PART "\tms \"Time\" 2 = epr.ms.both\n\ttwice \"\" 1 = 2 * ms\n"
 		"claim \"c\" points from 1 to 2 of paper where twice from 3 to 4 beside ms else ours: because\n"
-		"claim \"d\" ms rises with points\nnearest points\npaper twice points\n\t\"No 1\" atrium sponza 10 - 2e3\r\n"
+		"claim \"d\" ms falls with points\nnearest points\npaper twice points\n\t\"No 1\" atrium sponza 10 - 2e3\r\n"
 		"picture p = slow\nplot \"x\" \"y\" rising points ms\nshows EPR \"table 1\" \"what\" in small \"c|d\"\n");
 	const ts_bench_row *row = ts_table_texts_at(texts, 0);
 	const ts_paper_table *of = row->paper;
@@ -109,7 +110,8 @@ static void a_table_has_what_its_text_says(void **state)
 	assert_true(c->kind == TS_OF_PAPER && c->low == 1 && c->high == 2 && c->figure == 0);
 	assert_true(c->given == 2 && c->least == 3 && c->most == 4 && c->cause == 1);
 	assert_string_equal(c->because, "ours: because");
-	assert_true(c[1].kind == TS_RISES_WITH && c[1].low == 0 && c[1].given == TS_NO_FIGURE && c[2].text == NULL);
+	assert_true(c[1].kind == TS_RISES_WITH && c[1].falls && c[1].low == 0 && c[1].given == TS_NO_FIGURE &&
+	            c[2].text == NULL);
 	assert_true(of->rows[0].objects == 10 && isnan(of->rows[0].figures[2]) && of->rows[0].figures[0] == 2000);
 	assert_string_equal(of->rows[0].name, "No 1");
 	assert_true(of->nearest == 0 && of->pictures[0].variant == 1 && of->plot->rises && of->plot->curves[0] == 1);

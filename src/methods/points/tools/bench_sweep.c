@@ -18,9 +18,9 @@ static const char *const curves[] = {"EPR, 25 samples", "EPR, adaptive samples",
                                      "EPR, mirrors as balls"};
 
 /* clang-format off */
-#define EPR(rho, samples) { "epr", "density.scale=" rho ",lookup.samples=" samples, true, TS_TIMED }
-#define BALL(rho) { "epr", "density.mirror=ball,density.scale=" rho, true, TS_TIMED }
-#define MVR(px, filter) { "mvr", "cube.max_px=" px ",mvr.filter=" filter, true, TS_TIMED }
+#define EPR(rho, samples) { "epr", "density.scale=" rho ",lookup.samples=" samples, true, TS_TIMED, NULL }
+#define BALL(rho) { "epr", "density.mirror=ball,density.scale=" rho, true, TS_TIMED, NULL }
+#define MVR(px, filter) { "mvr", "cube.max_px=" px ",mvr.filter=" filter, true, TS_TIMED, NULL }
 /* clang-format on */
 
 /* clang-format off */
