@@ -91,10 +91,10 @@ void ts_take_paper(ts_table_reader *r)
 void ts_add_to_paper(ts_table_reader *r)
 {
 	ts_one_table *t = r->t;
-	ts_paper_row row = {.name = ts_cursor_word(&r->c, "a scene"),
-	                    .builtin = ts_cursor_word(&r->c, "a built-in scene"),
-	                    .file = ts_cursor_word(&r->c, "the beginning of a file's name"),
-	                    .objects = ts_cursor_count(&r->c, TS_NONE - 1)};
+	ts_paper_row row = {.name = ts_cursor_word(&r->c, "a scene")};
+	row.builtin = ts_cursor_word(&r->c, "a built-in scene");
+	row.file = ts_cursor_word(&r->c, "the beginning of a file's name");
+	row.objects = ts_cursor_count(&r->c, TS_NONE - 1);
 	for (u32 i = 0; i < TS_BENCH_FIGURES; i++) row.figures[i] = NAN;
 	for (u32 k = 0; k < t->n_printed; k++) {
 		if (!ts_cursor_ended(&r->c) && strcspn(r->c.at, " \t") == 1 && *r->c.at == '-') {

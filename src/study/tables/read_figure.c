@@ -10,7 +10,6 @@ ts_name_scope ts_table_scope(const ts_table_reader *r)
 	return (ts_name_scope){r->t->names, truths, r->t->n_variants, r->texts->lists, r->texts->n_lists, true};
 }
 
-/* The place of the next of `n`, of which there are at most so many. */
 u32 ts_take_next(ts_table_reader *r, u32 *n, u32 most, const char *what)
 {
 	if (*n == most) ts_cursor_wrong(&r->c, r->c.begin, "more than %u %s", (unsigned)most, what);
@@ -89,7 +88,8 @@ static void define(ts_table_reader *r, const char *key)
 	ts_one_table *t = r->t;
 	const char *at;
 	if (find_figure(t, key, strlen(key)) != TS_NONE) ts_cursor_wrong(&r->c, key, "the figure \"%s\" stands above", key);
-	ts_bench_figure f = {.key = key, .head = ts_cursor_word(&r->c, "a column's head"), .decimals = decimals(r)};
+	ts_bench_figure f = {.key = key, .head = ts_cursor_word(&r->c, "a column's head")};
+	f.decimals = decimals(r);
 	if (strlen(f.head) > TS_PAPER_HEAD)
 		ts_cursor_wrong(&r->c, f.head, "a head has at most %d characters", TS_PAPER_HEAD);
 	ts_cursor_expect(&r->c, "=");
@@ -113,7 +113,8 @@ void ts_take_figure(ts_table_reader *r) { define(r, ts_cursor_name(&r->c, "a key
 void ts_take_part(ts_table_reader *r)
 {
 	ts_one_table *t = r->t;
-	ts_paper_part part = {.key = ts_cursor_name(&r->c, "a key"), .title = ts_cursor_word(&r->c, "a title")};
+	ts_paper_part part = {.key = ts_cursor_name(&r->c, "a key")};
+	part.title = ts_cursor_word(&r->c, "a title");
 	for (u32 i = 0; i < t->n_parts; i++)
 		if (strcmp(t->parts[i].key, part.key) == 0)
 			ts_cursor_wrong(&r->c, part.key, "the part \"%s\" stands above", part.key);

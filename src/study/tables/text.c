@@ -1,7 +1,6 @@
 /* Reads tables. */
 #include "study/tables/text.h"
 #include <ctype.h>
-#include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -132,7 +131,8 @@ static void take_plot(ts_table_reader *r)
 {
 	ts_paper_plot *plot = &r->t->plot;
 	u32 n = 0;
-	*plot = (ts_paper_plot){.x_axis = ts_cursor_word(&r->c, "a title"), .y_axis = ts_cursor_word(&r->c, "a title")};
+	plot->x_axis = ts_cursor_word(&r->c, "a title");
+	plot->y_axis = ts_cursor_word(&r->c, "a title");
 	const char *word = ts_cursor_word(&r->c, "a figure");
 	plot->rises = strcmp(word, "rising") == 0;
 	plot->x = plot->rises ? ts_take_key(r) : ts_take_key_of(r, word);
@@ -171,12 +171,12 @@ static void take_stages(ts_table_reader *r)
 	r->texts->lists[ts_take_next(r, &r->texts->n_lists, MOST_LISTS, "lists of stages")] = list;
 }
 
-/* `shows PAPER "PLACE" "WHAT" TABLE ["MOST_ROWS"]`, or `shows PAPER "PLACE" "WHAT" by nothing "WHY"` */
+/* `shows PAPER "PLACE" "WHAT" in TABLE ["CLAIM|..."]`, or `not "WHY"` */
 static void take_shows(ts_table_reader *r)
 {
-	ts_claim claim = {.paper = ts_cursor_word(&r->c, "a paper"),
-	                  .place = ts_cursor_word(&r->c, "a place"),
-	                  .shows = ts_cursor_word(&r->c, "what is shown")};
+	ts_claim claim = {.paper = ts_cursor_word(&r->c, "a paper")};
+	claim.place = ts_cursor_word(&r->c, "a place");
+	claim.shows = ts_cursor_word(&r->c, "what is shown");
 	const char *word = ts_cursor_word(&r->c, "\"in\" or \"not\"");
 	if (strcmp(word, "in") == 0) {
 		claim.bench = ts_cursor_name(&r->c, "a table");
@@ -234,36 +234,31 @@ static void take_table(ts_table_reader *r)
 	r->t = texts->tables[at] = t;
 }
 
-/* Lines of a key with a text, a number or nothing behind it. */
+/* Lines of a key with a text behind it, one that sets parameters, a number, or nothing. */
+enum { A_TEXT, A_SET, A_COUNT, A_FLAG };
 static const struct {
 	const char *key;
+	u32 kind;
 	size_t at;
-	bool set; /* parameters */
-} texts_of[] =
-	{
-		{"title", offsetof(ts_one_table, paper.title), false},
-		{"doc", offsetof(ts_one_table, row.doc), false},
-		{"refuses", offsetof(ts_one_table, row.without), false},
-		{"takes", offsetof(ts_one_table, row.takes), false},
-		{"scenes", offsetof(ts_one_table, paper.scenes), false},
-		{"models", offsetof(ts_one_table, paper.models), false},
-		{"alone", offsetof(ts_one_table, paper.alone), false},
-		{"alone_set", offsetof(ts_one_table, paper.alone_set), true},
-		{"set", offsetof(ts_one_table, paper.set), true},
-		{"defaults", offsetof(ts_one_table, paper.defaults), true},
-		{"size", offsetof(ts_one_table, paper.size), true},
-		{"note", offsetof(ts_one_table, paper.note), false},
-		{"truth", offsetof(ts_one_table, paper.judge), false},
-},
-  counts_of[] =
-	  {
-		  {"surfels", offsetof(ts_one_table, paper.sampled), false},
-		  {"long_to", offsetof(ts_one_table, paper.most_long), false},
-},
-  flags_of[] = {
-	  {"timed", offsetof(ts_one_table, paper.timed), false},
-	  {"rays", offsetof(ts_one_table, paper.rays), false},
-	  {"own_camera", offsetof(ts_one_table, paper.own_camera), false},
+} fields[] = {
+	{"title", A_TEXT, offsetof(ts_one_table, paper.title)},
+	{"doc", A_TEXT, offsetof(ts_one_table, row.doc)},
+	{"refuses", A_TEXT, offsetof(ts_one_table, row.without)},
+	{"takes", A_TEXT, offsetof(ts_one_table, row.takes)},
+	{"scenes", A_TEXT, offsetof(ts_one_table, paper.scenes)},
+	{"models", A_TEXT, offsetof(ts_one_table, paper.models)},
+	{"alone", A_TEXT, offsetof(ts_one_table, paper.alone)},
+	{"alone_set", A_SET, offsetof(ts_one_table, paper.alone_set)},
+	{"set", A_SET, offsetof(ts_one_table, paper.set)},
+	{"defaults", A_SET, offsetof(ts_one_table, paper.defaults)},
+	{"size", A_SET, offsetof(ts_one_table, paper.size)},
+	{"note", A_TEXT, offsetof(ts_one_table, paper.note)},
+	{"truth", A_TEXT, offsetof(ts_one_table, paper.judge)},
+	{"surfels", A_COUNT, offsetof(ts_one_table, paper.sampled)},
+	{"long_to", A_COUNT, offsetof(ts_one_table, paper.most_long)},
+	{"timed", A_FLAG, offsetof(ts_one_table, paper.timed)},
+	{"rays", A_FLAG, offsetof(ts_one_table, paper.rays)},
+	{"own_camera", A_FLAG, offsetof(ts_one_table, paper.own_camera)},
 };
 
 /* Other lines; the first need no table. */
@@ -278,27 +273,24 @@ static const struct {
 };
 enum { WITHOUT_TABLE = 3 };
 
-#define COUNT(rows) (sizeof(rows) / sizeof *(rows))
+#define N(rows) (sizeof(rows) / sizeof *(rows))
 
-static void take_text(ts_table_reader *r, size_t i)
+/* Whether the key is one of `fields`. */
+static bool take_field(ts_table_reader *r, const char *key)
 {
-	const char *text = ts_cursor_rest(&r->c, "a text");
-	if (texts_of[i].set) check_set(r, text);
-	*(const char **)((char *)r->t + texts_of[i].at) = text;
-}
-
-/* Whether the key has a text, a number or nothing behind it. */
-static bool take_plain(ts_table_reader *r, const char *key)
-{
-	char *t = (char *)r->t;
-	for (size_t i = 0; i < COUNT(texts_of); i++)
-		if (strcmp(key, texts_of[i].key) == 0) return take_text(r, i), true;
-	for (size_t i = 0; i < COUNT(counts_of); i++)
-		if (strcmp(key, counts_of[i].key) == 0)
-			return *(u32 *)(t + counts_of[i].at) = ts_cursor_count(&r->c, TS_NONE - 1), true;
-	for (size_t i = 0; i < COUNT(flags_of); i++)
-		if (strcmp(key, flags_of[i].key) == 0) return *(bool *)(t + flags_of[i].at) = true, true;
-	return false;
+	size_t i = 0;
+	while (i < N(fields) && strcmp(key, fields[i].key) != 0) i++;
+	if (i == N(fields)) return false;
+	void *at = (char *)r->t + fields[i].at;
+	if (fields[i].kind == A_FLAG) {
+		*(bool *)at = true;
+	} else if (fields[i].kind == A_COUNT) {
+		*(u32 *)at = ts_cursor_count(&r->c, TS_NONE - 1);
+	} else {
+		const char *text = *(const char **)at = ts_cursor_rest(&r->c, "a text");
+		if (fields[i].kind == A_SET) check_set(r, text);
+	}
+	return true;
 }
 
 static void take_line(ts_table_reader *r)
@@ -306,12 +298,12 @@ static void take_line(ts_table_reader *r)
 	const char *key = ts_cursor_more(&r->c);
 	size_t i = 0;
 	r->indented = TS_IN_NOTHING;
-	while (i < COUNT(lines_of) && strcmp(key, lines_of[i].key) != 0) i++;
+	while (i < N(lines_of) && strcmp(key, lines_of[i].key) != 0) i++;
 	if (r->t == NULL && i >= WITHOUT_TABLE) {
 		ts_cursor_wrong(&r->c, key, "\"table\", \"stages\" or \"shows\" is expected");
-	} else if (i < COUNT(lines_of)) {
+	} else if (i < N(lines_of)) {
 		lines_of[i].take(r);
-	} else if (!take_plain(r, key)) {
+	} else if (!take_field(r, key)) {
 		ts_cursor_wrong(&r->c, key, "no key \"%s\"", key);
 	}
 }
