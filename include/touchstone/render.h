@@ -29,7 +29,7 @@ typedef struct {
 
 /* Runs the methods and makes the truths. Nothing that is measured but times depends on threads.
  * In: options NULL: all defaults.
- * Out: *rendering is to be released by ts_rendering_free; NULL on failure.
+ * Out: *rendering is to be released by ts_rendering_free, before the scene; NULL on failure.
  * Fails if the effect lacks a name, a truth is not there for this scene, the run would need more than three quarters of
  * this machine's memory, or the host cancels. */
 TS_API ts_status ts_rendering_make(ts_context *context, ts_rendering **rendering, const ts_scene *scene,

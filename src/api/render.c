@@ -198,6 +198,7 @@ static ts_status make(ts_rendering *r, const ts_rendering_options *options)
 {
 	ts_job *job = &r->job;
 	ts_status status = ts_render_begin(&r->render, job);
+	job->method = NULL; /* the caller's */
 	if (status == TS_OK && options->truths != NULL) status = ts_truths_find(&job->truths, job->effect, options->truths);
 	if (status == TS_OK) status = ts_render_open(&r->render);
 	if (status == TS_OK) status = refuse_absent(r);
@@ -223,7 +224,8 @@ ts_status ts_rendering_make(ts_context *context, ts_rendering **rendering, const
 	ts_rendering *made = ts_alloc_zero(1, sizeof *made, "a rendering");
 	ts_status status = made != NULL ? TS_OK : TS_ERROR;
 	if (status == TS_OK) {
-		made->job = (ts_job){.effect = effect, .method = ours.methods, .params = *params, .how = context->how};
+		made->job = (ts_job){.effect = ts_effect_find(effect)->name, .params = *params, .how = context->how};
+		made->job.method = ours.methods;
 		made->job.output.no_images = ours.stages == 0;
 		made->render.scene = scene;
 		status = make(made, &ours);
