@@ -48,16 +48,17 @@ typedef struct {
 /* Picture i, from 0: those of methods, of truths, of stages; NULL behind the last. */
 TS_API const ts_rendering_picture *ts_rendering_picture_at(const ts_rendering *rendering, size_t i);
 
-/* A figure. */
+/* A figure. Only `bytes` must be set before. The name lives as long as its rendering. */
 typedef struct {
+	size_t bytes; /* sizeof(ts_rendering_figure) */
 	const char *name;
 	const char *unit; /* "ms", "bytes", "dB", ...; "" if it has none */
-	double value;
-	double error; /* standard error of an estimate, otherwise 0 */
-	int timed;    /* not 0: two runs differ */
+	double value;     /* NaN: was not measured */
+	double error;     /* standard error of an estimate, otherwise 0 */
+	int timed;        /* not 0: two runs differ */
 } ts_rendering_figure;
-/* Figure i, from 0: those of the scene, then those of each method; NULL behind the last. */
-TS_API const ts_rendering_figure *ts_rendering_figure_at(const ts_rendering *rendering, size_t i);
+/* Figure i, from 0: those of the scene, then those of each method. TS_SKIPPED: there are no more. */
+TS_API ts_status ts_rendering_figure_at(ts_rendering_figure *figure, const ts_rendering *rendering, size_t i);
 /* The figure of that name. TS_ERROR: there is none, and *value is NaN. */
 TS_API ts_status ts_rendering_figure_named(double *value, const ts_rendering *rendering, const char *name);
 

@@ -20,6 +20,7 @@ static ts_status measure(const ts_job *job, const char *table)
 	if (status == TS_OK && ts_tables_is_general(row))
 		status = ts_fail("bench %s: measures this machine, which the command alone does", row->name);
 	if (status == TS_OK) status = ts_tables_run(row, job);
+	if (status == TS_OK && ts_cancelled()) status = ts_fail_as(TS_KIND_CANCELLED, "bench %s: cancelled", row->name);
 	ts_tables_close(tables);
 	return status;
 }

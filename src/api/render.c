@@ -1,4 +1,5 @@
 /* Renderings. */
+#include <fenv.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -8,13 +9,10 @@
 #include "study/figure.h"
 #include "study/render.h"
 
-/* A figure that callers hold. */
 typedef struct {
-	ts_rendering_figure shown;
-	ts_figure figure;
-	bool known; /* its value */
+	ts_figure of;
 	char name[128];
-} figure;
+} named;
 
 struct ts_rendering {
 	ts_job job;
@@ -24,7 +22,7 @@ struct ts_rendering {
 	ts_rendering_picture pictures[TS_MAX_SHOWN + TS_MAX_METHODS * TS_MAX_STAGE_PICTURES];
 	char names[TS_MAX_METHODS * TS_MAX_STAGE_PICTURES][64];
 	size_t n_pictures;
-	figure **figures;
+	named **figures;
 	size_t n_figures, capacity;
 };
 
@@ -112,20 +110,19 @@ static ts_status add_figure(ts_rendering *r, const char *format, ...)
 {
 	va_list arguments;
 	void *figures = r->figures;
-	figure *f = ts_alloc_zero(1, sizeof *f, "a figure");
+	named *f = ts_alloc_zero(1, sizeof *f, "a figure");
 	if (f == NULL) return TS_ERROR;
 	va_start(arguments, format);
 	vsnprintf(f->name, sizeof f->name, format, arguments);
 	va_end(arguments);
 	const ts_name_scope scope = scope_of(r);
-	ts_status status = ts_name_find(&f->figure, &scope, f->name);
+	ts_status status = ts_name_find(&f->of, &scope, f->name);
 	if (status == TS_OK) status = ts_grow(&figures, &r->capacity, r->n_figures + 1, sizeof *r->figures, "figures");
 	if (status != TS_OK) {
 		free(f);
 		return status;
 	}
 	r->figures = figures;
-	f->shown = (ts_rendering_figure){.name = f->name, .unit = f->figure.row->unit, .timed = f->figure.row->timed};
 	r->figures[r->n_figures++] = f;
 	return TS_OK;
 }
@@ -254,17 +251,30 @@ const ts_rendering_picture *ts_rendering_picture_at(const ts_rendering *renderin
 	return rendering != NULL && i < rendering->n_pictures ? &rendering->pictures[i] : NULL;
 }
 
-const ts_rendering_figure *ts_rendering_figure_at(const ts_rendering *rendering, size_t i)
+/* As in a context, the host's floating-point environment has no part in it. */
+static double value_of(double *error, const ts_rendering *r, const ts_figure *figure)
 {
-	if (rendering == NULL || i >= rendering->n_figures) return NULL;
-	figure *f = rendering->figures[i];
-	const ts_figure_source source = source_of(rendering);
-	if (!f->known) {
-		f->shown.value = ts_figure_value(&f->figure, &source);
-		f->shown.error = ts_figure_error(&f->figure, &source);
-		f->known = true;
+	fenv_t host;
+	const ts_figure_source source = source_of(r);
+	feholdexcept(&host);
+	double value = ts_figure_value(figure, &source);
+	if (error != NULL) *error = ts_figure_error(figure, &source);
+	fesetenv(&host);
+	return value;
+}
+
+ts_status ts_rendering_figure_at(ts_rendering_figure *figure, const ts_rendering *rendering, size_t i)
+{
+	if (TS_LACKS(figure) || TS_LACKS(rendering)) return TS_ERROR;
+	if (ts_api_room(figure->bytes, sizeof *figure, sizeof *figure, "ts_rendering_figure") != TS_OK) return TS_ERROR;
+	if (i >= rendering->n_figures) {
+		ts_fail("there are %zu figures", rendering->n_figures);
+		return TS_SKIPPED;
 	}
-	return &f->shown;
+	const ts_figure *of = &rendering->figures[i]->of;
+	*figure = (ts_rendering_figure){figure->bytes, rendering->figures[i]->name, of->row->unit, .timed = of->row->timed};
+	figure->value = value_of(&figure->error, rendering, of);
+	return TS_OK;
 }
 
 ts_status ts_rendering_figure_named(double *value, const ts_rendering *rendering, const char *name)
@@ -274,8 +284,7 @@ ts_status ts_rendering_figure_named(double *value, const ts_rendering *rendering
 	*value = NAN;
 	if (TS_LACKS(rendering) || TS_LACKS(name)) return TS_ERROR;
 	const ts_name_scope scope = scope_of(rendering);
-	const ts_figure_source source = source_of(rendering);
 	if (ts_name_find(&f, &scope, name) != TS_OK) return TS_ERROR;
-	*value = ts_figure_value(&f, &source);
+	*value = value_of(NULL, rendering, &f);
 	return isnan(*value) ? ts_fail("%s: was not measured", name) : TS_OK;
 }

@@ -17,9 +17,6 @@ static ts_status run(const ts_bench_row *row, ts_cli *cli)
 		const char *option = ts_option_table[i].name;
 		if (cli->given[i] && says_nothing(row, option)) return ts_fail("bench %s: takes no --%s", row->name, option);
 	}
-	if (TS_PARAM(&cli->job.params, truth_rays) > 0)
-		return ts_fail("bench %s: truth.rays=%u: tables judge by whole truths; leave it out", row->name,
-		               (unsigned)TS_PARAM(&cli->job.params, truth_rays));
 	if (ts_selftest_require() != TS_OK) return TS_ERROR;
 	ts_measure_keep_memory();
 	return ts_tables_run(row, &cli->job);

@@ -1,6 +1,7 @@
 /* One scene with one number of mirrors or lights, by several methods that take turns, so that other load on the machine
  * affects all equally. */
 #include "study/bench_case.h"
+#include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "study/asked/truths.h"
@@ -27,8 +28,19 @@ static bool is_free(const ts_params *params, const ts_job *job, const char *name
 	return strcmp(here, there) == 0;
 }
 
-/* With a job, sets only free parameters. */
-static ts_status set(ts_params *params, const ts_job *job, const char *list)
+/* Whether the list "NAME=VALUE,..." sets a parameter. */
+static bool sets(const char *list, const char *name)
+{
+	char item[64];
+	while (ts_words_item(&list, item, sizeof item)) {
+		item[strcspn(item, "=")] = 0;
+		if (strcmp(item, name) == 0) return true;
+	}
+	return false;
+}
+
+/* With a job, sets only free parameters that the list `but` does not set. */
+static ts_status set(ts_params *params, const ts_job *job, const char *list, const char *but)
 {
 	char item[64];
 	ts_status status = TS_OK;
@@ -36,16 +48,17 @@ static ts_status set(ts_params *params, const ts_job *job, const char *list)
 	while (status == TS_OK && ts_words_item(&list, item, sizeof item)) {
 		char *value = strchr(item, '=');
 		*value = 0;
-		if (job == NULL || is_free(params, job, item)) status = ts_params_set(params, item, value + 1);
+		if (job == NULL || (is_free(params, job, item) && !sets(but, item)))
+			status = ts_params_set(params, item, value + 1);
 	}
 	return status;
 }
 
-ts_status ts_bench_set(ts_params *params, const char *list) { return set(params, NULL, list); }
+ts_status ts_bench_set(ts_params *params, const char *list) { return set(params, NULL, list, ""); }
 
-ts_status ts_bench_set_defaults(ts_params *params, const ts_job *job, const char *list)
+ts_status ts_bench_set_defaults(ts_params *params, const ts_job *job, const char *list, const char *but)
 {
-	return set(params, job, list);
+	return set(params, job, list, but);
 }
 
 ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 variant)
@@ -71,6 +84,10 @@ ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params
 	c->spec = spec;
 	c->params = *params;
 	ts_status status = open_scene(c);
+	for (u32 v = 0; v < TS_BENCH_VARIANTS; v++) c->looked[v] = NAN;
+	bool judged = c->judge == NULL || c->judge->exists == NULL;
+	if (status == TS_OK && !judged && !c->judge->exists(c->scene, &c->params))
+		status = ts_fail("truth %s: none of %s; %s", c->judge->name, c->scene->name, c->judge->why_not);
 	for (u32 v = 0; status == TS_OK && c->variants[v].method != NULL; v++) {
 		ts_params own;
 		ts_estimate estimate;
@@ -141,7 +158,7 @@ ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
 	if (run == 0) end_frame(c);
 	for (u32 v = 0; status == TS_OK && v < c->n_variants; v++) {
 		ts_bench_runs runs = c->variants[v].runs;
-		bool rests = (runs == TS_ONCE && run > 0) || (runs == TS_FIRST && c->begun);
+		bool rests = ((runs == TS_ONCE || runs == TS_LONG) && run > 0) || (runs == TS_FIRST && c->begun);
 		if (c->methods[v] != NULL && !rests) status = run_variant(c, v, run == 0);
 	}
 	c->begun = true;
@@ -160,5 +177,6 @@ void ts_bench_case_close(ts_bench_case *c)
 
 ts_figure_source ts_bench_case_source(const ts_bench_case *c)
 {
-	return (ts_figure_source){c->scene, &c->params, c->methods, c->measures, c->images, &c->truth, c->looked};
+	return (ts_figure_source){
+		c->scene, &c->params, c->methods, c->measures, c->images, &c->truth, c->look != NULL ? c->looked : NULL};
 }

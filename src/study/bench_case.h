@@ -58,8 +58,8 @@ ts_figure_source ts_bench_case_source(const ts_bench_case *c);
 /* The parameters of a variant. */
 ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 variant);
 /* ts_bench_set sets all parameters of "NAME=VALUE,..."; the other function only those that have their defaults, unless
- * the job has them by --set. */
+ * the job has them by --set or the list `but` sets them. */
 ts_status ts_bench_set(ts_params *params, const char *set);
-ts_status ts_bench_set_defaults(ts_params *params, const ts_job *job, const char *set);
+ts_status ts_bench_set_defaults(ts_params *params, const ts_job *job, const char *set, const char *but);
 
 #endif

@@ -141,9 +141,7 @@ static bool light(const ts_figure *f, const ts_figure_source *c, const u8 *only,
 {
 	const ts_picture *image, *other;
 	if (!pictures(f, c, &image, &other)) return false;
-	*found = ts_metrics_light(other->radiance, image->radiance, only != NULL ? only : image->seen,
-	                          TS_PARAM(c->params, width), TS_PARAM(c->params, height));
-	return true;
+	return ts_picture_light(found, other, image, only != NULL ? only : image->seen, c->params) == TS_OK;
 }
 
 /* NaN where the error is infinite. */

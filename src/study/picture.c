@@ -98,6 +98,26 @@ ts_metrics ts_picture_metrics(const ts_picture *reference, const ts_picture *ima
 	                           : ts_metrics_compare(reference->srgb, image->srgb, mask, width, height);
 }
 
+static const f32 *radiance_of(const ts_picture *picture)
+{
+	return picture->chosen != NULL ? picture->all_radiance : picture->radiance;
+}
+
+ts_status ts_picture_light(ts_light_metrics *light, const ts_picture *reference, const ts_picture *image,
+                           const u8 *mask, const ts_params *params)
+{
+	const f32 *a = radiance_of(reference), *b = radiance_of(image);
+	const u8 *chosen = ts_picture_chosen(reference, image);
+	u32 width = TS_PARAM(params, width), height = TS_PARAM(params, height), n = width * height;
+	u8 *both = chosen != NULL && mask != NULL ? ts_alloc(n, 1, "chosen pixels") : NULL;
+	if (chosen != NULL && mask != NULL && both == NULL) return TS_ERROR;
+	for (u32 i = 0; both != NULL && i < n; i++) both[i] = chosen[i] && mask[i];
+	*light = ts_metrics_light(a, b, both != NULL ? both : chosen != NULL ? chosen : mask, width, height);
+	if (chosen != NULL) light->relative = NAN;
+	free(both);
+	return TS_OK;
+}
+
 u8 *ts_picture_difference(const ts_picture *image, const ts_picture *reference, const ts_params *params, u32 scale)
 {
 	size_t n = (size_t)TS_PARAM(params, width) * TS_PARAM(params, height) * 3;

@@ -50,6 +50,10 @@ double ts_picture_change(const ts_picture *picture, const u8 *mask, const ts_par
 /* How far two pictures are apart, where `mask` is not 0: an estimate, where one is a truth in part. */
 ts_metrics ts_picture_metrics(const ts_picture *reference, const ts_picture *image, const u8 *mask,
                               const ts_params *params);
+/* The same in radiance, over the chosen pixels of an estimate. A relative RMSE depends on a few very bright pixels,
+ * which a draw may miss, so it is not estimated. Fails without memory. */
+ts_status ts_picture_light(ts_light_metrics *light, const ts_picture *reference, const ts_picture *image,
+                           const u8 *mask, const ts_params *params);
 /* The pixels that give the estimate, of two pictures the fewer; NULL: none is a truth in part. */
 const u8 *ts_picture_chosen(const ts_picture *a, const ts_picture *b);
 /* The distance of two pictures in grey levels, times `scale`, width x height x 3; to be released by free(). NULL

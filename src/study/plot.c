@@ -87,7 +87,7 @@ static void ticks(FILE *out, axis a, bool across)
 		for (double k = ceil(a.low / step); k * step <= a.high; k++) tick(out, a, k * step + 0.0, across); /* no -0 */
 		return;
 	}
-	for (; power <= a.high; power *= 10) {
+	for (; power > 0 && power <= a.high; power *= 10) {
 		static const double at[] = {1, 2, 5};
 		for (u32 k = 0; k < (a.high / a.low < 1e4 ? 3 : 1); k++) {
 			if (power * at[k] >= a.low && power * at[k] <= a.high) tick(out, a, power * at[k], across);

@@ -83,36 +83,14 @@ static ts_status run_method(ts_render *render, u32 i)
 	return ts_measure_run(measure, render->methods[i], render->scene, &job->params, &job->how, take_picture, &after);
 }
 
-static const f32 *radiance_of(const ts_picture *picture)
-{
-	return picture->chosen != NULL ? picture->all_radiance : picture->radiance;
-}
-
-/* Errors over a mask. Estimates use its chosen pixels, which are marked in `room`. A relative RMSE depends on a few
- * very bright pixels, which a draw may miss, so it is not estimated. */
-static ts_light_metrics light_of(const ts_pair *pair, const u8 *mask, u8 *room, const ts_params *p)
-{
-	const f32 *a = radiance_of(pair->reference), *b = radiance_of(pair->image);
-	u32 width = TS_PARAM(p, width), height = TS_PARAM(p, height);
-	if (pair->chosen == NULL) return ts_metrics_light(a, b, mask, width, height);
-	for (u32 i = 0; i < width * height; i++) room[i] = pair->chosen[i] && (mask == NULL || mask[i]);
-	ts_light_metrics light = ts_metrics_light(a, b, room, width, height);
-	light.relative = NAN;
-	return light;
-}
-
 static ts_status compare_light(ts_pair *pair, const ts_params *p)
 {
-	const ts_picture *of = pair->image->near != NULL ? pair->image : pair->reference;
-	bool estimates = pair->chosen != NULL;
-	u8 *room = estimates ? ts_alloc((size_t)TS_PARAM(p, width) * TS_PARAM(p, height), 1, "chosen pixels") : NULL;
-	if (estimates && room == NULL) return TS_ERROR;
-	pair->light = light_of(pair, pair->image->seen, room, p);
+	const ts_picture *a = pair->reference, *b = pair->image, *of = b->near != NULL ? b : a;
+	ts_status status = ts_picture_light(&pair->light, a, b, b->seen, p);
 	pair->parted = of->near != NULL;
-	if (pair->parted) pair->near = light_of(pair, of->near, room, p);
-	if (pair->parted) pair->elsewhere = light_of(pair, of->elsewhere, room, p);
-	free(room);
-	return TS_OK;
+	if (status == TS_OK && pair->parted) status = ts_picture_light(&pair->near, a, b, of->near, p);
+	if (status == TS_OK && pair->parted) status = ts_picture_light(&pair->elsewhere, a, b, of->elsewhere, p);
+	return status;
 }
 
 static double flicker(const ts_pair *pair, const u8 *mask, const ts_params *p)

@@ -122,7 +122,7 @@ ts_status ts_speed_set_open(ts_speed_set *set, const char *spec, const ts_speed_
 	set->n_runs = runs;
 	set->wants_rays = of->rays;
 	set->wants_points = of->points;
-	ts_status status = ts_bench_set_defaults(&set->params, job, of->set);
+	ts_status status = ts_bench_set_defaults(&set->params, job, of->set, "");
 	if (status == TS_OK) status = ts_scene_load(&set->scene, spec, &set->params, &job->scene.options);
 	if (status == TS_OK) status = begin_row(&set->rays, measure_rays, set, runs);
 	if (status == TS_OK) status = begin_row(&set->drawn, measure_points, set, runs);

@@ -5,7 +5,7 @@
 static const char text[] =
 	"table small\neffect reflections\nscenes atrium\nobjects mirrors reflectors.count 1,2\n"
 	"size width=80,height=45\ntimed\nvariant epr = epr seen\nvariant mvr = mvr seen\n"
-	"part one \"One\"\n\trmse \"\" 3 = epr.rmse.mvr\n\tmirrors \"\" whole = param.reflectors.count\n"
+	"part one \"One\"\n\trmse \"\" 3 = epr.rmse.mvr\n\tn \"\" whole = param.reflectors.count\n"
 	"\twide \"\" whole = image.width\n\tms \"\" 2 = epr.ms.frame\n"
 	"claim \"wide\" wide at most 70 else ours: no\n";
 
@@ -26,7 +26,7 @@ static void a_table_of_a_file_is_measured(void **state)
 	done(ts_bench_table(context, &figures, path, params, &options));
 	const ts_tree *rows = ts_tree_get(figures, "one"), *row = ts_tree_at(rows, 0);
 	assert_int_equal(ts_tree_n(rows), 1);
-	assert_int_equal(ts_tree_integer(ts_tree_get(row, "mirrors")), 2);
+	assert_int_equal(ts_tree_integer(ts_tree_get(row, "n")), 2);
 	assert_int_equal(ts_tree_integer(ts_tree_get(row, "wide")), 64);
 	assert_true(ts_tree_real(ts_tree_get(row, "rmse")) > 0 && ts_tree_real(ts_tree_get(row, "ms")) > 0);
 	assert_string_equal(ts_tree_text(ts_tree_get(ts_tree_at(ts_tree_get(figures, "relations"), 0), "verdict")),

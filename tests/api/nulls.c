@@ -246,7 +246,13 @@ static void null_renderings_are_refused(void **state)
 	REFUSED(ts_rendering_figure_named(NULL, rendering, "epr.ms.frame"), "value");
 	REFUSED(ts_rendering_figure_named(&value, NULL, "epr.ms.frame"), "rendering");
 	REFUSED(ts_rendering_figure_named(&value, rendering, NULL), "name");
-	assert_true(ts_rendering_figure_at(NULL, 0) == NULL && ts_rendering_picture_at(NULL, 0) == NULL);
+	ts_rendering_figure figure = {.bytes = sizeof figure};
+	REFUSED(ts_rendering_figure_at(NULL, rendering, 0), "figure");
+	REFUSED(ts_rendering_figure_at(&figure, NULL, 0), "rendering");
+	assert_int_equal(ts_rendering_figure_at(&figure, rendering, 1000000), TS_SKIPPED);
+	figure.bytes = 3;
+	refused(ts_rendering_figure_at(&figure, rendering, 0), "bytes");
+	assert_null(ts_rendering_picture_at(NULL, 0));
 	ts_rendering_free(rendering);
 	ts_rendering_free(NULL);
 	ts_tree *figures;

@@ -50,6 +50,12 @@ static void every_parameter_is_measured_by_its_name(void **state)
 	free(c);
 }
 
+static double look(const ts_run *run)
+{
+	(void)run;
+	return 0;
+}
+
 static void counters_and_times_are_those_of_their_variant(void **state)
 {
 	(void)state;
@@ -61,7 +67,9 @@ static void counters_and_times_are_those_of_their_variant(void **state)
 	m->seconds = 2;
 	m->bytes[TS_B_splat_depth_index] = 100;
 	m->bytes[TS_B_splat_tie] = 10;
+	assert_true(isnan(value_of("one.looked", c)));
 	c->looked[0] = 0.25;
+	c->look = look;
 	assert_true(value_of("one.count.point_view_scatters", c) == 7 && isnan(value_of("one.count.points", c)));
 	assert_true(value_of("one.ms.splat", c) == 500 && value_of("one.ms.both", c) == 500);
 	assert_true(isnan(value_of("one.ms.lookup", c)) && value_of("one.spent.lookup", c) == 0);

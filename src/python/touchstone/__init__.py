@@ -186,7 +186,7 @@ class Context:
 	           before: Rendering | None = None) -> Rendering:
 		"""Runs methods, by default all, and makes truths, by default none, of one frame. stages: also pictures of
 		stages. before: the rendering of the frame before."""
-		named = [names if names is None or isinstance(names, str) else ",".join(names) for names in (methods, truths)]
+		named = [names if isinstance(names, str) else ",".join(names or []) or None for names in (methods, truths)]
 		options, kept = options_for("ts_rendering_options", methods=named[0], truths=named[1], stages=stages,
 		                            before=before and before._handle)
 		handle, _ = made("ts_rendering", lib.ts_rendering_free, lib.ts_rendering_make, self._handle, made,
@@ -330,8 +330,8 @@ class Rendering:
 		RGB, or None of false colours; and `estimated`, whether rays of a truth were left out."""
 		def row(p: Any) -> Row:
 			shape = (p.height, p.width, 3)
-			light = view_of(p.radiance, shape, np.float32, self._handle) if p.radiance != ffi.NULL else None
-			return Row(name=text_of(p.name), srgb=view_of(p.srgb, shape, np.uint8, self._handle), radiance=light,
+			light = view_of(p.radiance, shape, np.float32, self) if p.radiance != ffi.NULL else None
+			return Row(name=text_of(p.name), srgb=view_of(p.srgb, shape, np.uint8, self), radiance=light,
 			           estimated=p.estimated != 0)
 		return {p.name: p for p in rows_of(lambda i: lib.ts_rendering_picture_at(self._handle, i), row)}
 
@@ -339,8 +339,14 @@ class Rendering:
 	def figures(self) -> dict[str, Row]:
 		"""What was measured, by name: `value`, `unit`, `error`, the standard error of an estimate, and `timed`, whether
 		two runs differ."""
-		rows = rows_of(lambda i: lib.ts_rendering_figure_at(self._handle, i))
-		return {row.name: row for row in rows if row.value == row.value}
+		figures, row = {}, filled("ts_rendering_figure")
+		while lib.ts_rendering_figure_at(row, self._handle, len(figures)) == lib.TS_OK:
+			figure = struct_of(row)
+			figures[figure.name] = figure
+		return {name: figure for name, figure in figures.items() if figure.value == figure.value}
+
+	def __contains__(self, name: object) -> bool:
+		return name in self.figures
 
 	def __getitem__(self, name: str) -> float:
 		value = ffi.new("double *")

@@ -63,7 +63,7 @@ void ts_table_bytes(ts_table *table, u64 bytes)
 void ts_table_real(ts_table *table, double value, int decimals)
 {
 	char text[64];
-	snprintf(text, sizeof text, "%.*f", decimals, value);
+	snprintf(text, sizeof text, fabs(value) < 1e15 ? "%.*f" : "%.*g", decimals, value);
 	append(table, isinf(value) ? "equal" : text, isfinite(value) ? json_real(value) : json_null());
 }
 

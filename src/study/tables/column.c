@@ -12,7 +12,7 @@ void ts_bench_derive(double *values, const double *measured, const double *befor
 
 void ts_bench_cell(ts_table *table, const ts_bench_figure *figure, double value)
 {
-	if (!isnan(value) && figure->decimals == TS_WHOLE) {
+	if (figure->decimals == TS_WHOLE && fabs(value) < 9e15) {
 		ts_table_count(table, (i64)value);
 	} else {
 		ts_table_known(table, value, figure->decimals);

@@ -45,12 +45,30 @@ char *ts_cursor_word(ts_cursor *line, const char *what)
 	return ts_cursor_more(line);
 }
 
+enum { NAME_CHARS = 40 };
+
+/* Whether all of the word's characters are letters, digits or of `others`. */
+static bool is_of(const char *word, const char *others)
+{
+	while (*word != 0 && (isalnum((unsigned char)*word) || strchr(others, *word) != NULL)) word++;
+	return *word == 0;
+}
+
 char *ts_cursor_name(ts_cursor *line, const char *what)
 {
-	char *word = ts_cursor_word(line, what), *c = word;
-	while (isalnum((unsigned char)*c) || *c == '_' || *c == '-') c++;
-	if (c != word && *c == 0) return word;
-	ts_cursor_wrong(line, word, "\"%s\": %s has letters, digits, _ and - only", word, what);
+	char *word = ts_cursor_word(line, what);
+	if (line->status != TS_OK || (*word != 0 && *word != '.' && is_of(word, "_-.") && strlen(word) <= NAME_CHARS))
+		return word;
+	ts_cursor_wrong(line, word, "\"%s\": %s has at most %d letters, digits, _, - and .", word, what, NAME_CHARS);
+	return line->at;
+}
+
+char *ts_cursor_key(ts_cursor *line, const char *what)
+{
+	char *word = ts_cursor_name(line, what);
+	bool reserved = strcmp(word, "growth") == 0 || strcmp(word, "truth") == 0;
+	if (line->status != TS_OK || (isalpha((unsigned char)*word) && is_of(word, "_") && !reserved)) return word;
+	ts_cursor_wrong(line, word, "\"%s\": %s is a letter, then letters, digits and _; not growth or truth", word, what);
 	return line->at;
 }
 
@@ -66,7 +84,7 @@ double ts_cursor_number(ts_cursor *line)
 {
 	char *word = ts_cursor_word(line, "a number"), *end = word;
 	double value = *word != 0 ? ts_strtod(word, &end) : 0;
-	if (*end == 0 && isfinite(value)) return value;
+	if (*word != 0 && *end == 0 && isfinite(value)) return value;
 	ts_cursor_wrong(line, word, "\"%s\" is no number", word);
 	return 0;
 }

@@ -19,8 +19,10 @@ void ts_cursor_wrong(ts_cursor *line, const char *at, const char *format, ...) _
 char *ts_cursor_more(ts_cursor *line);
 /* The same, and there must be one; `what` names it in the message. */
 char *ts_cursor_word(ts_cursor *line, const char *what);
-/* A word that is a name of a file or key: of letters, digits, `_` and `-`. */
+/* A word that may be a part of a file's name: at most 40 letters, digits, `_`, `-` and `.`, but no `.` first. */
 char *ts_cursor_name(ts_cursor *line, const char *what);
+/* A name that expressions may have: a letter, then letters, digits and `_`; neither "growth" nor "truth". */
+char *ts_cursor_key(ts_cursor *line, const char *what);
 /* All that is left of the line; unless `what` is NULL it must be something. */
 char *ts_cursor_rest(ts_cursor *line, const char *what);
 double ts_cursor_number(ts_cursor *line);

@@ -151,7 +151,7 @@ static double apply(ts_term_kind kind, double a, double b)
 	case TS_TERM_ADD: return a + b;
 	case TS_TERM_SUBTRACT: return a - b;
 	case TS_TERM_MULTIPLY: return a * b;
-	default: return b > 0 ? a / b : NAN;
+	default: return b != 0 ? a / b : NAN;
 	}
 }
 

@@ -1,4 +1,4 @@
-/* Expressions over figures: `100 * (1 - epr.ms.frame / mvr.ms.frame)`. A quotient by what is not above 0 is missing, as
+/* Expressions over figures: `100 * (1 - epr.ms.frame / mvr.ms.frame)`. A quotient by 0 is missing, as
  * is what is computed from what is missing. growth(a, b) is e, where a grows as b^e since the row before. */
 #ifndef TS_STUDY_TABLES_EXPRESSION_H
 #define TS_STUDY_TABLES_EXPRESSION_H

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "scene/sources.h"
 #include "study/asked/words.h"
 #include "study/bench.h"
 #include "study/busy.h"
@@ -12,7 +13,7 @@
 static bool begins(const char *text, const char *prefix)
 {
 	for (; *prefix != 0; text++, prefix++) {
-		if (tolower((unsigned char)*text) != *prefix) return false;
+		if (tolower((unsigned char)*text) != tolower((unsigned char)*prefix)) return false;
 	}
 	return true;
 }
@@ -27,7 +28,7 @@ static bool is_scene(const ts_paper_row *row, const char *spec)
 {
 	const char *slash = strrchr(spec, '/');
 	const char *file = slash != NULL ? slash + 1 : spec;
-	return strchr(file, '.') != NULL ? begins(file, row->file) : is_builtin(spec, row->builtin);
+	return ts_builtin_is(spec) ? is_builtin(spec, row->builtin) : begins(file, row->file);
 }
 
 static const ts_paper_row *find(const ts_paper_table *table, const char *spec, u32 objects)
@@ -68,6 +69,7 @@ typedef struct {
 	const ts_truth_kind *judge;
 	ts_paper_line *lines;
 	size_t n_lines, capacity;
+	u32 n_scenes;
 } work;
 
 static void derive(double *values, const double *measured, const double *before, const ts_bench_figure *figures)
@@ -146,7 +148,7 @@ static ts_status run_case(ts_paper_line *line, const double *before, ts_bench_ca
 /* The figures of the line before, if it has the same scene. */
 static const double *before(const work *w, const ts_paper_line *line)
 {
-	bool same = line > w->lines && strcmp(line[-1].scene, line->scene) == 0;
+	bool same = line > w->lines && line[-1].of_scene == line->of_scene;
 	return same ? line[-1].here : NULL;
 }
 
@@ -222,7 +224,7 @@ static ts_status add_line(work *w, const char *spec, const char *objects)
 	if (status != TS_OK) return status;
 	w->lines = lines;
 	ts_paper_line *line = &w->lines[w->n_lines];
-	*line = (ts_paper_line){.objects = 0};
+	*line = (ts_paper_line){.of_scene = w->n_scenes};
 	if (objects != NULL) status = vary(&line->objects, &params, w->table, objects);
 	if (status == TS_OK) status = measure_line(line, w, spec, &params);
 	if (status == TS_OK) say_line(w->table, line);
@@ -236,22 +238,33 @@ static ts_status add_scene(void *user, const char *spec)
 	const char *list = w->job->objects != NULL ? w->job->objects : w->table->objects;
 	char item[32];
 	ts_status status = TS_OK;
+	w->n_scenes++;
 	if (w->table->objects_head == NULL) return add_line(w, spec, NULL);
 	while (status == TS_OK && ts_words_item(&list, item, sizeof item)) status = add_line(w, spec, item);
+	return status;
+}
+
+ts_status ts_paper_check_objects(const ts_paper_table *table, const char *objects)
+{
+	char item[32];
+	u32 count;
+	ts_status status = TS_OK;
+	while (status == TS_OK && ts_words_item(&objects, item, sizeof item)) {
+		ts_params params;
+		ts_params_default(&params);
+		status = vary(&count, &params, table, item);
+	}
 	return status;
 }
 
 /* Checks all typed lists once before hours of work. */
 static ts_status check_lists(const work *w, const char *scenes)
 {
-	const char *objects = w->job->objects;
-	char item[32], spec[SPEC_BYTES];
-	u32 count;
+	char spec[SPEC_BYTES];
 	ts_status status = TS_OK;
-	while (status == TS_OK && ts_words_item(&objects, item, sizeof item)) {
-		ts_params params = w->job->params;
-		status = vary(&count, &params, w->table, item);
-	}
+	if (w->job->objects != NULL && w->table->objects_head == NULL)
+		return ts_fail("bench %s: takes no --objects: its rows vary nothing", w->table->name);
+	if (w->job->objects != NULL) status = ts_paper_check_objects(w->table, w->job->objects);
 	while (status == TS_OK && ts_words_item(&scenes, spec, sizeof spec)) {
 		ts_scene *scene = NULL;
 		ts_params params = w->job->params;
@@ -322,8 +335,8 @@ static ts_status set_params(ts_params *params, const ts_job *job, const ts_paper
 {
 	bool sized = table->size == NULL || job->sized;
 	*params = job->params;
-	ts_status status = ts_bench_set_defaults(params, job, first);
-	if (status == TS_OK) status = ts_bench_set_defaults(params, job, table->defaults);
+	ts_status status = ts_bench_set_defaults(params, job, first, "");
+	if (status == TS_OK) status = ts_bench_set_defaults(params, job, table->defaults, first);
 	if (status == TS_OK) status = ts_bench_set(params, table->set);
 	return status == TS_OK && !sized ? ts_bench_set(params, table->size) : status;
 }

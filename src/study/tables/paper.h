@@ -116,6 +116,7 @@ typedef struct ts_paper_table {
 /* One of our rows, with the paper's row beside it. */
 typedef struct {
 	char scene[96];
+	u32 of_scene; /* its number; names may be the same */
 	u32 objects;
 	double here[TS_BENCH_FIGURES];
 	ts_frame_spread over[TS_BENCH_FIGURES]; /* the frames */
@@ -137,6 +138,8 @@ ts_status ts_paper_plots(const ts_paper_table *table, const ts_paper_line *lines
 /* Writes the pictures of a case as ROW-SCENE-NAME.png, those of the truth and of differences as well, with the number
  * of objects behind the scene if rows have one. Differences are as of `render`. */
 ts_status ts_paper_pictures(const ts_paper_table *table, const ts_bench_case *c, const ts_paper_line *line, u32 row);
+/* Fails unless the items of a list are such as the table's rows vary. */
+ts_status ts_paper_check_objects(const ts_paper_table *table, const char *objects);
 /* Measures and prints a table. */
 ts_status ts_paper_bench(const ts_job *job, const ts_paper_table *table);
 

@@ -59,6 +59,9 @@ ts_status ts_paper_pictures(const ts_paper_table *table, const ts_bench_case *c,
 	return write_picture(&p, c->truth.name, c->truth.name, c->truth.srgb, v);
 }
 
+/* Whether an axis can have the value. */
+static bool fits(double value) { return value == 0 || (fabs(value) > 1e-100 && fabs(value) < 1e100); }
+
 /* Plots one scene. */
 static ts_status plot_scene(const ts_paper_table *table, const ts_paper_line *lines, u32 n, u32 scene)
 {
@@ -75,7 +78,7 @@ static ts_status plot_scene(const ts_paper_table *table, const ts_paper_line *li
 		timed |= table->figures[figure].timed;
 		for (u32 i = 0; i < n; i++) {
 			ts_plot_point point = {plot.n_curves, "", lines[i].here[of->x], lines[i].here[figure], false};
-			if (!isnan(point.y)) points[plot.n_points++] = point;
+			if (fits(point.x) && fits(point.y)) points[plot.n_points++] = point;
 		}
 	}
 	snprintf(name, sizeof name, "%s%s_%u.svg", timed ? "times-" : "", table->parts[0].key, (unsigned)scene);
@@ -88,7 +91,7 @@ ts_status ts_paper_plots(const ts_paper_table *table, const ts_paper_line *lines
 {
 	ts_status status = TS_OK;
 	for (u32 i = 0, end, scene = 1; i < n && status == TS_OK; i = end, scene++) {
-		for (end = i; end < n && strcmp(lines[end].scene, lines[i].scene) == 0; end++) continue;
+		for (end = i; end < n && lines[end].of_scene == lines[i].of_scene; end++) continue;
 		status = plot_scene(table, lines + i, end - i, scene);
 	}
 	return status;

@@ -35,19 +35,24 @@ u8 ts_take_key_of(ts_table_reader *r, const char *word)
 
 u8 ts_take_key(ts_table_reader *r) { return ts_take_key_of(r, ts_cursor_word(&r->c, "a figure")); }
 
+static bool is_same(const ts_figure *a, const ts_figure *b)
+{
+	return a->row == b->row && a->variant == b->variant && a->other == b->other && strcmp(a->what, b->what) == 0;
+}
+
 /* The index of a measured figure, which is added unless it is known. */
 static ts_status measured(ts_table_reader *r, const char *name, u32 *index)
 {
 	ts_one_table *t = r->t;
 	ts_name_scope scope = ts_table_scope(r);
-	ts_figure *f = &t->measured[t->n_measured], *known = t->measured;
-	if (t->n_measured == TS_BENCH_MEASURED) return ts_fail("more than %d figures are measured", TS_BENCH_MEASURED);
-	if (ts_name_find(f, &scope, name) != TS_OK) return TS_ERROR;
-	while (known->row != f->row || known->variant != f->variant || known->other != f->other ||
-	       strcmp(known->what, f->what) != 0)
-		known++;
-	*index = (u32)(known - t->measured);
-	t->n_measured += known == f;
+	ts_figure f;
+	u32 k = 0;
+	if (ts_name_find(&f, &scope, name) != TS_OK) return TS_ERROR;
+	while (k < t->n_measured && !is_same(&t->measured[k], &f)) k++;
+	if (k == TS_BENCH_MEASURED) return ts_fail("more than %d figures are measured", TS_BENCH_MEASURED);
+	t->measured[k] = f;
+	t->n_measured += k == t->n_measured;
+	*index = k;
 	return TS_OK;
 }
 
@@ -107,7 +112,12 @@ static void define(ts_table_reader *r, const char *key)
 }
 
 /* `figure KEY ...`: one that no part shows. */
-void ts_take_figure(ts_table_reader *r) { define(r, ts_cursor_name(&r->c, "a key")); }
+void ts_take_figure(ts_table_reader *r) { define(r, ts_cursor_key(&r->c, "a key")); }
+
+/* Keys that a report has beside parts. */
+#define OF_REPORTS \
+	"program version backend device threads params frames machine variants relations timed_relations over_frames " \
+	"milliseconds_over_frames files shard times report"
 
 /* `part KEY "TITLE"`, and below it its figures. */
 void ts_take_part(ts_table_reader *r)
@@ -115,6 +125,8 @@ void ts_take_part(ts_table_reader *r)
 	ts_one_table *t = r->t;
 	ts_paper_part part = {.key = ts_cursor_name(&r->c, "a key")};
 	part.title = ts_cursor_word(&r->c, "a title");
+	if (ts_words_have(OF_REPORTS, part.key) || strncmp(part.key, "times-", 6) == 0)
+		ts_cursor_wrong(&r->c, part.key, "\"%s\" is a key of every report", part.key);
 	for (u32 i = 0; i < t->n_parts; i++)
 		if (strcmp(t->parts[i].key, part.key) == 0)
 			ts_cursor_wrong(&r->c, part.key, "the part \"%s\" stands above", part.key);
@@ -127,9 +139,12 @@ void ts_take_part(ts_table_reader *r)
 void ts_add_to_part(ts_table_reader *r)
 {
 	ts_paper_part *part = &r->t->parts[r->t->n_parts - 1];
-	const char *key = ts_cursor_name(&r->c, "a figure");
+	const char *key = ts_cursor_key(&r->c, "a figure");
 	u32 n = 0;
 	while (part->figures[n] != TS_NO_FIGURE) n++;
+	bool is_head = r->t->paper.objects_head != NULL && strcmp(key, r->t->paper.objects_head) == 0;
+	if (is_head || strcmp(key, "scene") == 0 || strcmp(key, "source") == 0)
+		ts_cursor_wrong(&r->c, key, "\"%s\" is the key of a row's beginning", key);
 	if (n == TS_PAPER_COLUMNS) ts_cursor_wrong(&r->c, key, "more than %u figures of a part", (unsigned)n);
 	if (!ts_cursor_ended(&r->c)) define(r, key);
 	if (r->c.status != TS_OK) return;

@@ -30,6 +30,7 @@ typedef struct {
 	ts_paper_row rows[MOST_ROWS + 1];
 	ts_paper_plot plot;
 	u8 printed[TS_BENCH_FIGURES]; /* figures of the rows, in the order of their columns */
+	u64 taken;                    /* lines that it has, by their number */
 	u32 n_variants, n_figures, n_terms, n_measured, n_parts, n_relations, n_pictures, n_rows, n_printed;
 } ts_one_table;
 

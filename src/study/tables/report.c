@@ -1,6 +1,7 @@
 /* The report of a paper's table: its parts, ours above the paper's, and whether the paper's claims hold here. */
 #include <math.h>
 #include <string.h>
+#include "output/json/text.h"
 #include "study/busy.h"
 #include "study/tables/paper.h"
 
@@ -82,30 +83,43 @@ static bool is_judged(const ts_paper_relation *r, const ts_paper_line *line)
 	return !isnan(line->here[r->figure]) && (r->given == TS_NO_FIGURE || (given >= r->least && given <= r->most));
 }
 
+/* A number with a point, whatever the host's locale. */
+static const char *number(char text[32], int digits, double value)
+{
+	snprintf(text, 32, "%.*g", digits, value);
+	char *comma = strchr(text, ',');
+	if (comma != NULL) *comma = '.';
+	return text;
+}
+
 static void bound_text(char *text, size_t bytes, const ts_paper_relation *r)
 {
+	char low[32], high[32];
+	number(low, 6, r->low);
+	number(high, 6, r->high);
 	switch (r->kind) {
 	case TS_AT_MOST:
-	case TS_STEADY: snprintf(text, bytes, "at most %g", r->high); break;
+	case TS_STEADY: snprintf(text, bytes, "at most %s", high); break;
 	case TS_AT_LEAST:
-	case TS_GROWS: snprintf(text, bytes, "at least %g", r->low); break;
-	case TS_OF_PAPER: snprintf(text, bytes, "%g to %g of the paper's", r->low, r->high); break;
-	default: snprintf(text, bytes, "%g to %g", r->low, r->high); break;
+	case TS_GROWS: snprintf(text, bytes, "at least %s", low); break;
+	case TS_OF_PAPER: snprintf(text, bytes, "%s to %s of the paper's", low, high); break;
+	default: snprintf(text, bytes, "%s to %s", low, high); break;
 	}
 }
 
 static void verdict(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *line)
 {
-	char text[TS_PAPER_REASON + TS_PAPER_HEAD + 128];
+	char text[TS_PAPER_REASON + TS_PAPER_HEAD + 128], value[32];
 	const char *scale = table->figures[r->cause].head, *colon = r->because[0] != 0 ? ": " : "";
 	if (is_busy(t, table, r, line, 1)) return;
 	if (holds(r, line)) {
 		ts_table_text(t, "holds");
 		return;
 	}
-	int n = snprintf(text, sizeof text, "differs%s%s (%s %.4g here", colon, r->because, scale, line->here[r->cause]);
+	int n = snprintf(text, sizeof text, "differs%s%s (%s %s here", colon, r->because, scale,
+	                 number(value, 4, line->here[r->cause]));
 	if (line->row != NULL && !isnan(line->paper[r->cause])) {
-		n += snprintf(text + n, sizeof text - (size_t)n, ", %.4g in the paper", line->paper[r->cause]);
+		n += snprintf(text + n, sizeof text - (size_t)n, ", %s in the paper", number(value, 4, line->paper[r->cause]));
 	}
 	snprintf(text + n, sizeof text - (size_t)n, ")");
 	ts_table_text(t, text);
@@ -200,7 +214,7 @@ static void change_rows(ts_table *t, const ts_paper_table *table, const ts_paper
                         const ts_paper_line *lines, u32 n)
 {
 	for (u32 i = 0, end; i < n; i = end) {
-		for (end = i; end < n && strcmp(lines[end].scene, lines[i].scene) == 0; end++) continue;
+		for (end = i; end < n && lines[end].of_scene == lines[i].of_scene; end++) continue;
 		change_row(t, table, r, lines + i, end - i);
 	}
 }
@@ -228,7 +242,7 @@ static void report_relations(ts_report *report, const ts_paper_table *table, con
 	for (const ts_paper_relation *r = table->relations; r->text != NULL; r++) {
 		rows_of_kind[r->kind](&s.table, table, r, lines, n);
 		if (!table->figures[r->figure].timed && !table->figures[r->cause].timed) continue;
-		json_array_append_new(timed, json_string(r->text));
+		json_array_append_new(timed, ts_text_json(r->text));
 		s.table.timed = true;
 	}
 	ts_report_value(report, "timed_relations", timed);

@@ -4,6 +4,8 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+#include "study/asked/reads.h"
+#include "study/asked/truths.h"
 #include "study/asked/words.h"
 #include "study/tables/reader.h"
 
@@ -48,8 +50,18 @@ static void take_effect(ts_table_reader *r)
 	r->t->paper.effect = effect;
 }
 
+/* What a variant may not set: it has the row's size and scene. Truths are whole. */
+static const char *why_not(const char *param, bool of_variant)
+{
+	bool size = strcmp(param, "width") == 0 || strcmp(param, "height") == 0;
+	if (strcmp(param, "truth.rays") == 0) return "tables judge by whole truths";
+	if (of_variant && size) return "variants have the size of their row";
+	if (of_variant && ts_reads_scene(param)) return "variants have the scene of their row";
+	return NULL;
+}
+
 /* Parameters that are set: "NAME=VALUE,...". */
-static void check_set(ts_table_reader *r, const char *list)
+static void check_set(ts_table_reader *r, const char *list, bool of_variant)
 {
 	char item[128];
 	ts_params params;
@@ -61,6 +73,8 @@ static void check_set(ts_table_reader *r, const char *list)
 			ts_cursor_wrong(&r->c, list, "\"%s\": NAME=VALUE,... is expected", item);
 		} else if (ts_params_set(&params, item, value + 1) != TS_OK) {
 			ts_cursor_wrong(&r->c, list, "%s", ts_error_message());
+		} else if (why_not(item, of_variant) != NULL) {
+			ts_cursor_wrong(&r->c, list, "%s: %s", item, why_not(item, of_variant));
 		}
 	}
 }
@@ -76,7 +90,8 @@ static void take_option(ts_table_reader *r, ts_bench_variant *v, const char *wor
 	if (strcmp(word, "seen") == 0) {
 		v->seen = true;
 	} else if (strchr(word, '=') != NULL) {
-		check_set(r, word);
+		if (v->set[0] != 0) ts_cursor_wrong(&r->c, word, "\"%s\": all that is set is one list, with commas", word);
+		check_set(r, word, true);
 		v->set = word;
 	} else {
 		ts_cursor_wrong(&r->c, word, "\"%s\": seen, once, first, alone, long or NAME=VALUE,... is expected", word);
@@ -87,7 +102,7 @@ static void take_option(ts_table_reader *r, ts_bench_variant *v, const char *wor
 static void take_variant(ts_table_reader *r)
 {
 	ts_one_table *t = r->t;
-	const char *name = ts_cursor_name(&r->c, "a name");
+	const char *name = ts_cursor_key(&r->c, "a name");
 	ts_name_scope scope = ts_table_scope(r);
 	if (ts_name_variant(&scope, name, strlen(name)) != TS_NONE)
 		ts_cursor_wrong(&r->c, name, "the variant \"%s\" stands above", name);
@@ -105,15 +120,15 @@ static void take_variant(ts_table_reader *r)
 static void take_objects(ts_table_reader *r)
 {
 	ts_paper_table *paper = &r->t->paper;
-	paper->objects_head = ts_cursor_word(&r->c, "a column's head");
-	paper->objects_param = ts_cursor_word(&r->c, "a parameter, or \"size\"");
+	paper->objects_head = ts_cursor_name(&r->c, "a column's head");
+	const char *param = ts_cursor_word(&r->c, "a parameter, or \"size\"");
+	bool sizes = strcmp(param, "size") == 0;
+	paper->objects_param = sizes ? NULL : param;
+	if (!sizes && !ts_name_is_param(param)) ts_cursor_wrong(&r->c, param, "no parameter \"%s\"", param);
 	paper->objects = ts_cursor_word(&r->c, "values");
-	if (strcmp(paper->objects_param, "size") == 0) {
-		paper->objects_param = NULL;
-	} else if (!ts_name_is_param(paper->objects_param)) {
-		ts_cursor_wrong(&r->c, paper->objects_param, "no parameter \"%s\"", paper->objects_param);
-	}
 	if (!ts_cursor_ended(&r->c)) paper->most = ts_cursor_count(&r->c, TS_NONE - 1);
+	if (r->c.status == TS_OK && ts_paper_check_objects(paper, paper->objects) != TS_OK)
+		ts_cursor_wrong(&r->c, paper->objects, "%s", ts_error_message());
 }
 
 /* `picture NAME = VARIANT` */
@@ -122,6 +137,11 @@ static void take_picture(ts_table_reader *r)
 	ts_paper_picture picture = {.name = ts_cursor_name(&r->c, "a name")};
 	ts_cursor_expect(&r->c, "=");
 	picture.variant = variant(r);
+	bool ours = strncmp(picture.name, "difference-", 11) == 0 || strncmp(picture.name, "truth-", 6) == 0;
+	if (ours) ts_cursor_wrong(&r->c, picture.name, "\"%s\": such pictures are written beside", picture.name);
+	for (u32 i = 0; i < r->t->n_pictures; i++)
+		if (strcmp(r->t->pictures[i].name, picture.name) == 0)
+			ts_cursor_wrong(&r->c, picture.name, "the picture \"%s\" stands above", picture.name);
 	r->t->pictures[ts_take_next(r, &r->t->n_pictures, MOST_PICTURES, "pictures")] = picture;
 	r->t->paper.pictures = r->t->pictures;
 }
@@ -163,7 +183,10 @@ static void take_nearest(ts_table_reader *r) { r->t->paper.nearest = ts_take_key
 static void take_stages(ts_table_reader *r)
 {
 	char item[64];
-	ts_named_list list = {.name = ts_cursor_name(&r->c, "a name")};
+	ts_named_list list = {.name = ts_cursor_key(&r->c, "a name")};
+	for (u32 i = 0; i < r->texts->n_lists; i++)
+		if (strcmp(r->texts->lists[i].name, list.name) == 0)
+			ts_cursor_wrong(&r->c, list.name, "the list \"%s\" stands above", list.name);
 	ts_cursor_expect(&r->c, "=");
 	list.items = ts_cursor_word(&r->c, "stages");
 	for (const char *items = list.items; ts_words_item(&items, item, sizeof item);)
@@ -189,20 +212,31 @@ static void take_shows(ts_table_reader *r)
 	r->texts->claims[ts_take_next(r, &r->texts->n_claims, MOST_CLAIMS, "of these")] = claim;
 }
 
-/* What a table cannot do without. */
+/* What the table above lacks, or why it cannot be measured; NULL: nothing. */
+static const char *fault_of(const ts_one_table *t)
+{
+	u32 truths;
+	bool judged = false;
+	const ts_paper_table *paper = &t->paper;
+	if (t->n_variants == 0) return "it has no \"variant\"";
+	if (t->n_parts == 0) return "it has no \"part\"";
+	if (paper->effect == NULL) return "it has no \"effect\"";
+	if (paper->scenes == NULL && paper->models == NULL) return "it has no \"scenes\"";
+	for (u32 i = 0; i < t->n_parts; i++)
+		if (t->parts[i].figures[0] == TS_NO_FIGURE) return "a part has no figure";
+	for (u32 i = 0; i < t->n_variants; i++)
+		if (ts_pipeline_find(paper->effect, t->variants[i].method) == NULL) return "a variant is of another effect";
+	for (u32 i = 0; i < t->n_measured; i++)
+		judged |= t->measured[i].row->object == TS_FIGURE_OF_IMAGE && t->measured[i].other >= TS_FIGURE_TRUTHS;
+	if (paper->judge == NULL) return judged ? "a figure is to the truth, and it has no \"truth\"" : NULL;
+	return ts_truths_find(&truths, paper->effect, paper->judge) == TS_OK ? NULL : ts_error_message();
+}
+
 static void end_table(ts_table_reader *r)
 {
 	const ts_one_table *t = r->t;
-	if (t == NULL || t->row.run != NULL) return;
-	const char *lacks = t->n_variants == 0                                   ? "variant"
-	                    : t->n_parts == 0                                    ? "part"
-	                    : t->paper.effect == NULL                            ? "effect"
-	                    : t->paper.scenes == NULL && t->paper.models == NULL ? "scenes"
-	                                                                         : NULL;
-	if (lacks != NULL) ts_cursor_wrong(&r->c, r->c.begin, "the table \"%s\" above lacks \"%s\"", t->row.name, lacks);
-	for (u32 i = 0; i < t->n_parts; i++)
-		if (t->parts[i].figures[0] == TS_NO_FIGURE)
-			ts_cursor_wrong(&r->c, r->c.begin, "the part \"%s\" above has no figure", t->parts[i].key);
+	const char *fault = t != NULL && t->row.run == NULL && r->c.status == TS_OK ? fault_of(t) : NULL;
+	if (fault != NULL) ts_cursor_wrong(&r->c, r->c.begin, "the table \"%s\" above: %s", t->row.name, fault);
 }
 
 /* `table NAME` */
@@ -211,6 +245,9 @@ static void take_table(ts_table_reader *r)
 	ts_table_texts *texts = r->texts;
 	end_table(r);
 	const char *name = ts_cursor_name(&r->c, "a name");
+	for (u32 i = 0; i < texts->n_tables; i++)
+		if (strcmp(texts->tables[i]->row.name, name) == 0)
+			ts_cursor_wrong(&r->c, name, "the table \"%s\" stands above", name);
 	ts_one_table *t = ts_alloc_zero(1, sizeof *t, "a table");
 	u32 at = ts_take_next(r, &texts->n_tables, MOST_TABLES, "tables");
 	if (t == NULL || r->c.status != TS_OK) {
@@ -265,15 +302,25 @@ static const struct {
 static const struct {
 	const char *key;
 	void (*take)(ts_table_reader *r);
+	bool once; /* in a table */
 } lines_of[] = {
-	{"table", take_table},     {"stages", take_stages},  {"shows", take_shows},     {"objects", take_objects},
-	{"look", take_look},       {"work", take_work},      {"variant", take_variant}, {"figure", ts_take_figure},
-	{"part", ts_take_part},    {"claim", ts_take_claim}, {"nearest", take_nearest}, {"paper", ts_take_paper},
-	{"picture", take_picture}, {"plot", take_plot},      {"brief", take_brief},     {"effect", take_effect},
+	{"table", take_table, false},     {"stages", take_stages, false},    {"shows", take_shows, false},
+	{"variant", take_variant, false}, {"figure", ts_take_figure, false}, {"part", ts_take_part, false},
+	{"claim", ts_take_claim, false},  {"picture", take_picture, false},  {"objects", take_objects, true},
+	{"look", take_look, true},        {"work", take_work, true},         {"nearest", take_nearest, true},
+	{"paper", ts_take_paper, true},   {"plot", take_plot, true},         {"brief", take_brief, true},
+	{"effect", take_effect, true},
 };
 enum { WITHOUT_TABLE = 3 };
 
 #define N(rows) (sizeof(rows) / sizeof *(rows))
+
+/* A line that a table has once; lines are numbered, those of `lines_of` behind those of `fields`. */
+static void take_once(ts_table_reader *r, const char *key, size_t line)
+{
+	if ((r->t->taken >> line & 1) != 0) ts_cursor_wrong(&r->c, key, "\"%s\" stands above, too", key);
+	r->t->taken |= 1ull << line;
+}
 
 /* Whether the key is one of `fields`. */
 static bool take_field(ts_table_reader *r, const char *key)
@@ -281,6 +328,7 @@ static bool take_field(ts_table_reader *r, const char *key)
 	size_t i = 0;
 	while (i < N(fields) && strcmp(key, fields[i].key) != 0) i++;
 	if (i == N(fields)) return false;
+	take_once(r, key, i);
 	void *at = (char *)r->t + fields[i].at;
 	if (fields[i].kind == A_FLAG) {
 		*(bool *)at = true;
@@ -288,7 +336,7 @@ static bool take_field(ts_table_reader *r, const char *key)
 		*(u32 *)at = ts_cursor_count(&r->c, TS_NONE - 1);
 	} else {
 		const char *text = *(const char **)at = ts_cursor_rest(&r->c, "a text");
-		if (fields[i].kind == A_SET) check_set(r, text);
+		if (fields[i].kind == A_SET) check_set(r, text, false);
 	}
 	return true;
 }
@@ -302,6 +350,7 @@ static void take_line(ts_table_reader *r)
 	if (r->t == NULL && i >= WITHOUT_TABLE) {
 		ts_cursor_wrong(&r->c, key, "\"table\", \"stages\" or \"shows\" is expected");
 	} else if (i < N(lines_of)) {
+		if (lines_of[i].once) take_once(r, key, N(fields) + i);
 		lines_of[i].take(r);
 	} else if (!take_field(r, key)) {
 		ts_cursor_wrong(&r->c, key, "no key \"%s\"", key);

@@ -49,7 +49,7 @@ static double write_tree(char *text, u32 depth, u32 rank)
 	strcat(text, (const char *const[]){"+", " - ", "*", " /"}[op]);
 	b = write_tree(text, depth - 1, own + 1);
 	if (brackets) strcat(text, ")");
-	return op == 0 ? a + b : op == 1 ? a - b : op == 2 ? a * b : b > 0 ? a / b : NAN;
+	return op == 0 ? a + b : op == 1 ? a - b : op == 2 ? a * b : b != 0 ? a / b : NAN;
 }
 
 static void what_is_read_has_the_value_of_what_was_written(void **state)

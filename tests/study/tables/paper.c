@@ -114,6 +114,13 @@ static void only_tables_of_times_run_again(void **state)
 	json_decref(measured(&timed, "2", 3, &times));
 	assert_int_equal(counts, once);
 	assert_true(times > once && times < 3 * once);
+	ts_paper_table slow = table(true);
+	ts_bench_variant variants[3] = {slow.variants[0], slow.variants[1], {0}};
+	variants[1].runs = TS_LONG;
+	slow.variants = variants;
+	u64 with_long;
+	json_decref(measured(&slow, "2", 3, &with_long));
+	assert_int_equal(with_long, times);
 }
 
 static double exposure(const ts_run *run) { return TS_PARAM(&run->params, image_exposure); }
@@ -149,9 +156,11 @@ static void what_is_typed_stays(void **state)
 		ts_job job = {0};
 		job.set[row] = typed == 1;
 		ts_params_default(&job.params);
-		assert_int_equal(ts_bench_set_defaults(&job.params, &job, "octree.levels=7,frame=40"), TS_OK);
+		assert_int_equal(ts_bench_set_defaults(&job.params, &job, "octree.levels=7,frame=40", ""), TS_OK);
 		assert_true((TS_PARAM(&job.params, octree_levels) == 7) == (typed == 0));
 		assert_int_equal(TS_PARAM(&job.params, frame), 40);
+		assert_int_equal(ts_bench_set_defaults(&job.params, &job, "seed=9,frame=50", "seed=1"), TS_OK);
+		assert_true(TS_PARAM(&job.params, seed) != 9);
 	}
 }
 

@@ -78,6 +78,23 @@ static void times_of_busy_machines_are_not_judged(void **state)
 	check(ts_busy_limit() + 0.01, busy);
 }
 
+/* Two scenes whose files have one name do not go on from each other. */
+static void scenes_of_one_name_are_two(void **state)
+{
+	(void)state;
+	ts_report report;
+	ts_report_begin(&report, true);
+	ts_paper_line lines[2] = {{.scene = "a", .of_scene = 1, .here = {1, 1, 9}},
+	                          {.scene = "a", .of_scene = 2, .here = {1, 1, 1}}};
+	ts_paper_report(&report, table, lines, 2);
+	const json_t *row;
+	size_t i, grows = 0;
+	json_array_foreach (json_object_get(report.root, "relations"), i, row)
+		grows += strncmp(json_string_value(json_object_get(row, "relation")), "a rate", 6) == 0;
+	assert_int_equal(grows, 0);
+	ts_report_discard(&report);
+}
+
 /* Of two frames; only programs are told. */
 static void figures_over_frames_have_their_extremes(void **state)
 {
@@ -105,6 +122,7 @@ static void figures_over_frames_have_their_extremes(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(times_of_busy_machines_are_not_judged),
+	                                   cmocka_unit_test(scenes_of_one_name_are_two),
 	                                   cmocka_unit_test(figures_over_frames_have_their_extremes)};
 	return cmocka_run_group_tests(tests, begin, end);
 }

@@ -25,12 +25,12 @@ static void a_mistake_is_said_with_its_place(void **state)
 		{"tables x", "my.table:1:1: \"table\", \"stages\" or \"shows\" is expected"},
 		{"title x", "my.table:1:1: \"table\", \"stages\" or \"shows\" is expected"},
 		{"# a comment\n\n \t\ntable", "my.table:4:6: a name is expected"},
-		{"table ../x", "my.table:1:7: \"../x\": a name has letters, digits, _ and - only"},
+		{"table ../x", "my.table:1:7: \"../x\": a name has at most 40 letters, digits, _, - and ."},
 		{"table x y", "my.table:1:9: nothing more is expected"},
-		{"table x", "my.table:1:1: the table \"x\" above lacks \"variant\""},
-		{HEAD EPR, "my.table:5:1: the table \"small\" above lacks \"part\""},
-		{"table x\nscenes a\n" EPR "part p \"P\"\n", "my.table:5:1: the table \"x\" above lacks \"effect\""},
-		{HEAD EPR "part p \"P\"\n", "my.table:6:1: the part \"p\" above has no figure"},
+		{"table x", "my.table:1:1: the table \"x\" above: it has no \"variant\""},
+		{HEAD EPR, "my.table:5:1: the table \"small\" above: it has no \"part\""},
+		{"table x\nscenes a\n" EPR "part p \"P\"\n", "my.table:5:1: the table \"x\" above: it has no \"effect\""},
+		{HEAD EPR "part p \"P\"\n", "my.table:6:1: the table \"small\" above: a part has no figure"},
 		{HEAD "colour red", "my.table:4:1: no key \"colour\""},
 		{HEAD "\ttitle x", "my.table:4:2: an indented line belongs to"},
 		{HEAD "title", "my.table:4:6: a text is expected"},
@@ -61,16 +61,44 @@ static void a_mistake_is_said_with_its_place(void **state)
 		{HEAD EPR PART "paper points\n\tA atrium sponza 1 2 3", "my.table:8:22: nothing more is expected"},
 		{HEAD EPR PART "paper point", "my.table:7:7: no figure \"point\" above"},
 		{HEAD EPR "picture p = mvr", "my.table:5:13: no variant \"mvr\" above"},
-		{HEAD EPR "picture a/b = epr", "my.table:5:9: \"a/b\": a name has letters"},
+		{HEAD EPR "picture a/b = epr", "my.table:5:9: \"a/b\": a name has at most 40 letters"},
 		{HEAD EPR PART "plot \"x\" \"y\" points", "my.table:7:20: a figure is expected"},
 		{"table t\neffect mirrors", "my.table:2:8: no effect \"mirrors\""},
 		{HEAD "variant epr = eprr", "my.table:4:15: no method \"eprr\""},
 		{HEAD "variant epr = epr seed", "my.table:4:19: \"seed\": seen, once,"},
-		{HEAD "variant epr = epr seed=x", "my.table:4:19: "},
+		{HEAD "variant epr = epr cube.px=x", "my.table:4:19: "},
 		{HEAD "set seed=1,seen", "my.table:4:5: \"seen\": NAME=VALUE,... is expected"},
 		{HEAD "defaults sead=1", "my.table:4:10: "},
 		{HEAD "size 8x8", "my.table:4:6: \"8x8\": NAME=VALUE,... is expected"},
 		{HEAD "objects mirrors reflector.count 1", "my.table:4:17: no parameter \"reflector.count\""},
+		{HEAD EPR "variant wide = epr width=64", "my.table:5:20: width: variants have the size of their row"},
+		{HEAD EPR "variant b = epr lookup.bounces=2,reflectors.count=3", "my.table:5:17: reflectors.count: variants"},
+		{HEAD EPR "variant b = epr lookup.bounces=1 cube.px=64",
+	     "my.table:5:34: \"cube.px=64\": all that is set is one"},
+		{HEAD "set truth.rays=5", "my.table:4:5: truth.rays: tables judge by whole truths"},
+		{HEAD "scenes gallery", "my.table:4:1: \"scenes\" stands above, too"},
+		{HEAD "effect reflections", "my.table:4:1: \"effect\" stands above, too"},
+		{HEAD EPR PART HEAD, "my.table:7:7: the table \"small\" stands above"},
+		{HEAD "objects a,b reflectors.count 1", "my.table:4:9: \"a,b\": a column's head has at most 40"},
+		{HEAD "objects mirrors reflectors.count 1,,3", "my.table:4:34: --objects"},
+		{HEAD "objects mirrors reflectors.count 0.5", "my.table:4:34: --objects"},
+		{HEAD "objects mirrors reflectors.count 60 50", "my.table:4:34: --objects"},
+		{HEAD "objects pixels size 8", "my.table:4:21: --objects"},
+		{HEAD EPR "figure 2 \"\" 2 = 1", "my.table:5:8: \"2\": a key is a letter, then"},
+		{HEAD EPR "figure a-b \"\" 2 = 1", "my.table:5:8: \"a-b\": a key is a letter, then"},
+		{HEAD "variant truth = epr", "my.table:4:9: \"truth\": a name is a letter, then"},
+		{HEAD EPR PART "\tscene \"\" 0 = 1", "my.table:7:2: \"scene\" is the key of a row's beginning"},
+		{HEAD "part relations \"\"", "my.table:4:6: \"relations\" is a key of every report"},
+		{HEAD "part times-x \"\"", "my.table:4:6: \"times-x\" is a key of every report"},
+		{HEAD EPR "picture truth-b = epr", "my.table:5:9: \"truth-b\": such pictures are written beside"},
+		{HEAD EPR "picture p = epr\npicture p = epr", "my.table:6:9: the picture \"p\" stands above"},
+		{HEAD EPR PART "claim \"c\" points at most \"\"", "my.table:7:27: \"\" is no number"},
+		{"stages s = splat\nstages s = splat", "my.table:2:8: the list \"s\" stands above"},
+		{HEAD "variant epr = pcss\n" PART "\n",
+	     "my.table:8:1: the table \"small\" above: a variant is of another effect"},
+		{HEAD EPR "part p \"\"\n\ta \"\" 2 = epr.rmse.truth\n",
+	     "my.table:7:1: the table \"small\" above: a figure is to the"},
+		{HEAD EPR PART "truth Z\n", "my.table:8:1: the table \"small\" above: --truth Z: no truth of reflections"},
 		{HEAD "look away", "my.table:4:6: nothing computes \"away\""},
 		{HEAD "work sweeps", "my.table:4:6: nothing computes \"sweeps\""},
 		{HEAD "work projected_size", "my.table:4:6: nothing computes \"projected_size\""},
@@ -91,8 +119,8 @@ static void a_table_has_what_its_text_says(void **state)
 	(void)state;
 	ts_table_texts *texts = texts_of(
 		"stages both = splat,lookup\n" HEAD "title A title\nbrief\nset seed=1\ntimed\nsurfels 7\n"
-		"objects mirrors reflectors.count 1,2 50\nobjects \"sizes\" size 8x8\nlook projected_size\ntruth A\n" EPR
-		"variant slow = mvr long seed=2\n" PART "\tms \"Time\" 2 = epr.ms.both\n\ttwice \"\" 1 = 2 * ms\n"
+		"objects sizes size 64x64,16x16 50\nlook projected_size\ntruth A\n" EPR
+		"variant slow = mvr long cube.px=64\n" PART "\tms \"Time\" 2 = epr.ms.both\n\ttwice \"\" 1 = 2 * ms\n"
 		"claim \"c\" points from 1 to 2 of paper where twice from 3 to 4 beside ms else ours: because\n"
 		"claim \"d\" ms falls with points\nnearest points\npaper twice points\n\t\"No 1\" atrium sponza 10 - 2e3\r\n"
 		"picture p = slow\nplot \"x\" \"y\" rising points ms\nshows EPR \"table 1\" \"what\" in small \"c|d\"\n");
@@ -100,9 +128,9 @@ static void a_table_has_what_its_text_says(void **state)
 	const ts_paper_table *of = row->paper;
 	assert_true(strcmp(of->title, "A title") == 0 && strcmp(row->brief, "") == 0 && of->timed && !of->rays);
 	assert_true(of->sampled == 7 && of->most == 50 && of->objects_param == NULL && of->look != NULL);
-	assert_true(strcmp(of->objects_head, "sizes") == 0 && strcmp(of->objects, "8x8") == 0);
+	assert_true(strcmp(of->objects_head, "sizes") == 0 && strcmp(of->objects, "64x64,16x16") == 0);
 	assert_true(of->variants[0].seen && of->variants[1].runs == TS_LONG && of->variants[2].method == NULL);
-	assert_string_equal(of->variants[1].set, "seed=2");
+	assert_string_equal(of->variants[1].set, "cube.px=64");
 	assert_true(of->figures[1].timed && of->figures[2].timed && !of->figures[0].timed);
 	assert_true(of->figures[1].measured && !of->figures[2].measured && of->figures[3].key == NULL);
 	assert_string_equal(of->measured[1].what, "splat,lookup");
@@ -198,7 +226,7 @@ static void no_text_does_harm(void **state)
 {
 	(void)state;
 	static const char whole[] =
-		"stages both = splat,lookup\n" HEAD "objects mirrors reflectors.count 1,2 50\n" EPR PART
+		"stages both = splat,lookup\n" HEAD "truth A\nobjects mirrors reflectors.count 1,2 50\n" EPR PART
 		"\tms \"Time\" 2 = growth(points, points) * (epr.ms.both - 2) / epr.rmse.truth\n"
 		"claim \"c\" points from 1 to 2 of paper where ms from 3 to 4 beside ms else ours: because\n"
 		"paper ms points\n\t\"No 1\" atrium sponza 10 - 2e3\nplot \"x\" \"y\" rising points ms\n";

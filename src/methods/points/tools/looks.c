@@ -38,7 +38,8 @@ static double largest_face(const ts_run *run)
 static double penumbra(const ts_run *run)
 {
 	const ts_params *params = &run->params;
-	if (TS_PARAM(params, lamp_source) == TS_LAMP_SCENE) return NAN;
+	bool made = run->frame.buffer[TS_B_lamp_light].made && run->frame.buffer[TS_B_lamp_shape].made;
+	if (!made || TS_PARAM(params, lamp_source) == TS_LAMP_SCENE) return NAN;
 	const ts_light *light = ts_frame_data(&run->frame, TS_B_lamp_light);
 	const ts_lamp *lamp = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	double distance = sqrt((double)light->intensity[0] / (double)TS_PARAM(params, light_irradiance));

@@ -181,7 +181,7 @@ ts_status ts_bench_crumbs(const ts_job *job)
 	const ts_truth_kind *judge;
 	ts_status status = ts_bench_truth(&judge, job, "surfels", "surface");
 	const char *defaults = "eye.distance=outside,surfels.from_mesh=60000,truth.grid_rays=8";
-	if (status == TS_OK) status = ts_bench_set_defaults(&own.params, job, defaults);
+	if (status == TS_OK) status = ts_bench_set_defaults(&own.params, job, defaults, "");
 	if (status == TS_OK && !job->sized) status = ts_bench_set(&own.params, "width=400,height=500");
 	return status == TS_OK ? ts_bench_with_report(&own, work_on, judge) : status;
 }

@@ -61,6 +61,14 @@ static void a_method_without_cubes_has_no_size(void **state)
 	ts_frame_clear(&run.frame);
 }
 
+static void a_run_without_a_lamp_has_no_penumbra(void **state)
+{
+	(void)state;
+	ts_run run = {0};
+	ts_params_default(&run.params);
+	assert_true(isnan(look_at("penumbra", &run)));
+}
+
 static void the_largest_face_is_that_of_any_cube(void **state)
 {
 	(void)state;
@@ -155,6 +163,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(mirrors_are_as_large_as_their_boxes_in_the_picture),
 		cmocka_unit_test(a_method_without_cubes_has_no_size),
+		cmocka_unit_test(a_run_without_a_lamp_has_no_penumbra),
 		cmocka_unit_test(the_largest_face_is_that_of_any_cube),
 		cmocka_unit_test(penumbras_are_as_wide_as_projected),
 	};
