@@ -62,19 +62,23 @@ static double spent(const ts_figure *f, const ts_figure_source *c) { return mill
 
 static double frame(const ts_figure *f, const ts_figure_source *c) { return 1e3 * c->measures[f->variant].seconds; }
 
-/* A buffer, or all that a stage makes. */
-static double bytes(const ts_figure *f, const ts_figure_source *c)
+/* Whether a buffer is in the list, or of one of its stages. */
+static bool is_listed(const char *buffer, const char *list)
 {
 	char item[64];
-	double sum = 0;
-	for (const char *list = f->what; ts_words_item(&list, item, sizeof item);) {
+	bool listed = false;
+	while (ts_words_item(&list, item, sizeof item)) {
 		size_t n = strlen(item);
-		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-			const char *name = ts_buffer_table[id].name;
-			bool is_of = strncmp(name, item, n) == 0 && (name[n] == '.' || name[n] == 0);
-			if (is_of) sum += (double)c->measures[f->variant].bytes[id];
-		}
+		listed |= strncmp(buffer, item, n) == 0 && (buffer[n] == '.' || buffer[n] == 0);
 	}
+	return listed;
+}
+
+static double bytes(const ts_figure *f, const ts_figure_source *c)
+{
+	double sum = 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++)
+		if (is_listed(ts_buffer_table[id].name, f->what)) sum += (double)c->measures[f->variant].bytes[id];
 	return sum;
 }
 

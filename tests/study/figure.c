@@ -6,9 +6,9 @@
 #include "tests/model/test.h"
 
 static const char *const variants[] = {"one", "two"};
-static const ts_named_list lists[] = {{"both", "splat,lookup"}};
+static const ts_named_list lists[] = {{"both", "splat,lookup"}, {"twice", "splat,splat.tie"}};
 static const char *const truths[] = {"other", "truth", NULL};
-static const ts_name_scope scope = {variants, truths, 2, lists, 1, false};
+static const ts_name_scope scope = {variants, truths, 2, lists, 2, false};
 
 static ts_bench_case *make_case(ts_scene *scene)
 {
@@ -75,6 +75,7 @@ static void counters_and_times_are_those_of_their_variant(void **state)
 	assert_true(isnan(value_of("one.ms.lookup", c)) && value_of("one.spent.lookup", c) == 0);
 	assert_true(value_of("one.ms.frame", c) == 2000 && value_of("one.looked", c) == 0.25);
 	assert_true(value_of("one.bytes.splat.tie", c) == 10 && value_of("one.bytes.splat", c) == 110);
+	assert_true(value_of("one.bytes.twice", c) == 110); /* each buffer once */
 	assert_true(value_of("one.bytes.both", c) == 110 && value_of("one.bytes.points", c) == 0);
 	assert_true(isnan(value_of("two.ms.frame", c))); /* there is no such method */
 	free(c);
