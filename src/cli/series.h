@@ -14,18 +14,18 @@ typedef struct {
 	char name[TS_FIGURE_NAME];
 	double value; /* NaN: the picture has none */
 	int decimals;
-} ts_figure;
+} ts_series_figure;
 typedef struct {
-	ts_figure figure[TS_MAX_FIGURES];
+	ts_series_figure figure[TS_MAX_FIGURES];
 	u32 n;
-} ts_figures;
+} ts_series_figure_list;
 /* The figures of the i-th shown picture of a render that was compared. All pictures of a render have the same names, in
  * the same order. */
-void ts_series_figures(ts_figures *figures, const ts_render *render, u32 shown);
+void ts_series_figures(ts_series_figure_list *figures, const ts_render *render, u32 shown);
 
 /* Least, mean and greatest of figures over frames. */
 typedef struct {
-	ts_figures figures; /* of the last frame; their names are those of every frame */
+	ts_series_figure_list figures; /* of the last frame; their names are those of every frame */
 	ts_frame_spread spread[TS_MAX_FIGURES], milliseconds;
 } ts_series_row;
 
@@ -92,7 +92,7 @@ ts_status ts_series_record(ts_series *series);
 ts_status ts_series_shard_write(ts_series *series);
 /* Takes the pictures, times and figures of this render from the shard that made them, for merge. */
 ts_status ts_series_fetch(ts_series *series);
-ts_status ts_series_fetch_figures(ts_figures *figures, const ts_series *series, u32 shown);
+ts_status ts_series_fetch_figures(ts_series_figure_list *figures, const ts_series *series, u32 shown);
 /* Rows of the pictures' table, as the shard of this render has them. */
 void ts_series_fetch_pictures(ts_table *table, const ts_series *series);
 /* Copies the files of this render from its shard. */

@@ -8,7 +8,7 @@ static void put_head(const ts_series *series, FILE *out, bool timed)
 	const ts_sweep *sweep = &series->job->sweep;
 	u32 first = 0;
 	while (ts_render_shown(series->render, first) == NULL) first++;
-	const ts_figures *figures = &series->rows[first]->figures;
+	const ts_series_figure_list *figures = &series->rows[first]->figures;
 	for (u32 k = 0; k < sweep->n; k++) fprintf(out, "%s,", sweep->swept[k].name);
 	if (series->job->frames.step > 0) fputs("frame,", out);
 	fputs(timed ? "method,milliseconds" : "image", out);
@@ -18,14 +18,14 @@ static void put_head(const ts_series *series, FILE *out, bool timed)
 
 static void put_line(const ts_series *series, FILE *out, u32 shown, bool timed)
 {
-	const ts_figures *figures = &series->rows[shown]->figures;
+	const ts_series_figure_list *figures = &series->rows[shown]->figures;
 	const ts_picture *picture = ts_render_shown(series->render, shown);
 	for (u32 k = 0; k < series->job->sweep.n; k++) fprintf(out, "%s,", series->values[k]);
 	if (series->job->frames.step > 0) fprintf(out, "%u,", (unsigned)TS_PARAM(&series->job->params, frame));
 	fputs(picture->name, out);
 	if (timed) fprintf(out, ",%.3f", 1e3 * picture->seconds);
 	for (u32 i = 0; i < figures->n; i++) {
-		const ts_figure *figure = &figures->figure[i];
+		const ts_series_figure *figure = &figures->figure[i];
 		fputc(',', out);
 		if (!isnan(figure->value)) fprintf(out, "%.*f", figure->decimals, figure->value);
 	}

@@ -23,9 +23,9 @@ static const char *const counters[] = {"points",
                                        NULL};
 
 /* "shading operations", "" to "shading_operations"; "rmse", "truth-b" to "rmse_truth-b". */
-static void put(ts_figures *figures, const char *name, const char *against, double value, int decimals)
+static void put(ts_series_figure_list *figures, const char *name, const char *against, double value, int decimals)
 {
-	ts_figure *figure = &figures->figure[figures->n];
+	ts_series_figure *figure = &figures->figure[figures->n];
 	if (figures->n == TS_MAX_FIGURES) return;
 	figures->n++;
 	figure->value = value;
@@ -35,7 +35,7 @@ static void put(ts_figures *figures, const char *name, const char *against, doub
 }
 
 /* Counters that a method lacks are 0; truths have none. */
-static void put_counters(ts_figures *figures, const ts_render *render, u32 shown)
+static void put_counters(ts_series_figure_list *figures, const ts_render *render, u32 shown)
 {
 	for (u32 i = 0; counters[i] != NULL; i++) {
 		const ts_counter *counter = NULL;
@@ -61,7 +61,7 @@ static bool is_swept(const ts_sweep *sweep, const char *param)
 }
 
 /* Errors to a requested truth, whether or not the scene has it. */
-static void put_errors(ts_figures *figures, const ts_render *render, u32 truth, const ts_picture *image)
+static void put_errors(ts_series_figure_list *figures, const ts_render *render, u32 truth, const ts_picture *image)
 {
 	char name[24];
 	const ts_pair *pair = find_pair(render, ts_render_shown(render, truth), image);
@@ -80,7 +80,7 @@ static void put_errors(ts_figures *figures, const ts_render *render, u32 truth, 
 	if (sequence && mirrors) put(figures, "reflective_flicker", name, pair != NULL ? pair->reflective_flicker : NAN, 6);
 }
 
-void ts_series_figures(ts_figures *figures, const ts_render *render, u32 shown)
+void ts_series_figures(ts_series_figure_list *figures, const ts_render *render, u32 shown)
 {
 	const ts_picture *image = ts_render_shown(render, shown);
 	figures->n = 0;

@@ -15,7 +15,7 @@ bool ts_series_has(const ts_series *series, u32 combination, u32 k)
 }
 
 /* [["points", 0, "0x1.8p+3"], ...] */
-static json_t *figures_json(const ts_figures *figures)
+static json_t *figures_json(const ts_series_figure_list *figures)
 {
 	json_t *list = json_array();
 	int failed = list == NULL;
@@ -140,7 +140,7 @@ ts_status ts_series_fetch(ts_series *series)
 	return status;
 }
 
-ts_status ts_series_fetch_figures(ts_figures *figures, const ts_series *series, u32 shown)
+ts_status ts_series_fetch_figures(ts_series_figure_list *figures, const ts_series *series, u32 shown)
 {
 	char name[24];
 	ts_render_name(name, sizeof name, series->render, shown);
@@ -148,7 +148,7 @@ ts_status ts_series_fetch_figures(ts_figures *figures, const ts_series *series, 
 	bool good = json_is_array(list) && json_array_size(list) <= TS_MAX_FIGURES;
 	figures->n = good ? (u32)json_array_size(list) : 0;
 	for (u32 i = 0; i < figures->n && good; i++) {
-		ts_figure *figure = &figures->figure[i];
+		ts_series_figure *figure = &figures->figure[i];
 		const json_t *row = json_array_get(list, i);
 		const char *text = json_string_value(json_array_get(row, 0)),
 				   *value = json_string_value(json_array_get(row, 2));

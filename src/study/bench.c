@@ -16,6 +16,14 @@ double ts_median(double *values, u32 n)
 	return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
+ts_status ts_bench_check(const ts_job *job, const char *table)
+{
+	u32 rays = TS_PARAM(&job->params, truth_rays);
+	return rays == 0
+	           ? TS_OK
+	           : ts_fail("bench %s: truth.rays=%u: tables judge by whole truths; leave it out", table, (unsigned)rays);
+}
+
 /* The parameters are as typed; each row has its own number of mirrors or pixels. */
 void ts_bench_head(ts_report *report, const ts_job *job, bool sized)
 {

@@ -10,6 +10,8 @@ enum { TS_BENCH_OBJECTS = 1000 }; /* at most */
 
 /* The median of n values, which are sorted in place. */
 double ts_median(double *values, u32 n);
+/* Refuses truths in part. */
+ts_status ts_bench_check(const ts_job *job, const char *table);
 /* Opens a report: size, if `sized` (all rows have the same), frame, threads, program and parameters. */
 void ts_bench_head(ts_report *report, const ts_job *job, bool sized);
 

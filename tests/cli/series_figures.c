@@ -5,7 +5,7 @@
 
 static ts_render render;
 static ts_job job;
-static ts_figures figures;
+static ts_series_figure_list figures;
 static u8 srgb[3 * 16];
 
 /* EPR and truth B, compared. */
@@ -33,9 +33,9 @@ static void begin(void)
 }
 
 /* The figure of that name; NULL: there is none. */
-static const ts_figure *named(const char *name)
+static const ts_series_figure *named(const char *name)
 {
-	const ts_figure *found = NULL;
+	const ts_series_figure *found = NULL;
 	for (u32 i = 0; i < figures.n; i++) {
 		if (strcmp(figures.figure[i].name, name) == 0) found = &figures.figure[i];
 	}

@@ -196,9 +196,7 @@ static ts_status bench_list(const ts_job *job) { return ts_bench_with_report(job
 ts_status ts_tables_run(const ts_bench_row *row, const ts_job *job)
 {
 	ts_job own = *job;
-	if (TS_PARAM(&job->params, truth_rays) > 0)
-		return ts_fail("bench %s: truth.rays=%u: tables judge by whole truths; leave it out", row->name,
-		               (unsigned)TS_PARAM(&job->params, truth_rays));
+	if (ts_bench_check(job, row->name) != TS_OK) return TS_ERROR;
 	own.scene.options.camera = TS_CAMERA_CIRCLE;
 	if (own.runs == 0) own.runs = row->runs != 0 ? row->runs : RUNS;
 	return row->paper != NULL ? ts_paper_bench(&own, row->paper) : row->run(&own);

@@ -52,10 +52,10 @@ static void cells_hold_any_value(void **state)
 	const ts_bench_figure whole = {.decimals = TS_WHOLE};
 	ts_table t = ts_table_begin("t", "", columns);
 	const double values[] = {12345, 1e70, -1e300, INFINITY, NAN};
-	static const char *const texts[] = {"12,345", "1e+70", "-1e+300", "equal", "-"};
+	static const char *const shown[] = {"12,345", "1e+70", "-1e+300", "equal", "-"};
 	for (u32 i = 0; i < 5; i++) {
 		ts_bench_cell(&t, &whole, values[i]);
-		assert_string_equal(t.cells[i].text, texts[i]);
+		assert_string_equal(t.cells[i].text, shown[i]);
 	}
 	ts_table_end(&t);
 }
