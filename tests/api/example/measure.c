@@ -13,9 +13,12 @@ int main(void)
 	ts_rendering *rendering;
 	const ts_rendering_options options = {sizeof options, .methods = "epr,mvr", .truths = "B"};
 	static const char *const names[] = {"epr", "mvr"};
+	static const char *const small[][2] = {
+		{"width", "96"}, {"height", "54"}, {"reflectors.count", "2"}, {"cube.max_px", "64"}};
 	if (ts_context_open(&context, NULL) != TS_OK || ts_params_make(&params) != TS_OK) return fail();
-	if (ts_params_set(params, "width", "160") != TS_OK || ts_params_set(params, "height", "90") != TS_OK) return fail();
-	if (ts_scene_open(context, &scene, "atrium:triangles=20000", params, NULL) != TS_OK) return fail();
+	for (int i = 0; i < 4; i++)
+		if (ts_params_set(params, small[i][0], small[i][1]) != TS_OK) return fail();
+	if (ts_scene_open(context, &scene, "atrium:triangles=10000:texels=32", params, NULL) != TS_OK) return fail();
 	if (ts_rendering_make(context, &rendering, scene, params, "reflections", &options) != TS_OK) return fail();
 	for (int i = 0; i < 2; i++) {
 		char name[64];
