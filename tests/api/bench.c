@@ -2,12 +2,11 @@
 #include <unistd.h>
 #include "tests/api/api.h"
 
-static const char text[] =
-	"table small\neffect reflections\nscenes atrium\nobjects mirrors reflectors.count 1,2\n"
-	"size width=80,height=45\ntimed\nvariant epr = epr seen\nvariant mvr = mvr seen\n"
-	"part one \"One\"\n\trmse \"\" 3 = epr.rmse.mvr\n\tn \"\" whole = param.reflectors.count\n"
-	"\twide \"\" whole = image.width\n\tms \"\" 2 = epr.ms.frame\n"
-	"claim \"wide\" wide at most 70 else ours: no\n";
+static const char text[] = "table small\neffect reflections\nscenes atrium\nobjects mirrors reflectors.count 1,2\n"
+						   "size width=80,height=45\ntimed\nvariant epr = epr seen\nvariant mvr = mvr seen\n"
+						   "part one \"One\"\n\trmse \"\" 3 = epr.rmse.mvr\n\tn \"\" whole = param.reflectors.count\n"
+						   "\twide \"\" whole = image.width\n\tms \"\" 2 = epr.ms.frame\n"
+						   "claim \"wide\" wide at most 70 else ours: no\n";
 
 static void a_table_of_a_file_is_measured(void **state)
 {

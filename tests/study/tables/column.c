@@ -85,9 +85,15 @@ static void a_scenes_name_finds_its_row(void **state)
 		const char *spec;
 		u32 objects;
 		int row;
-	} cases[] = {
-		{"atrium", 10, 0}, {"atrium:triangles=5", 20, 2},   {"atrium", 15, -1},       {"atriums", 10, -1},
-		{"gallery", 10, 1},   {"models/Sponza-2.gltf", 10, 0}, {"/a/b/CITY.ply", 10, 1}, {"/a/city/house.ply", 10, -1}};
+	} cases[] = {{"atrium", 10, 0},
+	             {"atrium:triangles=1.05M", 10, 0},
+	             {"atrium:triangles=5", 20, 2},
+	             {"atrium", 15, -1},
+	             {"atriums", 10, -1},
+	             {"gallery", 10, 1},
+	             {"models/Sponza-2.gltf", 10, 0},
+	             {"/a/b/CITY.ply", 10, 1},
+	             {"/a/city/house.ply", 10, -1}};
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
 		ts_paper_line line = compared(TS_NO_FIGURE, cases[i].spec, cases[i].objects, 1);
 		assert_ptr_equal(line.row, cases[i].row >= 0 ? &table.rows[cases[i].row] : NULL);
