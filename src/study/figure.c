@@ -140,7 +140,8 @@ static double change(const ts_figure *f, const ts_figure_source *c)
 	return ts_picture_change(&c->images[f->variant], NULL, c->params);
 }
 
-/* Of all pixels with a surface, or of those in `only`; false: a picture is missing. */
+/* Compares the light of both pictures at the pixels of `only`; NULL: at all that see a surface. Returns false where a
+ * picture is missing. */
 static bool light(const ts_figure *f, const ts_figure_source *c, const u8 *only, ts_light_metrics *found)
 {
 	const ts_picture *image, *other;

@@ -1,5 +1,5 @@
-/* A line of text word by word. What is wrong first is said with file, line and column; from then on every word is empty
- * and every number 0, so that a reader asks for the status once a line. */
+/* Reads a line of text word by word. The message of the first mistake has file, line and column. After a mistake all
+ * words are empty and all numbers 0, so a reader looks at the status once a line. */
 #ifndef TS_STUDY_TABLES_CURSOR_H
 #define TS_STUDY_TABLES_CURSOR_H
 #include "kernels/base/compat.h"

@@ -100,28 +100,28 @@ static ts_status read_value(reading *r)
 	return isdigit((unsigned char)*r->at) ? read_number(r) : read_name(r);
 }
 
-static ts_status read_product(reading *r)
+/* Operands with one of two operators between them, from left to right. */
+static ts_status read_chain(reading *r, ts_status (*operand)(reading *r), const char *signs,
+                            const ts_term_kind kinds[2])
 {
-	ts_status status = read_value(r);
+	ts_status status = operand(r);
 	while (status == TS_OK) {
-		bool product = takes(r, '*');
-		if (!product && !takes(r, '/')) return TS_OK;
-		status = read_value(r);
-		if (status == TS_OK) status = add(r, (ts_term){.kind = product ? TS_TERM_MULTIPLY : TS_TERM_DIVIDE});
+		u32 k = takes(r, signs[0]) ? 0 : takes(r, signs[1]) ? 1 : 2;
+		if (k == 2) return TS_OK;
+		status = operand(r);
+		if (status == TS_OK) status = add(r, (ts_term){.kind = kinds[k]});
 	}
 	return status;
 }
 
+static ts_status read_product(reading *r)
+{
+	return read_chain(r, read_value, "*/", (const ts_term_kind[]){TS_TERM_MULTIPLY, TS_TERM_DIVIDE});
+}
+
 static ts_status read_sum(reading *r)
 {
-	ts_status status = read_product(r);
-	while (status == TS_OK) {
-		bool sum = takes(r, '+');
-		if (!sum && !takes(r, '-')) return TS_OK;
-		status = read_product(r);
-		if (status == TS_OK) status = add(r, (ts_term){.kind = sum ? TS_TERM_ADD : TS_TERM_SUBTRACT});
-	}
-	return status;
+	return read_chain(r, read_product, "+-", (const ts_term_kind[]){TS_TERM_ADD, TS_TERM_SUBTRACT});
 }
 
 ts_status ts_expression_read(ts_term *terms, u32 *n, const char *text, const char **at, ts_expression_name *name,
