@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* A rendering: methods of an effect and its truths, of one frame of a scene; their pictures, and figures of what was
- * measured, by names: `epr.ms.splat`, `epr.count.points`, `epr.bytes.points.record`, `epr.rmse.mvr`, `epr.rmse.A`. */
+ * measured, by names: `epr.ms.splat`, `epr.count.points`, `epr.bytes.points.record`, `epr.rmse.mvr`, `epr.rmse.A`.
+ * Buffers are released as soon as no later stage reads them; ts_trace_run with the same arguments keeps them. */
 #ifndef TOUCHSTONE_RENDER_H
 #define TOUCHSTONE_RENDER_H
 #include <stddef.h>
@@ -43,10 +44,16 @@ typedef struct {
 	uint32_t width, height;
 	const uint8_t *srgb;   /* height rows of width pixels, RGB as displayed, from the top */
 	const float *radiance; /* the same pixels, linear RGB; NULL: of false colours */
-	int estimated;         /* not 0: a truth from which the parameter truth.rays left out some rays */
+	int estimated;         /* not 0: of a truth from which the parameter truth.rays left out some rays */
 } ts_rendering_picture;
 /* Picture i, from 0: those of methods, of truths, of stages; NULL behind the last. */
 TS_API const ts_rendering_picture *ts_rendering_picture_at(const ts_rendering *rendering, size_t i);
+/* The picture of that name, or the difference of two: "difference-epr-truth-b" has, as displayed, their distance in
+ * grey levels, times a factor of the effect, and, as radiance, the first less the second. A difference is made when it
+ * is first asked for; two threads must not ask at once.
+ * Out: *picture; NULL on failure. Fails if there is no such picture. */
+TS_API ts_status ts_rendering_picture_named(ts_context *context, const ts_rendering_picture **picture,
+                                            ts_rendering *rendering, const char *name);
 
 /* A figure. Only `bytes` must be set before. The name lives as long as its rendering. */
 typedef struct {

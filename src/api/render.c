@@ -14,6 +14,13 @@ typedef struct {
 	char name[128];
 } named;
 
+typedef struct difference {
+	struct difference *next;
+	ts_picture picture;
+	ts_rendering_picture shown;
+	char name[64];
+} difference;
+
 struct ts_rendering {
 	ts_job job;
 	ts_render render;
@@ -22,9 +29,16 @@ struct ts_rendering {
 	ts_rendering_picture pictures[TS_MAX_SHOWN + TS_MAX_METHODS * TS_MAX_STAGE_PICTURES];
 	char names[TS_MAX_METHODS * TS_MAX_STAGE_PICTURES][64];
 	size_t n_pictures;
+	difference *differences; /* that were asked for */
 	named **figures;
 	size_t n_figures, capacity;
 };
+
+static void free_difference(difference *d)
+{
+	if (d != NULL) ts_picture_free(&d->picture);
+	free(d);
+}
 
 static ts_name_scope scope_of(const ts_rendering *r)
 {
@@ -79,12 +93,11 @@ static ts_status refuse_absent(const ts_rendering *r)
 	return TS_OK;
 }
 
-static void add_picture(ts_rendering *r, const char *name, const ts_picture *picture)
+static ts_rendering_picture shown(const ts_rendering *r, const char *name, const ts_picture *picture)
 {
 	const ts_params *p = &r->job.params;
-	r->pictures[r->n_pictures++] =
-		(ts_rendering_picture){name,          TS_PARAM(p, width), TS_PARAM(p, height),
-	                           picture->srgb, picture->radiance,  ts_sampling_is_part(&picture->sampling)};
+	return (ts_rendering_picture){name,          TS_PARAM(p, width), TS_PARAM(p, height),
+	                              picture->srgb, picture->radiance,  ts_sampling_is_part(&picture->sampling)};
 }
 
 static void list_pictures(ts_rendering *r)
@@ -92,7 +105,7 @@ static void list_pictures(ts_rendering *r)
 	ts_render *render = &r->render;
 	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
 		const ts_picture *picture = ts_render_shown(render, i);
-		if (picture != NULL) add_picture(r, picture->name, picture);
+		if (picture != NULL) r->pictures[r->n_pictures++] = shown(r, picture->name, picture);
 	}
 	for (u32 i = 0, n = 0; i < render->n_methods; i++) {
 		ts_stage_pictures_finish(&render->stages[i], render->pictures[i].srgb);
@@ -243,12 +256,75 @@ void ts_rendering_free(ts_rendering *rendering)
 	for (u32 i = 0; i < TS_MAX_SHOWN; i++) free(rendering->before[i]);
 	for (size_t i = 0; i < rendering->n_figures; i++) free(rendering->figures[i]);
 	free(rendering->figures);
+	for (difference *d = rendering->differences, *next; d != NULL; d = next) {
+		next = d->next;
+		free_difference(d);
+	}
 	free(rendering);
 }
 
 const ts_rendering_picture *ts_rendering_picture_at(const ts_rendering *rendering, size_t i)
 {
 	return rendering != NULL && i < rendering->n_pictures ? &rendering->pictures[i] : NULL;
+}
+
+/* Finds the pictures of the eye's size whose names are those of "difference-FIRST-SECOND". */
+static bool find_two(const ts_picture *of[2], const ts_render *render, const char *name)
+{
+	for (u32 i = 0; i < TS_MAX_SHOWN * TS_MAX_SHOWN; i++) {
+		char both[64];
+		of[0] = ts_render_shown(render, i / TS_MAX_SHOWN);
+		of[1] = ts_render_shown(render, i % TS_MAX_SHOWN);
+		if (of[0] == NULL || of[1] == NULL || of[0] == of[1]) continue;
+		snprintf(both, sizeof both, "difference-%s-%s", of[0]->name, of[1]->name);
+		if (strcmp(both, name) == 0) return true;
+	}
+	return false;
+}
+
+static ts_status make_difference(difference **made, const ts_rendering *r, const char *name)
+{
+	const ts_picture *of[2];
+	if (!find_two(of, &r->render, name)) return ts_fail("%.60s: there is no such picture", name);
+	difference *d = *made = ts_alloc_zero(1, sizeof *d, "a difference");
+	if (d == NULL) return TS_ERROR;
+	snprintf(d->name, sizeof d->name, "%s", name);
+	ts_status status = ts_picture_difference(&d->picture, of[0], of[1], &r->job.params,
+	                                         ts_effect_find(r->render.effect)->difference_scale);
+	d->shown = shown(r, d->name, &d->picture);
+	d->shown.estimated = ts_picture_chosen(of[0], of[1]) != NULL;
+	return status;
+}
+
+static const ts_rendering_picture *find_picture(const ts_rendering *r, const char *name)
+{
+	for (size_t i = 0; i < r->n_pictures; i++)
+		if (strcmp(r->pictures[i].name, name) == 0) return &r->pictures[i];
+	for (const difference *d = r->differences; d != NULL; d = d->next)
+		if (strcmp(d->name, name) == 0) return &d->shown;
+	return NULL;
+}
+
+ts_status ts_rendering_picture_named(ts_context *context, const ts_rendering_picture **picture, ts_rendering *rendering,
+                                     const char *name)
+{
+	difference *made = NULL;
+	if (TS_LACKS(picture)) return TS_ERROR;
+	*picture = NULL;
+	if (TS_LACKS(context) || TS_LACKS(rendering) || TS_LACKS(name)) return TS_ERROR;
+	*picture = find_picture(rendering, name);
+	if (*picture != NULL) return TS_OK;
+	if (ts_api_enter_alone(context) != TS_OK) return TS_ERROR;
+	ts_status status = make_difference(&made, rendering, name);
+	ts_api_leave();
+	if (status == TS_OK) {
+		made->next = rendering->differences;
+		rendering->differences = made;
+		*picture = &made->shown;
+	} else {
+		free_difference(made);
+	}
+	return status;
 }
 
 /* As in a context, the host's floating-point environment has no part in it. */

@@ -6,6 +6,7 @@
 #include "study/asked/methods.h"
 #include "study/asked/reads.h"
 #include "study/figure.h"
+#include "study/speed.h"
 #include "study/tables/tables.h"
 
 static const ts_column stage_columns[] = {{"name", "stage", false},
@@ -268,6 +269,14 @@ static ts_table list_vectors(void)
 	return table;
 }
 
+static void figure_row(ts_table *table, const char *name, const char *unit, bool timed, const char *doc)
+{
+	ts_table_text(table, name);
+	ts_table_text(table, unit);
+	ts_table_text(table, timed ? "differs" : "same");
+	ts_table_text(table, doc);
+}
+
 static ts_table list_figures(void)
 {
 	static const char *const objects[] = {"", ".COUNTER", ".STAGES", ".BUFFERS", ".PARAMETER", ".IMAGE"};
@@ -275,10 +284,12 @@ static ts_table list_figures(void)
 	for (const ts_figure_row *row = ts_figure_rows; row->name != NULL; row++) {
 		char name[64];
 		snprintf(name, sizeof name, "%s%s%s", row->of_case ? "" : "VARIANT.", row->name, objects[row->object]);
-		ts_table_text(&table, name);
-		ts_table_text(&table, row->unit);
-		ts_table_text(&table, row->timed ? "differs" : "same");
-		ts_table_text(&table, row->doc);
+		figure_row(&table, name, row->unit, row->timed, row->doc);
+	}
+	for (const ts_speed_own *own = ts_speed_owns; own->name != NULL; own++) {
+		char name[64];
+		snprintf(name, sizeof name, "FRAME.%s", own->name);
+		figure_row(&table, name, own->unit, own->unit[0] != 0, own->doc);
 	}
 	return table;
 }

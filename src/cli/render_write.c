@@ -1,5 +1,4 @@
 /* The files of a render: every method, truth and difference as PNG and EXR, and the pictures of the stages. */
-#include <stdlib.h>
 #include "cli/render.h"
 #include "image/about.h"
 #include "study/results/folder.h"
@@ -45,18 +44,12 @@ static ts_status write_difference(const ts_render *render, const ts_pair *pair)
 {
 	char stem[64];
 	const ts_params *params = &render->job->params;
-	u32 scale = (u32)ts_render_difference_scale(render);
-	size_t n = (size_t)TS_PARAM(params, width) * TS_PARAM(params, height) * 3;
-	f32 *radiance = ts_alloc(n, sizeof *radiance, "a difference");
-	u8 *grey = ts_picture_difference(pair->image, pair->reference, params, scale);
-	ts_status status = radiance != NULL && grey != NULL ? TS_OK : TS_ERROR;
-	for (size_t i = 0; i < n && status == TS_OK; i++) {
-		radiance[i] = pair->image->radiance[i] - pair->reference->radiance[i];
-	}
+	ts_picture difference;
+	ts_status status = ts_picture_difference(&difference, pair->image, pair->reference, params,
+	                                         (u32)ts_render_difference_scale(render));
 	snprintf(stem, sizeof stem, "difference-%s-%s", pair->image->name, pair->reference->name);
-	if (status == TS_OK) status = write_pair(render, stem, grey, radiance);
-	free(radiance);
-	free(grey);
+	if (status == TS_OK) status = write_pair(render, stem, difference.srgb, difference.radiance);
+	ts_picture_free(&difference);
 	return status;
 }
 

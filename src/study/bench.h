@@ -32,13 +32,15 @@ ts_status ts_bench_with_report(const ts_job *job, ts_bench_work *work, const voi
 ts_status ts_bench_plot(const char *name, const ts_plot *plot);
 
 typedef struct ts_paper_table ts_paper_table;
+typedef struct ts_speed_of ts_speed_of;
 
-/* A table of `bench`: one of a paper, or one that `run` measures. */
+/* A table of `bench`: one of a paper, one of speed, or one that `run` measures. */
 typedef struct {
 	const char *name, *doc;
 	const char *without; /* names of options that the table refuses, separated by blanks */
 	const char *takes;   /* of the only ones that say something; NULL: all others */
 	const ts_paper_table *paper;
+	const ts_speed_of *const *speed; /* ended by NULL */
 	ts_status (*run)(const ts_job *job);
 	u32 runs;          /* unless the job says how many; 0: three */
 	const char *brief; /* the options of a run that takes seconds, separated by blanks; NULL: none */
@@ -73,7 +75,6 @@ void ts_bench_relation_add(ts_table *table, const ts_bench_relation *relation);
 /* Tables of a file each. */
 ts_status ts_bench_backends(const ts_job *job);
 ts_status ts_bench_start(const ts_job *job);
-ts_status ts_bench_speed(const ts_job *job);
 /* The one truth of an effect that --truth names; without --truth the one named `unless`; NULL for "none". */
 ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job, const char *effect, const char *unless);
 

@@ -118,15 +118,19 @@ ts_status ts_picture_light(ts_light_metrics *light, const ts_picture *reference,
 	return TS_OK;
 }
 
-u8 *ts_picture_difference(const ts_picture *image, const ts_picture *reference, const ts_params *params, u32 scale)
+ts_status ts_picture_difference(ts_picture *difference, const ts_picture *image, const ts_picture *reference,
+                                const ts_params *params, u32 scale)
 {
 	size_t n = (size_t)TS_PARAM(params, width) * TS_PARAM(params, height) * 3;
-	u8 *grey = ts_alloc(n, 1, "a difference");
-	for (size_t i = 0; grey != NULL && i < n; i++) {
+	*difference = (ts_picture){.srgb = ts_alloc(n, 1, "a difference")};
+	difference->radiance = ts_alloc(n, sizeof *difference->radiance, "a difference");
+	if (difference->srgb == NULL || difference->radiance == NULL) return TS_ERROR;
+	for (size_t i = 0; i < n; i++) {
 		u32 d = (u32)abs(image->srgb[i] - reference->srgb[i]) * scale;
-		grey[i] = (u8)(d < 255 ? d : 255);
+		difference->srgb[i] = (u8)(d < 255 ? d : 255);
+		difference->radiance[i] = image->radiance[i] - reference->radiance[i];
 	}
-	return grey;
+	return TS_OK;
 }
 
 double ts_picture_change(const ts_picture *picture, const u8 *mask, const ts_params *params)

@@ -56,9 +56,10 @@ ts_status ts_picture_light(ts_light_metrics *light, const ts_picture *reference,
                            const u8 *mask, const ts_params *params);
 /* The pixels that give the estimate, of two pictures the fewer; NULL: none is a truth in part. */
 const u8 *ts_picture_chosen(const ts_picture *a, const ts_picture *b);
-/* The distance of two pictures in grey levels, times `scale`, width x height x 3; to be released by free(). NULL
- * without memory. */
-u8 *ts_picture_difference(const ts_picture *image, const ts_picture *reference, const ts_params *params, u32 scale);
+/* Makes a difference: of what is displayed the distance in grey levels, times `scale`; of radiance image - reference.
+ * Released by ts_picture_free, also on failure. */
+ts_status ts_picture_difference(ts_picture *difference, const ts_picture *image, const ts_picture *reference,
+                                const ts_params *params, u32 scale);
 
 /* Writes "truth-NAME", by the row's name. */
 void ts_picture_truth_name(char *name, size_t bytes, const ts_truth_kind *kind);

@@ -7,10 +7,6 @@
 
 enum { MOST_SETS = 24, PATH_BYTES = 4096 };
 
-static const ts_speed_of *const *lists;
-
-void ts_speed_use(const ts_speed_of *const *use) { lists = use; }
-
 bool ts_speed_wants(const ts_job *job, const char *name)
 {
 	return job->scenes == NULL || ts_words_listed(job->scenes, name);
@@ -24,25 +20,25 @@ static void offer(ts_nearest *nearest, char *names, size_t bytes, const char *na
 }
 
 /* Offers all names, and lists them. */
-static void offer_names(ts_nearest *nearest, char *names, size_t bytes)
+static void offer_names(ts_nearest *nearest, char *names, size_t bytes, const ts_speed_of *const *lists)
 {
 	names[0] = 0;
-	for (const ts_speed_of *const *at = lists; *at != NULL; at++) {
-		const ts_speed_scene *scene = (*at)->scenes;
-		const ts_speed_growth *growth = (*at)->growths;
-		for (; scene != NULL && scene->name != NULL; scene++) offer(nearest, names, bytes, scene->name);
-		for (; growth != NULL && growth->name != NULL; growth++) offer(nearest, names, bytes, growth->name);
+	for (; *lists != NULL; lists++) {
+		const ts_speed_scene *scene = (*lists)->scenes;
+		const ts_speed_growth *growth = (*lists)->growths;
+		for (; scene->name != NULL; scene++) offer(nearest, names, bytes, scene->name);
+		for (; growth->of.name != NULL; growth++) offer(nearest, names, bytes, growth->of.name);
 	}
 }
 
-static ts_status check_names(const ts_job *job)
+static ts_status check_names(const ts_job *job, const ts_speed_of *const *lists)
 {
 	const char *names = job->scenes;
 	char item[32], all[256];
 	u32 n = 0;
 	while (names != NULL && ts_words_item(&names, item, sizeof item)) {
 		ts_nearest nearest = ts_nearest_begin(item);
-		offer_names(&nearest, all, sizeof all);
+		offer_names(&nearest, all, sizeof all, lists);
 		n++;
 		if (nearest.distance > 0)
 			return ts_fail("bench speed: --scene %s: nothing of that name is measured%s; there are %s", item,
@@ -53,23 +49,23 @@ static ts_status check_names(const ts_job *job)
 	return TS_OK;
 }
 
-static bool is_measured(const char *method)
+static bool is_measured(const ts_speed_of *const *lists, const char *method)
 {
-	bool measured = false;
-	for (const ts_speed_of *const *at = lists; *at != NULL; at++) {
-		const ts_speed_scene *scene = (*at)->scenes;
-		for (; scene != NULL && scene->name != NULL; scene++) measured |= ts_words_listed(scene->methods, method);
+	for (; *lists != NULL; lists++) {
+		for (const ts_speed_scene *scene = (*lists)->scenes; scene->name != NULL; scene++)
+			for (const char *const *name = scene->methods; *name != NULL; name++)
+				if (strcmp(*name, method) == 0) return true;
 	}
-	return measured;
+	return false;
 }
 
-static ts_status check_methods(const ts_job *job)
+static ts_status check_methods(const ts_job *job, const ts_speed_of *const *lists)
 {
 	const char *names = job->method;
 	char item[32];
 	if (names == NULL || strcmp(names, "all") == 0) return TS_OK;
 	while (ts_words_item(&names, item, sizeof item)) {
-		if (!is_measured(item)) return ts_fail("bench speed: --method %s: no frame is measured by it", item);
+		if (!is_measured(lists, item)) return ts_fail("bench speed: --method %s: no frame is measured by it", item);
 	}
 	return TS_OK;
 }
@@ -79,9 +75,9 @@ static ts_status open_set(ts_speed *speed, const ts_speed_scene *of)
 	char path[PATH_BYTES];
 	const char *spec = of->spec;
 	if (!ts_speed_wants(speed->job, of->name)) return TS_OK;
-	if (of->model != NULL) {
-		if (!ts_bench_model(path, sizeof path, of->model)) {
-			ts_report_line(speed->report, "%s: %s is not in TS_SCENES; left out", of->name, of->model);
+	if (of->model) {
+		if (!ts_bench_model(path, sizeof path, of->spec)) {
+			ts_report_line(speed->report, "%s: %s is not in TS_SCENES; left out", of->name, of->spec);
 			return TS_OK;
 		}
 		spec = path;
@@ -102,9 +98,9 @@ static ts_status open_sets(ts_speed *speed)
 	ts_status status = TS_OK;
 	speed->sets = ts_alloc_zero(MOST_SETS, sizeof *speed->sets, "frames");
 	if (speed->sets == NULL) return TS_ERROR;
-	for (const ts_speed_of *const *at = lists; *at != NULL; at++) {
-		const ts_speed_scene *scene = (*at)->scenes;
-		for (; status == TS_OK && scene != NULL && scene->name != NULL; scene++) status = open_set(speed, scene);
+	for (const ts_speed_of *const *list = speed->lists; *list != NULL; list++) {
+		const ts_speed_scene *scene = (*list)->scenes;
+		for (; status == TS_OK && scene->name != NULL; scene++) status = open_set(speed, scene);
 	}
 	return status;
 }
@@ -143,29 +139,28 @@ static ts_status print(ts_speed *speed)
 	               (unsigned)speed->n_runs);
 	ts_speed_print_limits(speed);
 	if (speed->n_sets > 0) ts_speed_print_stages(speed);
-	if (speed->n_sets > 0) ts_speed_print_figures(speed, lists);
+	if (speed->n_sets > 0) ts_speed_print_figures(speed);
 	return TS_OK;
 }
 
 static ts_status work(const ts_job *job, ts_report *report, const void *user)
 {
-	(void)user;
-	ts_speed speed = {.job = job, .report = report, .n_runs = job->runs};
+	ts_speed speed = {.job = job, .lists = user, .report = report, .n_runs = job->runs};
 	ts_bench_head(report, job, true);
 	ts_speed_machine_print(&speed);
 	ts_status status = ts_quiet_begin(&speed.quiet, report, job->how.threads, job->busy);
 	if (status == TS_OK) status = measure(&speed);
 	if (status == TS_OK) status = print(&speed);
 	end(&speed);
-	if (status == TS_OK) status = ts_speed_print_growths(&speed, lists);
+	if (status == TS_OK) status = ts_speed_print_growths(&speed);
 	if (status == TS_OK) ts_report_line(report, "%u rows were not quiet", (unsigned)speed.quiet.n_busy);
 	ts_report_timed(report, "busy_rows", json_integer(speed.quiet.n_busy));
 	return status;
 }
 
-ts_status ts_bench_speed(const ts_job *job)
+ts_status ts_bench_speed(const ts_job *job, const ts_speed_of *const *lists)
 {
-	ts_status status = check_names(job);
-	if (status == TS_OK) status = check_methods(job);
-	return status == TS_OK ? ts_bench_with_report(job, work, NULL) : status;
+	ts_status status = check_names(job, lists);
+	if (status == TS_OK) status = check_methods(job, lists);
+	return status == TS_OK ? ts_bench_with_report(job, work, lists) : status;
 }

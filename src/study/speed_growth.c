@@ -46,8 +46,8 @@ static double number(const char *text)
 
 static ts_status set_value(ts_job *job, char spec[SPEC_BYTES], const ts_speed_growth *growth, const char *value)
 {
-	bool of_scene = growth->spec[strlen(growth->spec) - 1] == '=';
-	snprintf(spec, SPEC_BYTES, "%s%s", growth->spec, of_scene ? value : "");
+	bool of_scene = growth->of.spec[strlen(growth->of.spec) - 1] == '=';
+	snprintf(spec, SPEC_BYTES, "%s%s", growth->of.spec, of_scene ? value : "");
 	if (of_scene) return TS_OK;
 	if (strcmp(growth->param, "size") == 0) return ts_words_size(&job->params, value, "--objects");
 	if (strcmp(growth->param, "threads") == 0)
@@ -88,18 +88,17 @@ static ts_status measure_point(curves *c, ts_speed *speed, const char *value)
 	char spec[SPEC_BYTES];
 	ts_job job = *speed->job;
 	const ts_speed_growth *growth = c->growth;
-	const ts_speed_scene of = {growth->name, spec, NULL, growth->effect, growth->methods, growth->set, false, false};
 	ts_speed_set *set = ts_alloc_zero(1, sizeof *set, "a frame");
 	if (set == NULL) return TS_ERROR;
 	ts_status status = set_value(&job, spec, growth, value);
-	if (status == TS_OK) status = ts_speed_set_open(set, spec, &of, &job, speed->n_runs);
+	if (status == TS_OK) status = ts_speed_set_open(set, spec, &growth->of, &job, speed->n_runs);
 	for (u32 run = 0; run < speed->n_runs && status == TS_OK; run++) status = ts_speed_set_run(set, run, &speed->quiet);
 	if (status == TS_OK) {
 		keep(c, set, number(value));
-		ts_say("%s %s: measured", growth->name, value);
+		ts_say("%s %s: measured", growth->of.name, value);
 	}
 	if (status == TS_SKIPPED)
-		ts_report_line(speed->report, "%s %s: left out: %s", growth->name, value, ts_error_message());
+		ts_report_line(speed->report, "%s %s: left out: %s", growth->of.name, value, ts_error_message());
 	ts_speed_set_close(set);
 	free(set);
 	return status == TS_SKIPPED ? TS_OK : status;
@@ -144,7 +143,7 @@ static double exponent(const double *value, const ts_speed_value *time, u32 n)
 static void add_points(ts_table *t, const curves *c, const series *s, const ts_speed_value *time, const char *what)
 {
 	for (u32 i = 0; i < s->n; i++) {
-		ts_table_text(t, c->growth->name);
+		ts_table_text(t, c->growth->of.name);
 		ts_table_real(t, s->value[i], 0);
 		ts_table_text(t, s->method);
 		ts_table_text(t, what);
@@ -162,7 +161,7 @@ static void add_law(ts_table *t, const curves *c, const series *s, const ts_spee
 	if (s->n < 2) return;
 	for (u32 i = 1; i < s->n; i++) steepest = fmax(steepest, slope(s->value, time, i - 1, i));
 	snprintf(range, sizeof range, "%.0f, %.0f", s->value[0], s->value[s->n - 1]);
-	ts_table_text(t, c->growth->name);
+	ts_table_text(t, c->growth->of.name);
 	ts_table_text(t, range);
 	ts_table_text(t, s->method);
 	ts_table_text(t, what);
@@ -193,16 +192,16 @@ static ts_status add_growth(ts_table *points, ts_table *laws, ts_speed *speed, c
 	return status;
 }
 
-ts_status ts_speed_print_growths(ts_speed *speed, const ts_speed_of *const *lists)
+ts_status ts_speed_print_growths(ts_speed *speed)
 {
 	ts_status status = TS_OK;
 	ts_table points = ts_table_begin("growth", "As one thing grows", point_columns);
 	ts_table laws = ts_table_begin("exponents", "Exponents of power laws, and of their steepest step", law_columns);
 	points.timed = laws.timed = true;
-	for (; *lists != NULL && status == TS_OK; lists++) {
-		const ts_speed_growth *growth = (*lists)->growths;
-		for (; growth != NULL && growth->name != NULL && status == TS_OK; growth++) {
-			if (ts_speed_wants(speed->job, growth->name)) status = add_growth(&points, &laws, speed, growth);
+	for (const ts_speed_of *const *list = speed->lists; *list != NULL && status == TS_OK; list++) {
+		const ts_speed_growth *growth = (*list)->growths;
+		for (; growth->of.name != NULL && status == TS_OK; growth++) {
+			if (ts_speed_wants(speed->job, growth->of.name)) status = add_growth(&points, &laws, speed, growth);
 		}
 	}
 	if (points.n_cells > 0) ts_report_table(speed->report, &points);

@@ -87,14 +87,12 @@ static ts_status measure_minima(double *values, void *of)
 
 static ts_status open_frames(ts_speed_set *set, const ts_speed_scene *of, const ts_job *job, u32 runs)
 {
-	const char *names = of->methods;
-	char item[32];
 	ts_status status = TS_OK;
-	while (status == TS_OK && ts_words_item(&names, item, sizeof item)) {
-		if (!has_method(job, item)) continue;
+	for (const char *const *name = of->methods; status == TS_OK && *name != NULL; name++) {
+		if (!has_method(job, *name)) continue;
 		ts_speed_frame *frame = &set->frame[set->n_frames++];
 		ts_estimate estimate;
-		frame->method = ts_pipeline_find(of->effect, item);
+		frame->method = ts_pipeline_find(of->effect, *name);
 		frame->set = set;
 		frame->row.measure = measure_frame;
 		frame->row.of = frame;

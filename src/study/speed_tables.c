@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include "study/asked/words.h"
 #include "study/speed_work.h"
 
 static const ts_column limit_columns[] = {{"limit", "limit", false},     {"here", "here", true}, {"unit", "", false},
@@ -87,84 +86,6 @@ void ts_speed_print_stages(const ts_speed *speed)
 	ts_report_table(speed->report, &t);
 }
 
-static const ts_speed_frame *find(const ts_speed_set **set, const ts_speed *speed, const ts_speed_term *term)
-{
-	*set = NULL;
-	for (u32 i = 0; i < speed->n_sets; i++) {
-		if (strcmp(speed->sets[i].name, term->scene) != 0) continue;
-		*set = &speed->sets[i];
-		for (u32 k = 0; k < (*set)->n_frames; k++) {
-			if (term->method != NULL && strcmp((*set)->frame[k].method->name, term->method) == 0)
-				return &(*set)->frame[k];
-		}
-	}
-	return NULL;
-}
-
-static double seconds_of(const ts_speed_frame *frame, const char *stages, u32 run)
-{
-	const double *values = frame->row.values + (size_t)run * TS_SPEED_VALUES;
-	const ts_measure *m = &frame->last;
-	if (stages[0] == 0) return values[TS_SPEED_WHOLE];
-	double sum = 0;
-	char stage[32];
-	while (ts_words_item(&stages, stage, sizeof stage)) {
-		const ts_timing *timing = ts_measure_timing(m, stage);
-		if (timing != NULL) sum += values[timing - m->timings];
-	}
-	return sum > 0 ? sum : NAN;
-}
-
-static double counted(const ts_speed_frame *frame, const char *name)
-{
-	const ts_counter *counter = ts_measure_counter(frame->set->wants_points ? &frame->whole : &frame->last, name);
-	return counter != NULL ? (double)counter->value : NAN;
-}
-
-static double of_frame(const ts_speed_frame *frame, const ts_speed_term *term, u32 run, bool *quiet)
-{
-	const ts_speed_set *set = frame->set;
-	double cores = set->how.threads;
-	if (term->kind == TS_SPEED_COUNT) return counted(frame, term->what);
-	if (term->kind == TS_SPEED_MINIMA) {
-		*quiet &= set->minima.quiet[run];
-		return counted(frame, term->what) / (set->minima.values[run] * cores);
-	}
-	*quiet &= frame->row.quiet[run];
-	if (term->kind == TS_SPEED_CASTING) return frame->row.values[(size_t)run * TS_SPEED_VALUES + TS_SPEED_CASTS];
-	return seconds_of(frame, term->what, run) * (term->kind == TS_SPEED_CORES ? cores : 1);
-}
-
-/* A term in a run; *quiet becomes false where its row was not. */
-static double term_in(const ts_speed *speed, const ts_speed_term *term, u32 run, bool *quiet)
-{
-	const ts_speed_set *set;
-	if (term->kind == TS_SPEED_ONE) return 1;
-	const ts_speed_frame *frame = find(&set, speed, term);
-	if (set == NULL || (frame == NULL && term->method != NULL)) return NAN;
-	const ts_params *params = &set->params;
-	switch (term->kind) {
-	case TS_SPEED_PIXELS: return (double)TS_PARAM(params, width) * TS_PARAM(params, height);
-	case TS_SPEED_TEXELS: return set->bare != NULL ? (double)ts_bare_n_rays(set->bare) : NAN;
-	case TS_SPEED_SURFELS: return set->scene->n_surfels;
-	case TS_SPEED_RAYS: *quiet &= set->rays.quiet[run]; return set->rays.values[run];
-	case TS_SPEED_POINTS: *quiet &= set->drawn.quiet[run]; return set->drawn.values[run];
-	default: return of_frame(frame, term, run, quiet) / (term->per != NULL ? counted(frame, term->per) : 1);
-	}
-}
-
-static ts_speed_value figure_of(const ts_speed *speed, const ts_speed_figure *figure)
-{
-	double values[speed->n_runs];
-	bool quiet[speed->n_runs];
-	for (u32 run = 0; run < speed->n_runs; run++) {
-		quiet[run] = true;
-		double below = term_in(speed, &figure->below, run, &quiet[run]);
-		values[run] = figure->scale * term_in(speed, &figure->above, run, &quiet[run]) / below;
-	}
-	return ts_speed_sum(values, quiet, speed->n_runs);
-}
-
 static const ts_column figure_columns[] = {{"figure", "figure", false},
                                            {"here", "here", true},
                                            {"unit", "", false},
@@ -191,13 +112,13 @@ static void figure_row(ts_table *t, const ts_speed_figure *figure, const ts_spee
 	ts_table_text(t, verdict);
 }
 
-void ts_speed_print_figures(const ts_speed *speed, const ts_speed_of *const *lists)
+void ts_speed_print_figures(const ts_speed *speed)
 {
 	ts_table t = ts_table_begin("figures", "Figures", figure_columns);
 	t.timed = true;
-	for (; *lists != NULL; lists++) {
-		for (const ts_speed_figure *figure = (*lists)->figures; figure != NULL && figure->text != NULL; figure++) {
-			ts_speed_value value = figure_of(speed, figure);
+	for (const ts_speed_of *const *list = speed->lists; *list != NULL; list++) {
+		for (const ts_speed_figure *figure = (*list)->figures; figure->text != NULL; figure++) {
+			ts_speed_value value = ts_speed_figure_value(speed, *list, figure);
 			if (!isnan(value.median)) figure_row(&t, figure, &value);
 		}
 	}

@@ -56,8 +56,6 @@ ts_speed_value ts_speed_sum(const double *values, const bool *quiet, u32 runs);
 /* The ts_speed_value of one value of a row. */
 ts_speed_value ts_speed_row_value(const ts_speed_row *row, u32 value, u32 runs);
 
-typedef struct ts_speed_set ts_speed_set;
-
 typedef struct {
 	const ts_pipeline *method;
 	ts_speed_set *set;
@@ -66,8 +64,6 @@ typedef struct {
 	ts_speed_row row;
 	u64 bytes; /* that a run takes */
 } ts_speed_frame;
-
-enum { TS_SPEED_METHODS = 4 };
 
 /* An open scene with its methods, and the rays and points that they are compared with (speed_set.c). */
 struct ts_speed_set {
@@ -100,6 +96,7 @@ typedef struct {
 
 typedef struct {
 	const ts_job *job;
+	const ts_speed_of *const *lists; /* ended by NULL */
 	ts_report *report;
 	ts_quiet quiet;
 	u32 n_runs;
@@ -116,9 +113,11 @@ void ts_speed_machine_end(ts_speed_machine *machine);
 /* speed_tables.c */
 void ts_speed_print_limits(const ts_speed *speed);
 void ts_speed_print_stages(const ts_speed *speed);
-void ts_speed_print_figures(const ts_speed *speed, const ts_speed_of *const *lists);
+void ts_speed_print_figures(const ts_speed *speed);
+/* speed_figure.c: the value of a figure of these names over the runs. */
+ts_speed_value ts_speed_figure_value(const ts_speed *speed, const ts_speed_of *of, const ts_speed_figure *figure);
 /* speed_growth.c: measures and prints. */
-ts_status ts_speed_print_growths(ts_speed *speed, const ts_speed_of *const *lists);
+ts_status ts_speed_print_growths(ts_speed *speed);
 /* Whether --scene has the name, or was not typed. */
 bool ts_speed_wants(const ts_job *job, const char *name);
 

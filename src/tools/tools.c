@@ -33,7 +33,6 @@ void ts_tools_begin(void)
 	HAND(ts_truths_use, ts_truth_kind, truths);
 	HAND(ts_texels_use, ts_texel_rule, texels);
 	HAND(ts_table_codes_use, ts_table_code, codes);
-	HAND(ts_speed_use, ts_speed_of, speed);
 	HAND(ts_stage_pictures_use, ts_stage_picture_rule, pictures);
 	HAND(ts_picture_marks_use, ts_picture_mark, marks);
 	HAND(ts_viewer_use, ts_viewer_rule, viewers);

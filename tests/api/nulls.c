@@ -253,6 +253,12 @@ static void null_renderings_are_refused(void **state)
 	figure.bytes = 3;
 	refused(ts_rendering_figure_at(&figure, rendering, 0), "bytes");
 	assert_null(ts_rendering_picture_at(NULL, 0));
+	const ts_rendering_picture *picture;
+	REFUSED(ts_rendering_picture_named(NULL, &picture, rendering, "epr"), "context");
+	REFUSED(ts_rendering_picture_named(context, NULL, rendering, "epr"), "picture");
+	REFUSED(ts_rendering_picture_named(context, &picture, NULL, "epr"), "rendering");
+	REFUSED(ts_rendering_picture_named(context, &picture, rendering, NULL), "name");
+	assert_null(picture);
 	ts_rendering_free(rendering);
 	ts_rendering_free(NULL);
 	ts_tree *figures;

@@ -14,13 +14,12 @@ static ts_rendering *make(ts_context *with, const ts_params *of, const char *eff
 	return rendering;
 }
 
-static const ts_rendering_picture *picture(const ts_rendering *rendering, const char *name)
+static const ts_rendering_picture *picture(ts_rendering *rendering, const char *name)
 {
 	const ts_rendering_picture *p;
-	for (size_t i = 0; (p = ts_rendering_picture_at(rendering, i)) != NULL; i++)
-		if (strcmp(p->name, name) == 0) return p;
-	fail_msg("no picture %s", name);
-	return NULL;
+	done(ts_rendering_picture_named(context, &p, rendering, name));
+	assert_string_equal(p->name, name);
+	return p;
 }
 
 static double figure(const ts_rendering *rendering, const char *name)
@@ -49,6 +48,32 @@ static void pictures_are_those_of_a_method_alone(void **state)
 	assert_true(figure(rendering, "param.lamp.views") == 7 && figure(rendering, "image.width") == 64);
 	assert_true(figure(rendering, "epr.bytes.points.record") == 32 * figure(rendering, "epr.count.points"));
 	ts_truth_image_free(truth);
+	ts_rendering_free(rendering);
+}
+
+/* Asked twice, it is made once; the pictures that are listed stay as many. */
+static void differences_are_made_when_asked(void **state)
+{
+	(void)state;
+	const ts_rendering_picture *none;
+	ts_rendering *rendering = make(context, params, "reflections", "epr,mvr", "B", NULL);
+	const ts_rendering_picture *d = picture(rendering, "difference-epr-truth-b"), *a = picture(rendering, "epr"),
+							   *b = picture(rendering, "truth-b");
+	int factor = 0;
+	for (size_t i = 0; i < 64 * 36 * 3 && factor == 0; i++)
+		if (abs(a->srgb[i] - b->srgb[i]) == 1) factor = d->srgb[i];
+	assert_true(factor > 1);
+	for (size_t i = 0; i < 64 * 36 * 3; i++) {
+		int apart = abs(a->srgb[i] - b->srgb[i]) * factor;
+		assert_int_equal(d->srgb[i], apart < 255 ? apart : 255);
+		assert_true(d->radiance[i] == a->radiance[i] - b->radiance[i]);
+	}
+	assert_ptr_equal(picture(rendering, "difference-epr-truth-b"), d);
+	assert_ptr_not_equal(picture(rendering, "difference-truth-b-epr"), d);
+	for (size_t i = 0; (a = ts_rendering_picture_at(rendering, i)) != NULL; i++)
+		assert_null(strstr(a->name, "difference"));
+	refused(ts_rendering_picture_named(context, &none, rendering, "difference-epr-epr"), "no such picture");
+	assert_null(none);
 	ts_rendering_free(rendering);
 }
 
@@ -193,11 +218,10 @@ static void what_is_not_there_is_refused(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(pictures_are_those_of_a_method_alone),
-	                                   cmocka_unit_test(listed_figures_have_their_names),
-	                                   cmocka_unit_test(estimates_have_an_error),
-	                                   cmocka_unit_test(a_frame_goes_on_from_the_frame_before),
-	                                   cmocka_unit_test(progress_ends_with_all_done),
-	                                   cmocka_unit_test(what_is_not_there_is_refused)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(pictures_are_those_of_a_method_alone),  cmocka_unit_test(differences_are_made_when_asked),
+		cmocka_unit_test(listed_figures_have_their_names),       cmocka_unit_test(estimates_have_an_error),
+		cmocka_unit_test(a_frame_goes_on_from_the_frame_before), cmocka_unit_test(progress_ends_with_all_done),
+		cmocka_unit_test(what_is_not_there_is_refused)};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

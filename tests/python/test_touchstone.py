@@ -274,6 +274,8 @@ def test_rendering(context, scene, reference):
 	assert figures["epr.ms.splat"].unit == "ms" and figures["epr.ms.splat"].timed and not figures["epr.rmse.B"].timed
 	assert rendering["epr.count.points"] == len(reference["points.record"])
 	assert rendering["epr.bytes.points.record"] == reference["points.record"].nbytes
+	difference = rendering.picture("difference-epr-mvr")
+	assert np.array_equal(difference.radiance, pictures["epr"].radiance - pictures["mvr"].radiance)
 	kept = pictures["epr"].srgb
 	after = context.render(scene, "reflections", ["epr", "mvr"], "B", {**SMALL, "frame": 1}, before=rendering)
 	del rendering, pictures
@@ -282,6 +284,8 @@ def test_rendering(context, scene, reference):
 		context.render(scene, "reflections", "epr", "Z", SMALL)
 	with pytest.raises(touchstone.Error, match="no variant, and no truth"):
 		after["epr.rmse.Z"]
+	with pytest.raises(touchstone.Error, match="no such picture"):
+		after.picture("epr-points")
 
 
 def test_bench(context, tmp_path):

@@ -2,6 +2,7 @@
  * which nothing is measured. */
 #include <math.h>
 #include "study/speed_work.h"
+#include "study/tables/text.h"
 #include "tests/status.h"
 
 enum { RUNS = 3 };
@@ -48,78 +49,113 @@ static void fill(world *w, const char *name, double seconds)
 	w->set.minima = (ts_speed_row){.values = w->minima, .quiet = w->quiet, .n_values = 1};
 }
 
-#define ONE \
-	{ \
-		TS_SPEED_ONE, NULL, NULL, NULL, NULL \
-	}
-#define OF(kind, scene, method, what) \
-	{ \
-		TS_SPEED_##kind, scene, method, what, NULL \
-	}
-
-/* Of the second of the runs, which is the median. */
+/* Of the second of the runs, which is the median; times are in milliseconds. */
 static const struct {
-	ts_speed_figure figure;
+	const char *text;
 	double right;
+	ts_speed_bound bound;
+	double goal;
 } cases[] = {
-	{{"stage", "", 1, 2, OF(TIME, "a", "epr", "eye"), ONE, TS_SPEED_SHOWN, 0}, 10},
-	{{"frame", "", 1, 2, OF(TIME, "a", "epr", ""), ONE, TS_SPEED_SHOWN, 0}, 20},
-	{{"frame of the second", "", 1, 2, OF(TIME, "a", "mvr", ""), ONE, TS_SPEED_SHOWN, 0}, 40},
-	{{"frame of another set", "", 1, 2, OF(TIME, "b", "epr", ""), ONE, TS_SPEED_SHOWN, 0}, 60},
-	{{"cores", "", 1, 2, OF(CORES, "b", "mvr", "eye"), ONE, TS_SPEED_SHOWN, 0}, 240},
-	{{"casting", "", 1, 2, OF(CASTING, "a", "epr", ""), ONE, TS_SPEED_SHOWN, 0}, 30},
-	{{"rays", "", 2, 2, OF(RAYS, "a", NULL, ""), ONE, TS_SPEED_SHOWN, 0}, 200},
-	{{"points", "", 1, 2, OF(POINTS, "a", NULL, ""), ONE, TS_SPEED_SHOWN, 0}, 140},
-	{{"count", "", 1, 2, OF(COUNT, "a", "mvr", "points"), ONE, TS_SPEED_LEAST, 16}, 16},
-	{{"pixels", "", 1, 2, OF(PIXELS, "a", NULL, ""), ONE, TS_SPEED_MOST, 199}, 200},
-	{{"surfels", "", 0.5, 2, OF(SURFELS, "b", NULL, ""), ONE, TS_SPEED_MOST, 25}, 25},
-	{{"minima", "", 44, 2, OF(MINIMA, "a", "epr", "points"), ONE, TS_SPEED_LEAST, 9}, 8},
-	{{"ratio", "", 6, 2, OF(TIME, "a", "epr", ""), OF(TIME, "b", "mvr", ""), TS_SPEED_SHOWN, 0}, 1},
-	{{"per", "", 1, 2, {TS_SPEED_TIME, "a", "epr", "eye", "points"}, ONE, TS_SPEED_SHOWN, 0}, 1.25},
-	{{"no set", "", 1, 2, OF(TIME, "c", "epr", ""), ONE, TS_SPEED_SHOWN, 0}, NAN},
-	{{"no method", "", 1, 2, OF(TIME, "a", "ivir", ""), ONE, TS_SPEED_SHOWN, 0}, NAN},
-	{{"no stage", "", 1, 2, OF(TIME, "a", "epr", "splat"), ONE, TS_SPEED_SHOWN, 0}, NAN},
-	{{"no rays", "", 1, 2, OF(TEXELS, "a", NULL, ""), ONE, TS_SPEED_SHOWN, 0}, NAN},
+	{"a.epr.ms.eye", 10e3, TS_SPEED_SHOWN, 0},
+	{"a.epr.ms.frame", 20e3, TS_SPEED_SHOWN, 0},
+	{"a.mvr.ms.frame", 40e3, TS_SPEED_SHOWN, 0},
+	{"b.epr.ms.frame", 60e3, TS_SPEED_SHOWN, 0},
+	{"threads * b.mvr.ms.eye", 240e3, TS_SPEED_SHOWN, 0},
+	{"a.casting", 30e3, TS_SPEED_SHOWN, 0},
+	{"2 * a.rays", 200e3, TS_SPEED_SHOWN, 0},
+	{"a.points", 140e3, TS_SPEED_SHOWN, 0},
+	{"a.mvr.count.points", 16, TS_SPEED_LEAST, 16},
+	{"a.image.width * a.image.height", 200, TS_SPEED_MOST, 199},
+	{"0.5 * b.scene.surfels", 25, TS_SPEED_MOST, 25},
+	{"11 * a.epr.count.points / (1000000 * a.minima)", 8, TS_SPEED_LEAST, 9},
+	{"6 * a.epr.ms.frame / b.mvr.ms.frame", 1, TS_SPEED_SHOWN, 0},
+	{"a.epr.ms.eye / a.epr.count.points", 1250, TS_SPEED_SHOWN, 0},
+	{"c.epr.ms.frame", NAN, TS_SPEED_SHOWN, 0},
+	{"a.ivir.ms.frame", NAN, TS_SPEED_SHOWN, 0},
+	{"a.epr.ms.splat", NAN, TS_SPEED_SHOWN, 0},
+	{"a.texels", NAN, TS_SPEED_SHOWN, 0},
 };
 enum { CASES = sizeof cases / sizeof *cases };
 
-static const char *verdict_of(const ts_speed_figure *figure, double value)
+/* The text of tables that has all cases. */
+static ts_table_texts *read_cases(void)
 {
-	bool met = figure->bound == TS_SPEED_LEAST ? value >= figure->goal : value <= figure->goal;
-	return figure->bound == TS_SPEED_SHOWN ? "" : met ? "met" : "not met";
+	static const char *const bounds[] = {"", "at least", "at most"};
+	static char text[4096];
+	size_t n = 0;
+	ts_table_texts *texts;
+	for (const char *frame = "abc"; *frame != 0; frame++)
+		n += (size_t)snprintf(text + n, sizeof text - n, "frame %c = reflections epr,mvr,ivir atrium\n", *frame);
+	for (u32 i = 0; i < CASES; i++) {
+		char goal[24] = "";
+		if (cases[i].bound != TS_SPEED_SHOWN) snprintf(goal, sizeof goal, "%g", cases[i].goal);
+		n += (size_t)snprintf(text + n, sizeof text - n, "speed \"%s\" \"\" 2 %s %s = %s\n", cases[i].text,
+		                      bounds[cases[i].bound], goal, cases[i].text);
+	}
+	assert_true(n < sizeof text);
+	if (ts_table_texts_read(&texts, text, "cases") != TS_OK) fail_msg("%s", ts_error_message());
+	return texts;
+}
+
+static const char *verdict_of(u32 i)
+{
+	double value = cases[i].right, goal = cases[i].goal;
+	bool met = cases[i].bound == TS_SPEED_LEAST ? value >= goal : value <= goal;
+	return cases[i].bound == TS_SPEED_SHOWN ? "" : met ? "met" : "not met";
 }
 
 static void figures_follow_from_their_rows(void **state)
 {
 	(void)state;
 	static world w[2];
-	static ts_speed_figure figures[CASES + 1];
 	ts_speed_set sets[2];
 	ts_report report;
+	ts_table_texts *texts = read_cases();
 	fill(&w[0], "a", 1);
 	fill(&w[1], "b", 3);
 	for (u32 i = 0; i < 2; i++) {
 		sets[i] = w[i].set;
 		for (u32 k = 0; k < 2; k++) sets[i].frame[k].set = &sets[i];
 	}
-	for (u32 i = 0; i < CASES; i++) figures[i] = cases[i].figure;
-	const ts_speed_of of = {.figures = figures};
-	const ts_speed_of *const lists[] = {&of, NULL};
+	const ts_speed_of *const lists[] = {ts_table_texts_speed(texts), NULL};
+	const ts_job job = {.how.threads = 4};
 	ts_report_begin(&report, true);
-	const ts_speed speed = {.report = &report, .n_runs = RUNS, .sets = sets, .n_sets = 2};
-	ts_speed_print_figures(&speed, lists);
+	const ts_speed speed = {.job = &job, .lists = lists, .report = &report, .n_runs = RUNS, .sets = sets, .n_sets = 2};
+	ts_speed_print_figures(&speed);
 	const json_t *rows = json_object_get(report.root, "figures");
 	u32 row = 0;
 	for (u32 i = 0; i < CASES; i++) {
 		if (isnan(cases[i].right)) continue;
 		const json_t *o = json_array_get(rows, row++);
-		assert_string_equal(json_string_value(json_object_get(o, "figure")), cases[i].figure.text);
+		assert_string_equal(json_string_value(json_object_get(o, "figure")), cases[i].text);
 		assert_float_equal(json_real_value(json_object_get(o, "here")), cases[i].right, 1e-9 * cases[i].right);
-		assert_string_equal(json_string_value(json_object_get(o, "verdict")),
-		                    verdict_of(&cases[i].figure, cases[i].right));
+		assert_string_equal(json_string_value(json_object_get(o, "verdict")), verdict_of(i));
 	}
 	assert_int_equal(json_array_size(rows), row);
 	ts_report_discard(&report);
+	ts_table_texts_free(texts);
+}
+
+/* A figure is quiet in runs in which all that it is made of was. */
+static void a_busy_run_counts_where_it_is_named(void **state)
+{
+	(void)state;
+	static world w;
+	ts_table_texts *texts = read_cases();
+	fill(&w, "a", 1);
+	for (u32 k = 0; k < 2; k++) w.set.frame[k].set = &w.set;
+	bool busy[RUNS] = {true, false, false};
+	w.set.rays.quiet = busy;
+	const ts_job job = {.how.threads = 4};
+	const ts_speed_of *of = ts_table_texts_speed(texts);
+	const ts_speed speed = {.job = &job, .n_runs = RUNS, .sets = &w.set, .n_sets = 1};
+	ts_speed_value rays = ts_speed_figure_value(&speed, of, &of->figures[6]);
+	ts_speed_value points = ts_speed_figure_value(&speed, of, &of->figures[7]);
+	assert_true(rays.quiet && rays.median == 20e3 * 1 && points.median == 140e3);
+	busy[0] = false;
+	rays = ts_speed_figure_value(&speed, of, &of->figures[6]);
+	assert_true(!rays.quiet && rays.median == 200e3);
+	ts_table_texts_free(texts);
 }
 
 /* ---- sets ---- */
@@ -165,31 +201,34 @@ static void only_rows_with_something_are_measured(void **state)
 
 /* ---- names ---- */
 
-static void refuses(const ts_job *job, const char *words) { refused(ts_bench_speed(job), words); }
-
 static void unknown_names_are_refused(void **state)
 {
 	(void)state;
-	static const ts_speed_scene scenes[] = {
-		{.name = "room", .methods = "epr,mvr"}, {.name = "hall", .methods = "ivir"}, {0}};
-	static const ts_speed_growth growths[] = {{.name = "pixels"}, {0}};
-	static const ts_speed_of of[] = {{.scenes = scenes}, {.growths = growths}};
+	static const ts_speed_scene scenes[][2] = {{{.name = "room", .methods = {"epr", "mvr"}}, {0}},
+	                                           {{.name = "hall", .methods = {"ivir"}}, {0}}};
+	static const ts_speed_growth growths[][2] = {{{.param = NULL}}, {{.of.name = "pixels"}, {.param = NULL}}};
+	static const ts_speed_of of[] = {{.scenes = scenes[0], .growths = growths[0]},
+	                                 {.scenes = scenes[1], .growths = growths[1]}};
 	static const ts_speed_of *const lists[] = {&of[0], &of[1], NULL};
-	ts_speed_use(lists);
-	refuses(&(ts_job){.scenes = "rooms"},
-	        "--scene rooms: nothing of that name is measured; the nearest is room; there are room, "
-	        "hall, pixels");
-	refuses(&(ts_job){.scenes = "hall,none"}, "--scene none: nothing of that name is measured");
-	refuses(&(ts_job){.scenes = "hall,room", .objects = "3"}, "--objects are the values of one growth");
-	refuses(&(ts_job){.objects = "3"}, "--objects are the values of one growth");
-	refuses(&(ts_job){.scenes = "pixels", .objects = "3", .method = "vir"}, "--method vir: no frame is measured by it");
-	refuses(&(ts_job){.method = "mvr,epr2"}, "--method epr2: no frame is measured by it");
+#define REFUSES(...) refused(ts_bench_speed(&(ts_job)__VA_ARGS__, lists), words)
+	const char *words =
+		"--scene rooms: nothing of that name is measured; the nearest is room; there are room, hall, pixels";
+	REFUSES({.scenes = "rooms"});
+	words = "--scene none: nothing of that name is measured";
+	REFUSES({.scenes = "hall,none"});
+	words = "--objects are the values of one growth";
+	REFUSES({.scenes = "hall,room", .objects = "3"});
+	REFUSES({.objects = "3"});
+	words = "--method vir: no frame is measured by it";
+	REFUSES({.scenes = "pixels", .objects = "3", .method = "vir"});
+	words = "--method epr2: no frame is measured by it";
+	REFUSES({.method = "mvr,epr2"});
 }
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(figures_follow_from_their_rows),
-	                                   cmocka_unit_test(only_rows_with_something_are_measured),
-	                                   cmocka_unit_test(unknown_names_are_refused)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(figures_follow_from_their_rows), cmocka_unit_test(a_busy_run_counts_where_it_is_named),
+		cmocka_unit_test(only_rows_with_something_are_measured), cmocka_unit_test(unknown_names_are_refused)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

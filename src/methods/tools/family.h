@@ -7,7 +7,6 @@
 #include "replay/check.h"
 #include "study/asked/truths.h"
 #include "study/notes.h"
-#include "study/speed.h"
 #include "study/stage_pictures.h"
 #include "study/sums.h"
 #include "study/tables/text.h"
@@ -22,7 +21,6 @@ typedef struct {
 	const ts_truth_kind *truths;           /* ended by a row without a name */
 	const ts_texel_rule *texels;           /* ended by a row without `judge` */
 	const ts_table_code *codes;            /* ended by a row without a name */
-	const ts_speed_of *speed;              /* the frames and figures of `bench speed` */
 	const ts_probe_part *parts;            /* ended by a row without `answer` */
 	const ts_stage_picture_rule *pictures; /* ended by a row without `take` */
 	const ts_picture_mark *marks;          /* ended by NULL */

@@ -328,12 +328,20 @@ class Rendering:
 	def pictures(self) -> dict[str, Row]:
 		"""By name, "epr", "truth-b", of stages "epr-points": `srgb`, rows of pixels as displayed; `radiance`, linear
 		RGB, or None of false colours; and `estimated`, whether rays of a truth were left out."""
-		def row(p: Any) -> Row:
-			shape = (p.height, p.width, 3)
-			light = view_of(p.radiance, shape, np.float32, self) if p.radiance != ffi.NULL else None
-			return Row(name=text_of(p.name), srgb=view_of(p.srgb, shape, np.uint8, self), radiance=light,
-			           estimated=p.estimated != 0)
-		return {p.name: p for p in rows_of(lambda i: lib.ts_rendering_picture_at(self._handle, i), row)}
+		return {p.name: p for p in rows_of(lambda i: lib.ts_rendering_picture_at(self._handle, i), self._picture)}
+
+	def picture(self, name: str) -> Row:
+		"""One of these by its name, or the difference of two, "difference-epr-truth-b": displayed levels apart, times a
+		factor of the effect, and radiance, the first less the second."""
+		picture = ffi.new("const ts_rendering_picture **")
+		check(lib.ts_rendering_picture_named(self._context._handle, picture, self._handle, text_for(name)))
+		return self._picture(picture[0])
+
+	def _picture(self, p: Any) -> Row:
+		shape = (p.height, p.width, 3)
+		light = view_of(p.radiance, shape, np.float32, self) if p.radiance != ffi.NULL else None
+		return Row(name=text_of(p.name), srgb=view_of(p.srgb, shape, np.uint8, self), radiance=light,
+		           estimated=p.estimated != 0)
 
 	@property
 	def figures(self) -> dict[str, Row]:

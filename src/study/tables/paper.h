@@ -3,10 +3,10 @@
 #ifndef TS_STUDY_TABLES_PAPER_H
 #define TS_STUDY_TABLES_PAPER_H
 #include "study/bench_case.h"
+#include "study/expression.h"
 #include "study/frames.h"
 #include "study/plot.h"
 #include "study/results/table.h"
-#include "study/tables/expression.h"
 
 enum { TS_BENCH_FIGURES = 96, TS_BENCH_MEASURED = 256 }; /* at most */
 

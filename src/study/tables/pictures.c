@@ -32,11 +32,12 @@ static ts_status write_difference(const place *p, const ts_paper_picture *k, con
 {
 	char name[80], shows[80];
 	const ts_picture *image = &p->c->images[k->variant];
-	u8 *grey = ts_picture_difference(image, reference, &p->c->params, scale);
+	ts_picture difference;
+	ts_status status = ts_picture_difference(&difference, image, reference, &p->c->params, scale);
 	snprintf(name, sizeof name, "difference-%s", k->name);
 	snprintf(shows, sizeof shows, "difference-%s-%s", reference->name, image->name);
-	ts_status status = grey != NULL ? write_picture(p, name, shows, grey, k->variant) : TS_ERROR;
-	free(grey);
+	if (status == TS_OK) status = write_picture(p, name, shows, difference.srgb, k->variant);
+	ts_picture_free(&difference);
 	return status;
 }
 

@@ -56,17 +56,22 @@ static ts_status measured(ts_table_reader *r, const char *name, u32 *index)
 	return TS_OK;
 }
 
+char *ts_keep_name(ts_table_reader *r, const char *text, size_t n)
+{
+	char *name = memcpy(r->texts->names, text, n);
+	name[n] = 0;
+	r->texts->names += n + 1;
+	return name;
+}
+
 /* A name in an expression. */
 static ts_status term_of(void *user, const char *text, size_t n, ts_term *term)
 {
 	ts_table_reader *r = user;
 	*term = (ts_term){.kind = TS_TERM_FIGURE, .at = find_figure(r->t, text, n)};
 	if (term->at != TS_NONE) return TS_OK;
-	char *name = memcpy(r->texts->names, text, n);
-	name[n] = 0;
-	r->texts->names += n + 1;
 	term->kind = TS_TERM_MEASURED;
-	return measured(r, name, &term->at);
+	return measured(r, ts_keep_name(r, text, n), &term->at);
 }
 
 static void mark(const ts_one_table *t, ts_bench_figure *f)
@@ -78,7 +83,7 @@ static void mark(const ts_one_table *t, ts_bench_figure *f)
 	}
 }
 
-static int decimals(ts_table_reader *r)
+int ts_take_decimals(ts_table_reader *r)
 {
 	const char *word = ts_cursor_word(&r->c, "decimals");
 	if (strcmp(word, "whole") == 0) return TS_WHOLE;
@@ -94,7 +99,7 @@ static void define(ts_table_reader *r, const char *key)
 	const char *at;
 	if (find_figure(t, key, strlen(key)) != TS_NONE) ts_cursor_wrong(&r->c, key, "the figure \"%s\" stands above", key);
 	ts_bench_figure f = {.key = key, .head = ts_cursor_word(&r->c, "a column's head")};
-	f.decimals = decimals(r);
+	f.decimals = ts_take_decimals(r);
 	if (strlen(f.head) > TS_PAPER_HEAD)
 		ts_cursor_wrong(&r->c, f.head, "a head has at most %d characters", TS_PAPER_HEAD);
 	ts_cursor_expect(&r->c, "=");

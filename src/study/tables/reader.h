@@ -2,6 +2,7 @@
 #ifndef TS_STUDY_TABLES_READER_H
 #define TS_STUDY_TABLES_READER_H
 #include "study/figure.h"
+#include "study/speed.h"
 #include "study/tables/cursor.h"
 #include "study/tables/text.h"
 
@@ -13,7 +14,11 @@ enum {
 	MOST_ROWS = 32,
 	MOST_LISTS = 16,
 	MOST_TABLES = 32,
-	MOST_CLAIMS = 64
+	MOST_CLAIMS = 64,
+	MOST_FRAMES = 16,
+	MOST_SPEEDS = 96,
+	MOST_GROWTHS = 16,
+	MOST_NAMES = 256
 };
 
 typedef struct {
@@ -39,7 +44,13 @@ struct ts_table_texts {
 	ts_named_list lists[MOST_LISTS];
 	ts_one_table *tables[MOST_TABLES];
 	ts_claim claims[MOST_CLAIMS + 1];
-	u32 n_lists, n_tables, n_claims;
+	ts_speed_scene scenes[MOST_FRAMES + 1];
+	ts_speed_figure figures[MOST_SPEEDS + 1];
+	ts_speed_growth growths[MOST_GROWTHS + 1];
+	ts_speed_name speed_names[MOST_NAMES];
+	ts_term terms[MOST_TERMS];
+	u32 n_lists, n_tables, n_claims, n_scenes, n_figures, n_growths, n_terms;
+	ts_speed_of speed;
 };
 
 typedef enum { TS_IN_NOTHING, TS_IN_PART, TS_IN_ROWS } ts_table_place;
@@ -58,12 +69,23 @@ void ts_add_to_part(ts_table_reader *r);
 void ts_take_claim(ts_table_reader *r);
 void ts_take_paper(ts_table_reader *r);
 void ts_add_to_paper(ts_table_reader *r);
+void ts_take_frame(ts_table_reader *r);
+void ts_take_speed(ts_table_reader *r);
+void ts_take_growth(ts_table_reader *r);
 
 /* The place of the next of `n`, of which there are at most so many. */
 u32 ts_take_next(ts_table_reader *r, u32 *n, u32 most, const char *what);
 /* The index of the figure above whose key comes next, or is `word`. */
 u8 ts_take_key(ts_table_reader *r);
 u8 ts_take_key_of(ts_table_reader *r, const char *word);
+/* Parameters that are set: "NAME=VALUE,...". */
+void ts_check_set(ts_table_reader *r, const char *list, bool of_variant);
+/* An effect, a truth's or a method's. */
+const char *ts_take_effect(ts_table_reader *r);
+/* Decimals, or "whole". */
+int ts_take_decimals(ts_table_reader *r);
+/* Copies a name of `n` characters to where it stays. */
+char *ts_keep_name(ts_table_reader *r, const char *text, size_t n);
 ts_name_scope ts_table_scope(const ts_table_reader *r);
 
 #endif

@@ -11,7 +11,9 @@ struct ts_tables {
 	ts_table_texts *texts[TEXTS];
 	const ts_bench_row *rows[ROWS + 1];
 	const ts_claim *claims[CLAIMS + 1];
-	u32 n_texts, n_rows, n_claims;
+	const ts_speed_of *speeds[TEXTS + 1]; /* of texts that have frames or growths */
+	ts_bench_row speed;
+	u32 n_texts, n_rows, n_claims, n_speeds;
 };
 
 /* A text of the program, ended by a zero. */
@@ -26,8 +28,6 @@ static ts_status bench_list(const ts_job *job);
 static const ts_bench_row general[] = {
 	{"backends", "each stage in C and on every device, of one frame by one --method (epr); and builds",
      "truth " TS_BENCH_FILES, .run = ts_bench_backends, .runs = 5},
-	{"speed", "stages beside Embree, bare points and the machine's limits; --scene names frames and growths",
-     "truth frames", .run = ts_bench_speed, .quiet = true},
 	{"start", "the seconds from opening --backend to its first frames", "truth " TS_BENCH_FILES, .run = ts_bench_start},
 	{"list", "what the papers show, which table asks it, and the verdict", "", .takes = "json", .run = bench_list},
 	{0},
@@ -44,7 +44,22 @@ static ts_status add(ts_tables *tables, const char *text, const char *path)
 		tables->rows[tables->n_rows++] = row;
 	for (const ts_claim *c = ts_table_texts_claims(read); c->paper != NULL && tables->n_claims < CLAIMS; c++)
 		tables->claims[tables->n_claims++] = c;
+	const ts_speed_of *speed = ts_table_texts_speed(read);
+	if (speed->scenes->name != NULL || speed->growths->of.name != NULL) tables->speeds[tables->n_speeds++] = speed;
 	return TS_OK;
+}
+
+/* The table "speed", if a text has frames or growths. */
+static void add_speed(ts_tables *tables)
+{
+	tables->speed =
+		(ts_bench_row){.name = "speed",
+	                   .doc = "stages beside Embree, bare points and the machine's limits; --scene names frames and "
+	                          "growths",
+	                   .without = "truth frames",
+	                   .speed = tables->speeds,
+	                   .quiet = true};
+	if (tables->n_speeds > 0) tables->rows[tables->n_rows++] = &tables->speed;
 }
 
 ts_status ts_tables_open(ts_tables **tables)
@@ -52,6 +67,7 @@ ts_status ts_tables_open(ts_tables **tables)
 	ts_tables *made = *tables = ts_alloc_zero(1, sizeof *made, "tables");
 	ts_status status = made != NULL ? TS_OK : TS_ERROR;
 	for (const source *s = sources; status == TS_OK && s->text != NULL; s++) status = add(made, s->text, s->path);
+	if (status == TS_OK) add_speed(made);
 	for (const ts_bench_row *row = general; status == TS_OK && row->name != NULL; row++)
 		made->rows[made->n_rows++] = row;
 	if (status == TS_OK) return TS_OK;
@@ -68,6 +84,7 @@ ts_status ts_tables_open_file(ts_tables **tables, const char *path)
 	ts_status status = made != NULL ? TS_OK : TS_ERROR;
 	if (status == TS_OK && strlen(text) != bytes) status = ts_fail("%s: no text: a byte of it is 0", path);
 	if (status == TS_OK) status = add(made, text, path);
+	if (status == TS_OK) add_speed(made);
 	free(text);
 	if (status == TS_OK) return TS_OK;
 	ts_tables_close(made);
@@ -126,7 +143,7 @@ bool ts_tables_is_general(const ts_bench_row *row)
 {
 	const ts_bench_row *own = general;
 	while (own->name != NULL && own != row) own++;
-	return own->name != NULL;
+	return own->name != NULL || row->speed != NULL;
 }
 
 void ts_tables_close(ts_tables *tables)
@@ -199,5 +216,6 @@ ts_status ts_tables_run(const ts_bench_row *row, const ts_job *job)
 	if (ts_bench_check(job, row->name) != TS_OK) return TS_ERROR;
 	own.scene.options.camera = TS_CAMERA_CIRCLE;
 	if (own.runs == 0) own.runs = row->runs != 0 ? row->runs : RUNS;
+	if (row->speed != NULL) return ts_bench_speed(&own, row->speed);
 	return row->paper != NULL ? ts_paper_bench(&own, row->paper) : row->run(&own);
 }

@@ -42,13 +42,15 @@ static bool is_method(const char *name)
 	return *all != NULL;
 }
 
-static void take_effect(ts_table_reader *r)
+const char *ts_take_effect(ts_table_reader *r)
 {
 	const char *effect = ts_cursor_word(&r->c, "an effect");
 	if (ts_effect_find(effect) == NULL)
 		ts_cursor_wrong(&r->c, effect, "no effect \"%s\"; `touchstone list methods` lists all", effect);
-	r->t->paper.effect = effect;
+	return effect;
 }
+
+static void take_effect(ts_table_reader *r) { r->t->paper.effect = ts_take_effect(r); }
 
 /* What a variant may not set: it has the row's size and scene. Truths are whole. */
 static const char *why_not(const char *param, bool of_variant)
@@ -60,8 +62,7 @@ static const char *why_not(const char *param, bool of_variant)
 	return NULL;
 }
 
-/* Parameters that are set: "NAME=VALUE,...". */
-static void check_set(ts_table_reader *r, const char *list, bool of_variant)
+void ts_check_set(ts_table_reader *r, const char *list, bool of_variant)
 {
 	char item[128];
 	ts_params params;
@@ -91,7 +92,7 @@ static void take_option(ts_table_reader *r, ts_bench_variant *v, const char *wor
 		v->seen = true;
 	} else if (strchr(word, '=') != NULL) {
 		if (v->set[0] != 0) ts_cursor_wrong(&r->c, word, "\"%s\": all that is set is one list, with commas", word);
-		check_set(r, word, true);
+		ts_check_set(r, word, true);
 		v->set = word;
 	} else {
 		ts_cursor_wrong(&r->c, word, "\"%s\": seen, once, first, alone, long or NAME=VALUE,... is expected", word);
@@ -305,13 +306,14 @@ static const struct {
 	bool once; /* in a table */
 } lines_of[] = {
 	{"table", take_table, false},     {"stages", take_stages, false},    {"shows", take_shows, false},
+	{"frame", ts_take_frame, false},  {"speed", ts_take_speed, false},   {"growth", ts_take_growth, false},
 	{"variant", take_variant, false}, {"figure", ts_take_figure, false}, {"part", ts_take_part, false},
 	{"claim", ts_take_claim, false},  {"picture", take_picture, false},  {"objects", take_objects, true},
 	{"look", take_look, true},        {"work", take_work, true},         {"nearest", take_nearest, true},
 	{"paper", ts_take_paper, true},   {"plot", take_plot, true},         {"brief", take_brief, true},
 	{"effect", take_effect, true},
 };
-enum { WITHOUT_TABLE = 3 };
+enum { WITHOUT_TABLE = 6 };
 
 #define N(rows) (sizeof(rows) / sizeof *(rows))
 
@@ -336,7 +338,7 @@ static bool take_field(ts_table_reader *r, const char *key)
 		*(u32 *)at = ts_cursor_count(&r->c, TS_NONE - 1);
 	} else {
 		const char *text = *(const char **)at = ts_cursor_rest(&r->c, "a text");
-		if (fields[i].kind == A_SET) check_set(r, text, false);
+		if (fields[i].kind == A_SET) ts_check_set(r, text, false);
 	}
 	return true;
 }
@@ -348,7 +350,7 @@ static void take_line(ts_table_reader *r)
 	r->indented = TS_IN_NOTHING;
 	while (i < N(lines_of) && strcmp(key, lines_of[i].key) != 0) i++;
 	if (r->t == NULL && i >= WITHOUT_TABLE) {
-		ts_cursor_wrong(&r->c, key, "\"table\", \"stages\" or \"shows\" is expected");
+		ts_cursor_wrong(&r->c, key, "\"table\", \"stages\", \"shows\", \"frame\", \"speed\" or \"growth\" is expected");
 	} else if (i < N(lines_of)) {
 		if (lines_of[i].once) take_once(r, key, N(fields) + i);
 		lines_of[i].take(r);
@@ -402,6 +404,7 @@ ts_status ts_table_texts_read(ts_table_texts **texts, const char *text, const ch
 	if (status == TS_OK) {
 		ts_table_reader r = {.c = {.path = path, .begin = memcpy(made->text, text, bytes)}, .texts = made};
 		made->names = made->text + bytes;
+		made->speed = (ts_speed_of){made->scenes, made->figures, made->growths, made->speed_names, 0};
 		status = read_lines(&r);
 	}
 	if (status == TS_OK) return TS_OK;
@@ -416,6 +419,8 @@ const ts_bench_row *ts_table_texts_at(const ts_table_texts *texts, u32 i)
 }
 
 const ts_claim *ts_table_texts_claims(const ts_table_texts *texts) { return texts->claims; }
+
+const ts_speed_of *ts_table_texts_speed(const ts_table_texts *texts) { return &texts->speed; }
 
 void ts_table_texts_free(ts_table_texts *texts)
 {

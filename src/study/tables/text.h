@@ -3,6 +3,7 @@
 #ifndef TS_STUDY_TABLES_TEXT_H
 #define TS_STUDY_TABLES_TEXT_H
 #include "study/claims.h"
+#include "study/speed.h"
 #include "study/tables/paper.h"
 
 /* What a text has a name for and code computes: one of the two. */
@@ -23,6 +24,8 @@ ts_status ts_table_texts_read(ts_table_texts **texts, const char *text, const ch
 const ts_bench_row *ts_table_texts_at(const ts_table_texts *texts, u32 i);
 /* The claims, ended by one without a paper. */
 const ts_claim *ts_table_texts_claims(const ts_table_texts *texts);
+/* What `bench speed` measures. */
+const ts_speed_of *ts_table_texts_speed(const ts_table_texts *texts);
 void ts_table_texts_free(ts_table_texts *texts);
 
 #endif

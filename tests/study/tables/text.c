@@ -22,8 +22,8 @@ static void a_mistake_is_said_with_its_place(void **state)
 {
 	(void)state;
 	static const char *const bad[][2] = {
-		{"tables x", "my.table:1:1: \"table\", \"stages\" or \"shows\" is expected"},
-		{"title x", "my.table:1:1: \"table\", \"stages\" or \"shows\" is expected"},
+		{"tables x", "my.table:1:1: \"table\", \"stages\", \"shows\", \"frame\", \"speed\" or \"growth\" is expected"},
+		{"title x", "my.table:1:1: \"table\", \"stages\", \"shows\", \"frame\", \"speed\" or \"growth\" is expected"},
 		{"# a comment\n\n \t\ntable", "my.table:4:6: a name is expected"},
 		{"table ../x", "my.table:1:7: \"../x\": a name has at most 40 letters, digits, _, - and ."},
 		{"table x y", "my.table:1:9: nothing more is expected"},

@@ -95,7 +95,6 @@ const ts_family_tools ts_points_tools = {
 	.truths = truths,
 	.texels = texels,
 	.codes = ts_points_codes,
-	.speed = &ts_points_speed,
 	.parts = parts,
 	.marks = ts_points_marks,
 	.viewers = viewers,

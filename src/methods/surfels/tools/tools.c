@@ -42,7 +42,6 @@ const ts_family_tools ts_surfels_tools = {
 	.checks = ts_surfels_checks,
 	.truths = truths,
 	.codes = codes,
-	.speed = &ts_surfels_speed,
 	.parts = parts,
 	.notes = notes,
 };

@@ -3,7 +3,6 @@
 #define TS_METHODS_SURFELS_TOOLS_TOOLS_H
 #include "replay/check.h"
 #include "study/notes.h"
-#include "study/speed.h"
 #include "study/tables/text.h"
 #include "truth/sampling.h"
 #include "truth/truth.h"
@@ -41,7 +40,6 @@ ts_status ts_layers_note(char note[TS_NOTE_CHARS], const ts_run *run);
 
 /* Tables of bench. */
 
-extern const ts_speed_of ts_surfels_speed;
 ts_status ts_bench_crumbs(const ts_job *job);
 
 #endif

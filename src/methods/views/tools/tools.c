@@ -50,7 +50,6 @@ const ts_family_tools ts_views_tools = {
 	.truths = truths,
 	.texels = texels,
 	.codes = ts_views_codes,
-	.speed = &ts_views_speed,
 	.parts = parts,
 	.pictures = ts_views_pictures,
 	.places = ts_views_places,

@@ -3,7 +3,6 @@
 #define TS_METHODS_VIEWS_TOOLS_TOOLS_H
 #include "kernels/base/vec.h"
 #include "replay/check.h"
-#include "study/speed.h"
 #include "study/stage_pictures.h"
 #include "study/tables/text.h"
 #include "trace/where.h"
@@ -56,8 +55,6 @@ extern const ts_where_rule ts_views_places[];
 extern const ts_stage_picture_rule ts_views_pictures[];
 
 /* Tables of bench. */
-
-extern const ts_speed_of ts_views_speed;
 
 extern const ts_table_code ts_views_codes[];
 

@@ -1,7 +1,7 @@
 /* Expressions over figures: `100 * (1 - epr.ms.frame / mvr.ms.frame)`. A quotient by 0 is missing, as
  * is what is computed from what is missing. growth(a, b) is e, where a grows as b^e since the row before. */
-#ifndef TS_STUDY_TABLES_EXPRESSION_H
-#define TS_STUDY_TABLES_EXPRESSION_H
+#ifndef TS_STUDY_EXPRESSION_H
+#define TS_STUDY_EXPRESSION_H
 #include "kernels/base/compat.h"
 #include "model/core.h"
 

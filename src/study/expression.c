@@ -1,5 +1,5 @@
 /* Expressions over figures. */
-#include "study/tables/expression.h"
+#include "study/expression.h"
 #include <ctype.h>
 #include <math.h>
 #include <string.h>

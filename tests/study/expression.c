@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "study/tables/expression.h"
+#include "study/expression.h"
 #include "tests/model/test.h"
 
 enum { MEASURED = 4, FIGURES = 3, TERMS = 64, ROUNDS = 20000 };
