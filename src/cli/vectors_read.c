@@ -91,9 +91,13 @@ ts_status ts_vectors_read_contract(const char *dir)
 	json_error_t error;
 	snprintf(path, sizeof path, "%s/vectors.json", dir);
 	if (stat(path, &info) != 0) return TS_OK;
+	size_t bytes = 0;
 	bool readable = S_ISREG(info.st_mode) && info.st_size <= MAX_INDEX_BYTES;
+	char *text = readable ? ts_text_read(&bytes, path) : NULL;
+	if (readable && text == NULL) return TS_ERROR;
 	errno = 0;
-	json_t *root = readable ? json_load_file(path, 0, &error) : NULL;
+	json_t *root = text != NULL ? json_loadb(text, bytes, 0, &error) : NULL;
+	free(text);
 	if (readable && root == NULL && ts_json_no_memory(&error)) return ts_fail("%s: out of memory", path);
 	json_t *contract = json_object_get(root, "contract");
 	json_int_t version = json_integer_value(contract);

@@ -46,3 +46,18 @@ char *ts_input_read(size_t *bytes, const char *path)
 	fclose(file);
 	return data;
 }
+
+size_t ts_text_mark(const char *text, size_t n)
+{
+	static const char mark[] = {'\xef', '\xbb', '\xbf'};
+	return n >= sizeof mark && memcmp(text, mark, sizeof mark) == 0 ? sizeof mark : 0;
+}
+
+char *ts_text_read(size_t *bytes, const char *path)
+{
+	char *text = ts_input_read(bytes, path);
+	size_t mark = text != NULL ? ts_text_mark(text, *bytes) : 0;
+	if (mark == 0) return text;
+	*bytes -= mark;
+	return memmove(text, text + mark, *bytes + 1);
+}

@@ -87,7 +87,7 @@ ts_status ts_page_read(json_t **root, const char *dir, const char *name, bool ab
 	*root = NULL;
 	snprintf(path, sizeof path, "%s/%s", dir, name);
 	if (absent && access(path, F_OK) != 0) return TS_OK;
-	char *text = ts_input_read(&bytes, path);
+	char *text = ts_text_read(&bytes, path);
 	if (text == NULL) return TS_ERROR;
 	errno = 0;
 	if (bytes <= MOST_JSON_BYTES) *root = json_loadb(text, bytes, 0, &error);

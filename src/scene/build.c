@@ -137,7 +137,19 @@ static void sanitize_unit(f32 *to, const f32 *from)
 	ts_store3(to, ts_normalize(ts_load3(clean)));
 }
 
-static void take_vertex(ts_vertex *v, const ts_vertex *vertex, u32 object)
+/* A colour's channels are from 0 to 1; how many were not is noted at the end. */
+static void take_colour(ts_build *build, f32 *to, const f32 *from, u32 n)
+{
+	bool outside = false;
+	for (u32 i = 0; i < n; i++) {
+		f32 x = ts_san(from[i]);
+		to[i] = ts_clamp(x, 0.0f, 1.0f);
+		outside |= to[i] != x;
+	}
+	build->n_outside += outside;
+}
+
+static void take_vertex(ts_build *build, ts_vertex *v, const ts_vertex *vertex, u32 object)
 {
 	v->object = object;
 	v->pad = 0;
@@ -147,14 +159,14 @@ static void take_vertex(ts_vertex *v, const ts_vertex *vertex, u32 object)
 	bool no_tangent = v->tangent[0] == 0.0f && v->tangent[1] == 0.0f && v->tangent[2] == 0.0f;
 	v->tangent[3] = no_tangent ? 0.0f : ts_san(vertex->tangent[3]) < 0.0f ? -1.0f : 1.0f;
 	sanitize(v->uv, vertex->uv, 4);
-	sanitize(v->colour, vertex->colour, 4);
+	take_colour(build, v->colour, vertex->colour, 4);
 }
 
 u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex)
 {
 	ts_scene *scene = build->scene;
 	if (!countable(build, scene->n_vertices, "vertices") || !TS_BUILD_ROOM(build, vertices, "vertices")) return 0;
-	take_vertex(&scene->vertices[scene->n_vertices], vertex, build->object);
+	take_vertex(build, &scene->vertices[scene->n_vertices], vertex, build->object);
 	scene->objects[build->object].n_vertices++;
 	return scene->n_vertices++;
 }
@@ -164,8 +176,11 @@ u32 ts_build_vertex_moving(ts_build *build, const ts_vertex *vertex, const ts_ve
 	build->own =
 		ts_build_room(build, build->own, build->n_own, 1, &build->capacity.own, sizeof *build->own, "moving vertices");
 	if (build->failed) return 0;
-	take_vertex(&build->own[build->n_own++], own, build->object);
-	return ts_build_vertex(build, vertex);
+	u32 index = ts_build_vertex(build, vertex);
+	u64 n_outside = build->n_outside; /* the vertex is counted once */
+	if (!build->failed) take_vertex(build, &build->own[build->n_own++], own, build->object);
+	build->n_outside = n_outside;
+	return index;
 }
 
 void ts_build_move(ts_build *build, u32 first, ts_v3 by)
@@ -298,7 +313,7 @@ u32 ts_build_surfel(ts_build *build, const ts_surfel *surfel)
 	sanitize(s->centre, surfel->centre, 3);
 	sanitize(s->u, surfel->u, 3);
 	sanitize(s->v, surfel->v, 3);
-	sanitize(s->colour, surfel->colour, 3);
+	take_colour(build, s->colour, surfel->colour, 3);
 	return scene->n_surfels++;
 }
 

@@ -24,7 +24,7 @@ void ts_build_free(ts_build *build);
  * sanitized (rule 10), normals, tangents and directions are made unit length (zero stays zero). Indices may name what
  * is appended later: ts_build_finish checks them. */
 
-/* A vertex of the current object. */
+/* A vertex of the current object. Its colours, and those of surfels, are clamped to 0 to 1, and this is noted. */
 u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex);
 /* As ts_build_vertex, of an object that the file moves: `vertex` is in world space at frame 0, `own` in the object's
  * space. */

@@ -216,6 +216,14 @@ static void set_off(ts_scene *scene)
 	camera->n_path = 0;
 }
 
+static void note_colours(ts_build *build)
+{
+	if (build->n_outside > 0)
+		ts_build_note(build,
+		              "%llu vertices or points have colours outside 0 to 1, which are read as the nearest inside",
+		              (unsigned long long)build->n_outside);
+}
+
 static void complete(ts_build *build, const ts_params *params, const char *camera)
 {
 	if (!build->failed) give_material(build);
@@ -227,6 +235,7 @@ static void complete(ts_build *build, const ts_params *params, const char *camer
 	if (!build->failed) choose_camera(build, camera);
 	if (build->failed) return;
 	ts_build_measure(build);
+	note_colours(build);
 	count_triangles(build);
 	ts_sample_add(build, params);
 	check_surfels(build);

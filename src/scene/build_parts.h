@@ -16,7 +16,8 @@ struct ts_build {
 	u32 n_motions, n_frames; /* of each motion */
 	ts_vertex *own;          /* vertices of the objects that move, in object space, in the order of the others */
 	u32 n_own;
-	ts_kind kind; /* of failures that name no other; after the first, its kind */
+	u64 n_outside; /* vertices and surfels with a colour outside 0 to 1 */
+	ts_kind kind;  /* of failures that name no other; after the first, its kind */
 	bool failed;
 	char message[512];
 	struct {

@@ -194,7 +194,7 @@ const char *ts_path_add(ts_build *build, const char *file, bool own_fov)
 	reader r = {.build = build, .file = file};
 	if (build->failed) return NULL;
 	const ts_kind before = ts_build_about(build, TS_KIND_FORMAT);
-	char *text = ts_input_read(&bytes, file);
+	char *text = ts_text_read(&bytes, file);
 	if (text == NULL) {
 		ts_build_adopt(build);
 	} else if (bytes > TS_PATH_MAX_BYTES) {

@@ -194,8 +194,9 @@ static ts_status read_json(ts_trace *trace)
 	if (text == NULL) return TS_ERROR;
 	json_error_t error;
 	char why[TS_JSON_WHY];
+	size_t mark = ts_text_mark(text, n);
 	errno = 0;
-	json_t *root = json_loadb(text, n, JSON_REJECT_DUPLICATES, &error);
+	json_t *root = json_loadb(text + mark, n - mark, JSON_REJECT_DUPLICATES, &error);
 	if (root == NULL) ts_json_why(why, &error);
 	free(text);
 	if (!json_is_object(root)) {

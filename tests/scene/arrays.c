@@ -53,7 +53,7 @@ static void same_scenes(const ts_scene *a, const ts_scene *b)
 	same(&a->info, 1, &b->info, 1, sizeof a->info, "info");
 }
 
-/* With mirrors that are added to both. The file has n_materials; triangles without get one behind those of mirrors. */
+/* With mirrors that are added to both. The file has n_materials, one of them of primitives without any. */
 static void of_file(const char *path, u32 n_materials)
 {
 	ts_params params;
@@ -80,10 +80,10 @@ static void of_file(const char *path, u32 n_materials)
 static void arrays_make_the_scene_of_the_file(void **state)
 {
 	(void)state;
-	of_file("scenes/instances.gltf", 0);
-	of_file("scenes/triangle.gltf", 0);
-	of_file("scenes/triangle_mirror.gltf", 0);
-	of_file("scenes/triangle_side.gltf", 1);
+	of_file("scenes/instances.gltf", 1);
+	of_file("scenes/triangle.gltf", 1);
+	of_file("scenes/triangle_mirror.gltf", 1);
+	of_file("scenes/triangle_side.gltf", 2);
 	of_file("scenes/splats.gltf", 0);
 	of_file("scenes/splats.ply", 0);
 }

@@ -75,12 +75,12 @@ static void instances_are_doubled_and_mirrored(void **state)
 	ts_scene_free(scene);
 }
 
-static void points_draw_nothing_but_open(void **state)
+static void points_without_normals_are_surfels(void **state)
 {
 	(void)state;
 	ts_scene *scene = open_scene("scenes/points.gltf", 2, NULL);
 	assert_int_equal(scene->n_triangles_file, 0);
-	assert_int_equal(scene->info.n_reflectors, 2);
+	assert_int_equal(scene->n_surfels, 6);
 	assert_true(scene->n_notes >= 1);
 	ts_scene_free(scene);
 }
@@ -103,7 +103,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(every_wall_faces_the_rooms_middle),  cmocka_unit_test(the_door_looks_into_the_room),
-		cmocka_unit_test(instances_are_doubled_and_mirrored), cmocka_unit_test(points_draw_nothing_but_open),
+		cmocka_unit_test(instances_are_doubled_and_mirrored), cmocka_unit_test(points_without_normals_are_surfels),
 		cmocka_unit_test(both_formats_hold_the_same_splats),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

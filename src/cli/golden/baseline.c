@@ -93,7 +93,7 @@ static ts_status read_list(ts_baseline *b, const char *path, const reading *r)
 	size_t bytes;
 	u32 number = 1;
 	*b = (ts_baseline){.path = path};
-	b->text = ts_input_read(&bytes, path);
+	b->text = ts_text_read(&bytes, path);
 	if (b->text == NULL) return TS_ERROR;
 	if (strlen(b->text) != bytes) return ts_fail("%s: a byte that is no text", path);
 	for (char *line = b->text, *end; *line != 0; line = end, number++) {

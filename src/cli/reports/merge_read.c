@@ -38,7 +38,7 @@ static ts_status check_sums(const ts_part *part, bool *listed)
 	char path[PATH_BYTES];
 	size_t bytes;
 	snprintf(path, sizeof path, "%s/" TS_SHARDED_SUMS, part->dir);
-	char *text = ts_input_read(&bytes, path), *state = NULL;
+	char *text = ts_text_read(&bytes, path), *state = NULL;
 	if (text == NULL) {
 		return ts_fail("%s: no " TS_SHARDED_SUMS " there; name folders that a command with --shard I/N wrote to -o",
 		               part->dir);
@@ -60,7 +60,7 @@ static json_t *read_json(const ts_part *part, const char *name)
 	size_t bytes;
 	json_error_t error;
 	snprintf(path, sizeof path, "%s/%s", part->dir, name);
-	char *text = ts_input_read(&bytes, path);
+	char *text = ts_text_read(&bytes, path);
 	if (text == NULL) return NULL;
 	errno = 0;
 	json_t *root = json_loadb(text, bytes, JSON_REJECT_DUPLICATES, &error);

@@ -73,6 +73,7 @@ static bool fits(const tinygltf::Accessor &a, unsigned forms, bool is_quantized)
 	bool is_unsigned = c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
 	if (c == TINYGLTF_COMPONENT_TYPE_FLOAT) return (forms & AS_FLOAT) && !a.normalized;
 	if (forms & AS_INDEX) return (is_unsigned || c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) && !a.normalized;
+	if (forms & AS_JOINT) return is_unsigned && !a.normalized;
 	if ((forms & AS_NORM) && is_small(c) && a.normalized) return true;
 	if ((forms & AS_UNORM) && is_unsigned && a.normalized) return true;
 	if (!is_quantized || !is_small(c)) return false;
@@ -88,6 +89,7 @@ static void check_form(const loader &in, const tinygltf::Accessor &a, int type, 
 	if (!fits(a, forms, in.doc.is_quantized))
 		fail("%s: componentType %d%s; %s expected%s", where.c_str(), c, a.normalized ? ", normalized," : "",
 		     forms & AS_INDEX   ? "5121, 5123 or 5125 is"
+		     : forms & AS_JOINT ? "5121 or 5123 is"
 		     : forms & AS_NORM  ? "5126, or normalized 5120 to 5123, is"
 		     : forms & AS_UNORM ? "5126, or normalized 5121 or 5123, is"
 		                        : "5126 (float) is",

@@ -63,8 +63,9 @@ static void take_channel(loader &in, const recorded &from, const channel &c, con
 	unsigned path = 0;
 	while (path < N_PATHS && c.path != paths[path].name) path++;
 	if (path == N_PATHS || c.node < 0) {
-		in.notes.insert(c.path == "weights" ? "animations of morph targets are ignored: they do not move"
-		                                    : "animations of other than translation, rotation and scale are ignored");
+		in.notes.insert(c.node < 0            ? "channels of animations without a node are ignored"
+		                : c.path == "weights" ? "animations of morph targets are ignored: they do not move"
+		                                      : "animations of other than translation, rotation and scale are ignored");
 		return;
 	}
 	if (!in.model.nodes.at((size_t)c.node).matrix.empty())
@@ -74,8 +75,8 @@ static void take_channel(loader &in, const recorded &from, const channel &c, con
 	if (to.times) fail("%s: the %s of nodes/%d is animated already", where.c_str(), paths[path].name, c.node);
 	to = open_track(in, from, c, path, where);
 	f32 end = to.times->number(to.times->count - 1, 0);
-	if (end > longest) fail("%s: lasts %g seconds; at most %g are played", where.c_str(), (double)end, (double)longest);
-	in.animated.n_frames = std::max(in.animated.n_frames, ts_keyframe_count(end));
+	in.animated.n_frames = std::max(in.animated.n_frames, ts_keyframe_count(std::min(end, longest)));
+	in.animated.seconds = std::max(in.animated.seconds, end);
 }
 
 /* The index of the animation that is asked for. */
@@ -92,6 +93,21 @@ static size_t choose(const loader &in)
 	        in.doc.animations.size() > 5 ? ", ..." : "");
 }
 
+static constexpr u32 other_objects = 32; /* that stand still, or circle */
+
+/* As many frames as there is room for of all objects; what is longer is cut. */
+static void cut(loader &in)
+{
+	u32 most = TS_MOTION_MAX_PLACES / (u32)(in.animated.tracks.size() + other_objects);
+	in.animated.n_frames = std::min(in.animated.n_frames, most);
+	u32 wanted = ts_keyframe_count(std::min(in.animated.seconds, longest));
+	if (in.animated.n_frames == wanted && in.animated.seconds <= longest) return;
+	char line[96];
+	snprintf(line, sizeof line, "the animation lasts %g seconds: the first %u frames are played",
+	         (double)in.animated.seconds, in.animated.n_frames);
+	in.notes.insert(line);
+}
+
 void animation_open(loader &in)
 {
 	bool rests = in.animation && strcmp(in.animation, TS_ANIMATION_NONE) == 0;
@@ -101,6 +117,7 @@ void animation_open(loader &in)
 	std::string where = "animations/" + std::to_string(index);
 	for (size_t i = 0; i < from.channels.size(); i++)
 		take_channel(in, from, from.channels[i], where + "/channels/" + std::to_string(i));
+	cut(in);
 	if (in.doc.animations.size() > 1)
 		in.notes.insert("of " + std::to_string(in.doc.animations.size()) + " animations " + quoted(from.name) +
 		                " is played");

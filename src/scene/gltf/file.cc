@@ -41,8 +41,8 @@ static void take_chunk(container &parts, uint32_t kind, size_t begin, size_t n, 
 bool container_is_worth(const bytes &head)
 {
 	if (head.size() >= 8 && word(head, 0) == magic) return word(head, 4) == 2;
-	for (unsigned char c : head)
-		if (c != ' ' && c != '\t' && c != '\r' && c != '\n') return c == '{';
+	for (size_t i = ts_text_mark((const char *)head.data(), head.size()); i < head.size(); i++)
+		if (!memchr(" \t\r\n", head[i], 4)) return head[i] == '{';
 	return true;
 }
 
@@ -148,39 +148,40 @@ static int hex_digit(char c)
 	return -1;
 }
 
-static std::string percent_decode(const std::string &uri, const std::string &where)
+/* A % without two hexadecimal digits stands for itself: programs write names of files as they are. */
+static std::string percent_decode(const std::string &uri)
 {
 	std::string text;
 	for (size_t i = 0; i < uri.size(); i++) {
-		if (uri[i] != '%') {
+		bool is_code = uri[i] == '%' && i + 2 < uri.size();
+		int high = is_code ? hex_digit(uri[i + 1]) : -1, low = is_code ? hex_digit(uri[i + 2]) : -1;
+		if (high < 0 || low < 0) {
 			text += uri[i];
 			continue;
 		}
-		int high = i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
-		int low = i + 2 < uri.size() ? hex_digit(uri[i + 2]) : -1;
-		if (high < 0 || low < 0)
-			fail("%s: a %% without two hexadecimal digits in %s", where.c_str(), quoted(uri).c_str());
 		text += (char)(high * 16 + low);
 		i += 2;
 	}
 	return text;
 }
 
-/* Whether the path, read from left to right, ever climbs above where it begins. */
-static bool climbs_out(const std::string &path)
+/* The path without dot segments (RFC 3986, 5.2.4); "" if it ever climbs above where it begins. */
+static std::string without_dots(const std::string &path)
 {
-	int depth = 0;
+	std::vector<std::string> parts;
+	std::string joined;
 	for (size_t begin = 0; begin <= path.size();) {
 		size_t end = std::min(path.find('/', begin), path.size());
 		std::string part = path.substr(begin, end - begin);
+		if (part == ".." && parts.empty()) return "";
 		if (part == "..")
-			depth--;
+			parts.pop_back();
 		else if (!part.empty() && part != ".")
-			depth++;
-		if (depth < 0) return true;
+			parts.push_back(part);
 		begin = end + 1;
 	}
-	return false;
+	for (const std::string &part : parts) joined += (joined.empty() ? "" : "/") + part;
+	return joined;
 }
 
 std::string path_from_uri(const std::string &uri, const std::string &where)
@@ -188,15 +189,24 @@ std::string path_from_uri(const std::string &uri, const std::string &where)
 	if (uri.empty()) fail("%s: an empty URI; a file of the scene's folder is expected", where.c_str());
 	if (uri.size() >= PATH_MAX)
 		fail("%s: a URI of %zu bytes; at most %d are read", where.c_str(), uri.size(), PATH_MAX - 1);
-	std::string path = percent_decode(uri, where);
-	std::string first = path.substr(0, path.find('/'));
-	bool bad = path[0] == '/' || path.find('\\') != std::string::npos || path.find('\0') != std::string::npos ||
-	           first.find(':') != std::string::npos || climbs_out(path);
-	if (bad) fail("%s: %s is no file of the scene's folder", where.c_str(), quoted(uri).c_str());
+	std::string path = percent_decode(uri);
+	bool has_scheme = uri.substr(0, uri.find('/')).find(':') != std::string::npos;
+	bool bad =
+		path[0] == '/' || path.find('\\') != std::string::npos || path.find('\0') != std::string::npos || has_scheme;
+	path = without_dots(path);
+	if (bad || path.empty()) fail("%s: %s is no file of the scene's folder", where.c_str(), quoted(uri).c_str());
 	return path;
 }
 
-bool is_data_uri(const std::string &uri) { return uri.compare(0, 5, "data:") == 0; }
+/* Schemes and media types may be of capitals. */
+static std::string lower(std::string text)
+{
+	for (char &c : text)
+		if (c >= 'A' && c <= 'Z') c = (char)(c - 'A' + 'a');
+	return text;
+}
+
+bool is_data_uri(const std::string &uri) { return lower(uri.substr(0, 5)) == "data:"; }
 
 static int base64_digit(char c)
 {
@@ -230,14 +240,14 @@ data_uri data_uri_decode(const std::string &uri, const std::string &where)
 	static const std::string mark = ";base64";
 	size_t comma = uri.find(',');
 	if (comma == std::string::npos) fail("%s: a data URI without a comma before its data", where.c_str());
-	std::string head = uri.substr(5, comma - 5), text = uri.substr(comma + 1);
+	std::string head = lower(uri.substr(5, comma - 5)), text = uri.substr(comma + 1);
 	bool is_base64 = head.size() >= mark.size() && head.compare(head.size() - mark.size(), mark.size(), mark) == 0;
 	data_uri decoded;
 	decoded.type = head.substr(0, head.find(';'));
 	if (is_base64) {
 		decoded.data = base64_decode(text, where);
 	} else {
-		text = percent_decode(text, where);
+		text = percent_decode(text);
 		decoded.data.assign(text.begin(), text.end());
 	}
 	if (decoded.data.empty()) fail("%s: a data URI that holds nothing", where.c_str());

@@ -64,6 +64,10 @@ static bool file_fetch(bytes *out, std::string *, const std::string &key, void *
 	loader &in = from.in;
 	try {
 		source &wanted = in.doc.buffers.at(key);
+		in.held_bytes += wanted.byte_length;
+		if (in.held_bytes > ts_memory_limit())
+			fail_as(TS_KIND_MEMORY, "its buffers have more than %llu bytes together",
+			        (unsigned long long)ts_memory_limit());
 		if (!wanted.data.empty()) {
 			wanted.data.resize(wanted.byte_length);
 			*out = std::move(wanted.data);
@@ -152,9 +156,8 @@ static void load(loader &in, const ts_scene_file &file)
 	                       : file_read(in.path, {most_file_bytes, most_file_bytes, container_is_worth});
 	in.parts = container_split(in.file, ends_in_glb(in.path));
 	in.doc = guard((const char *)in.file.data() + in.parts.json_begin, in.parts.json_bytes, in.parts);
-	parse(in);
 	in.held_bytes = in.file.size();
-	for (const tinygltf::Buffer &buffer : in.model.buffers) in.held_bytes += buffer.data.size();
+	parse(in);
 	in.texel_budget = texel_budget(in.held_bytes);
 	in.materials.assign(in.model.materials.size(), TS_NONE);
 	if (in.parts.trailing_bytes > 0) in.notes.insert("bytes after the end that the header gives are ignored");

@@ -132,6 +132,7 @@ struct track {
 };
 struct playing {
 	u32 n_frames = 0;                                 /* 0: nothing is animated */
+	f32 seconds = 0;                                  /* that the file's keyframes last */
 	std::map<int, std::array<track, N_PATHS>> tracks; /* by node */
 	std::map<std::pair<int, int>, view> views;        /* by accessor and type, shared by tracks */
 };
@@ -152,13 +153,15 @@ struct loader {
 	std::set<std::string> notes;
 	uint64_t held_bytes = 0;                    /* of the file and its buffers */
 	uint64_t texel_budget = 0;                  /* texels that the bytes read so far may still decode to */
+	std::vector<int> parents;                   /* of nodes; -1: none */
 	std::vector<u32> materials;                 /* of the scene, TS_NONE until used */
+	u32 default_material = TS_NONE;             /* the same, of primitives without one */
 	std::map<std::pair<int, bool>, u32> images; /* (image, sRGB) to index in the scene */
 };
 
 /* What KHR_mesh_quantization adds: AS_SNORM signed bytes and shorts, normalized; AS_SMALL all bytes and shorts.
- * AS_NORM: all bytes and shorts, normalized, whatever the file requires. */
-enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4, AS_SNORM = 8, AS_SMALL = 16, AS_NORM = 32 };
+ * AS_NORM: all bytes and shorts, normalized, whatever the file requires. AS_JOINT: unsigned bytes and shorts. */
+enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4, AS_SNORM = 8, AS_SMALL = 16, AS_NORM = 32, AS_JOINT = 64 };
 /* type: TINYGLTF_TYPE_*, or two of them as alternatives; forms: which component types are allowed. */
 view view_open(const loader &in, int accessor, int type, int other_type, unsigned forms, const std::string &what);
 
@@ -184,11 +187,17 @@ struct attributes {
 /* points.cc: a primitive of points as surfels in the mesh's own space. */
 std::vector<ts_surfel> points_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
 
+/* The joints that move a vertex, by their number in the skin. */
+struct influence {
+	f32 joint[4], weight[4];
+};
+
 /* mesh.cc: one primitive as triangles or surfels in the mesh's own space, and its copies in the world. */
 struct piece {
 	std::vector<ts_surfel> surfels;
 	std::vector<ts_vertex> vertices;
-	std::vector<u32> corners; /* three a triangle */
+	std::vector<influence> influences; /* of each vertex, or of none */
+	std::vector<u32> corners;          /* three a triangle */
 	u32 material;
 };
 piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
@@ -200,6 +209,13 @@ struct spot {
 	bool mirrored; /* at frame 0, or at the first frame at which it is not flattened */
 };
 void piece_place(ts_build *build, const piece &piece, const spot &at);
+
+/* skin.cc: the matrices of a skin's joints. */
+std::vector<ts_place> skin_pose(loader &in, int index);
+/* Fails unless the joints of all influences are of the skin. */
+void skin_check(const piece &piece, size_t n_joints, const std::string &where);
+/* A copy of a piece with influences, in the world. */
+void skin_place(ts_build *build, const piece &piece, const std::vector<ts_place> &pose);
 
 /* material.cc: the index in the scene of material `index` (-1: none). */
 u32 material_build(loader &in, int index);
@@ -224,6 +240,12 @@ void animation_set(const loader &in, int node, u32 frame, trs &local);
 
 /* node.cc: walks the scene and builds what it draws. */
 void nodes_walk(loader &in);
+/* Where a node stands at frame 0. */
+ts_place node_place(loader &in, int node);
+ts_place place_of_trs(const trs &local, const std::string &where);
+
+/* instances.cc: where a node draws its mesh, in the node's own space. */
+std::vector<ts_place> instances_open(loader &in, const tinygltf::Node &node, const std::string &where);
 
 /* light.cc: lights and cameras at nodes. */
 void light_build(loader &in, int light, const ts_place &place);

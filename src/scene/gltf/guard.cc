@@ -1,5 +1,7 @@
 /* The guard before tinygltf, which checks neither types nor references: the JSON is parsed strictly, held against the
  * table of rules.h, and written anew, so that tinygltf reads only what was checked. */
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -18,8 +20,12 @@ struct checker {
 	std::map<std::string, size_t> lengths;                     /* of the lists that indices name */
 	void check_object(json_t *object, const std::string &path, const std::string &where);
 	void check_value(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where);
+	void take_unknown(const std::string &path, const char *key, const json_t *value);
 	void check_list(json_t *list, const rule &r, const std::string &where);
 	void check_extras(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where);
+	void check_extra_flag(json_t *parent, const char *key, const json_t *value, const std::string &where);
+	double check_number(const json_t *value, const rule &r, const std::string &where);
+	void check_numbers(json_t *list, const rule &r, const std::string &where);
 	void check_indices(json_t *list, const rule &r, const std::string &where) const;
 	void check_attributes(json_t *object, const rule &r, const std::string &where) const;
 	json_int_t check_index(json_t *value, const rule &r, const std::string &where) const;
@@ -55,7 +61,8 @@ static owned parse(const char *text, size_t n)
 	char why[TS_JSON_WHY];
 	check_depth(text, n);
 	errno = 0;
-	owned root(json_loadb(text, n, JSON_REJECT_DUPLICATES | JSON_ALLOW_NUL, &problem), json_decref);
+	size_t mark = ts_text_mark(text, n);
+	owned root(json_loadb(text + mark, n - mark, JSON_REJECT_DUPLICATES | JSON_ALLOW_NUL, &problem), json_decref);
 	if (!root) fail("%s", ts_json_why(why, &problem));
 	if (!json_is_object(root.get())) fail("the JSON is not an object");
 	return root;
@@ -81,11 +88,6 @@ static bool is_whole(const json_t *value, double low, double high)
 	return x >= low && x <= high && x == (double)(json_int_t)x;
 }
 
-static bool is_number(const json_t *value, double low, double high)
-{
-	return json_is_number(value) && json_number_value(value) >= low && json_number_value(value) <= high;
-}
-
 static std::string range_text(const char *what, double low, double high)
 {
 	char text[96];
@@ -105,14 +107,29 @@ json_int_t checker::check_index(json_t *value, const rule &r, const std::string 
 	return (json_int_t)json_number_value(value);
 }
 
-static void check_numbers(const json_t *value, const rule &r, const std::string &where)
+/* A number that a rounding to binary32 put outside its range is the nearest inside, and noted. */
+double checker::check_number(const json_t *value, const rule &r, const std::string &where)
 {
-	if (!json_is_array(value) || json_array_size(value) != r.n)
-		refuse(where, value, ("an array of " + std::to_string(r.n) + " numbers").c_str());
-	for (size_t i = 0; i < r.n; i++)
-		if (!is_number(json_array_get(value, i), r.low, r.high))
-			refuse(where + "/" + std::to_string(i), json_array_get(value, i),
-			       range_text("a number", r.low, r.high).c_str());
+	double x = json_is_number(value) ? json_number_value(value) : HUGE_VAL,
+		   inside = std::min(std::max(x, r.low), r.high);
+	double rounding = 0x1p-22 * std::max(1.0, std::fabs(inside));
+	if (!(std::fabs(x - inside) <= rounding)) refuse(where, value, range_text("a number", r.low, r.high).c_str());
+	if (x != inside) {
+		char text[40];
+		snprintf(text, sizeof text, "%.10g", inside);
+		doc.notes.insert(where + " is " + shown(value) + ", a rounding outside its range: it is read as " + text);
+	}
+	return inside;
+}
+
+void checker::check_numbers(json_t *list, const rule &r, const std::string &where)
+{
+	if (!json_is_array(list) || json_array_size(list) != r.n)
+		refuse(where, list, ("an array of " + std::to_string(r.n) + " numbers").c_str());
+	for (size_t i = 0; i < r.n; i++) {
+		double number = check_number(json_array_get(list, i), r, where + "/" + std::to_string(i));
+		if (json_array_set_new(list, i, json_real(number)) != 0) throw std::bad_alloc();
+	}
 }
 
 static void check_text(const json_t *value, const rule &r, const std::string &where)
@@ -175,6 +192,13 @@ void checker::check_extras(json_t *parent, const char *key, json_t *value, const
 		json_object_del(parent, key);
 }
 
+void checker::check_extra_flag(json_t *parent, const char *key, const json_t *value, const std::string &where)
+{
+	if (json_is_boolean(value)) return;
+	doc.notes.insert(where + " is " + shown(value) + ", neither true nor false: it is ignored");
+	json_object_del(parent, key);
+}
+
 /* Holds a value against its rule. A number that may be written in several ways is stored in one. */
 void checker::check_value(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where)
 {
@@ -190,48 +214,17 @@ void checker::check_value(json_t *parent, const char *key, json_t *value, const 
 		if (!json_is_boolean(value)) refuse(where, value, "true or false");
 		break;
 	case WHOLE: check_whole(parent, key, value, r, where); break;
-	case NUMBER:
-		if (!is_number(value, r.low, r.high)) refuse(where, value, range_text("a number", r.low, r.high).c_str());
-		break;
+	case EXTRA_FLAG: check_extra_flag(parent, key, value, where); break;
+	case NUMBER: put(parent, key, json_real(check_number(value, r, where))); break;
 	case NUMBERS: check_numbers(value, r, where); break;
 	case INDEX: put(parent, key, json_integer(check_index(value, r, where))); break;
 	case INDICES: check_indices(value, r, where); break;
 	case ATTRIBUTES: check_attributes(value, r, where); break;
 	case NOTED:
-		doc.notes.insert(r.of);
+		if (!json_is_array(value) || json_array_size(value) > 0) doc.notes.insert(r.of);
 		json_object_del(parent, key);
 		break;
 	}
-}
-
-void checker::check_object(json_t *object, const std::string &path, const std::string &where)
-{
-	static const std::vector<const rule *> none;
-	auto found = children.find(path);
-	const std::vector<const rule *> &known = found == children.end() ? none : found->second;
-	size_t prefix = path.empty() ? 0 : path.size() + 1;
-	std::string start = where.empty() ? where : where + "/";
-	const char *key;
-	json_t *value;
-	void *next;
-	json_object_foreach_safe(object, next, key, value)
-	{
-		const rule *match = nullptr;
-		for (const rule *r : known)
-			if (strcmp(r->path + prefix, key) == 0) match = r;
-		if (match)
-			check_value(object, key, value, *match, start + key);
-		else
-			json_object_del(object, key);
-	}
-	for (const rule *r : known)
-		if (r->required && !json_object_get(object, r->path + prefix))
-			fail("%s%s is missing", start.c_str(), r->path + prefix);
-}
-
-static std::string text_of(const json_t *value)
-{
-	return value ? std::string(json_string_value(value), json_string_length(value)) : std::string();
 }
 
 void fail_compressed(const std::string &where, const std::string &extension)
@@ -252,6 +245,51 @@ static void take_extension(document &doc, const std::string &name, bool is_requi
 	}
 	if (is_required) fail("the file requires the extension %s, which is not supported", quoted(name).c_str());
 	doc.notes.insert("the extension " + quoted(name) + " is not supported and ignored");
+}
+
+/* Of an extension whose properties are not known, or of all in an object of them: the file need not list what it
+ * uses. */
+void checker::take_unknown(const std::string &path, const char *key, const json_t *value)
+{
+	static const std::string end = "extensions";
+	bool inside = path.size() >= end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
+	if (inside) take_extension(doc, key, false);
+	if (end != key || !json_is_object(value)) return;
+	const char *name;
+	const json_t *item;
+	json_object_foreach (const_cast<json_t *>(value), name, item) take_extension(doc, name, false);
+}
+
+void checker::check_object(json_t *object, const std::string &path, const std::string &where)
+{
+	static const std::vector<const rule *> none;
+	auto found = children.find(path);
+	const std::vector<const rule *> &known = found == children.end() ? none : found->second;
+	size_t prefix = path.empty() ? 0 : path.size() + 1;
+	std::string start = where.empty() ? where : where + "/";
+	const char *key;
+	json_t *value;
+	void *next;
+	json_object_foreach_safe(object, next, key, value)
+	{
+		const rule *match = nullptr;
+		for (const rule *r : known)
+			if (strcmp(r->path + prefix, key) == 0) match = r;
+		if (match) {
+			check_value(object, key, value, *match, start + key);
+		} else {
+			take_unknown(path, key, value);
+			json_object_del(object, key);
+		}
+	}
+	for (const rule *r : known)
+		if (r->required && !json_object_get(object, r->path + prefix))
+			fail("%s%s is missing", start.c_str(), r->path + prefix);
+}
+
+static std::string text_of(const json_t *value)
+{
+	return value ? std::string(json_string_value(value), json_string_length(value)) : std::string();
 }
 
 /* Extensions: what the file requires must be known, what it uses and is unknown is noted. */
@@ -276,14 +314,18 @@ static size_t list_length(const json_t *parent, const char *key)
 	return list ? json_array_size(list) : 0;
 }
 
+static const json_t *punctual_of(const json_t *root)
+{
+	const json_t *extensions = json_object_get(root, "extensions");
+	return extensions ? json_object_get(extensions, "KHR_lights_punctual") : nullptr;
+}
+
 static void measure_lists(checker &check, const json_t *root)
 {
 	for (const char *name : {"scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "images", "samplers",
 	                         "textures", "materials", "cameras", "skins"})
 		check.lengths[name] = list_length(root, name);
-	const json_t *extensions = json_object_get(root, "extensions");
-	const json_t *punctual = extensions ? json_object_get(extensions, "KHR_lights_punctual") : nullptr;
-	check.lengths["lights"] = list_length(punctual, "lights");
+	check.lengths["lights"] = list_length(punctual_of(root), "lights");
 }
 
 static void check_version(const json_t *root)
@@ -312,12 +354,28 @@ static void check_transforms(const json_t *root)
 	}
 }
 
+/* What a type needs stands beside it. */
+static void check_types(const json_t *list, const char *of, const char *const types[2])
+{
+	const json_t *item;
+	size_t i;
+	json_array_foreach (list, i, item) {
+		const std::string type = text_of(json_object_get(item, "type"));
+		for (size_t k = 0; k < 2 && types[k]; k++)
+			if (type == types[k] && !json_object_get(item, types[k]))
+				fail("%s/%zu is of type %s and has no %s", of, i, types[k], types[k]);
+	}
+}
+
 /* `lengths` are the buffers' own words for their lengths. */
 static void check_views(const json_t *root, const std::vector<uint64_t> &lengths)
 {
 	const json_t *view;
 	size_t i;
 	json_array_foreach (json_object_get(root, "bufferViews"), i, view) {
+		if (whole(view, "byteStride") % 4 != 0)
+			fail("bufferViews/%zu: byteStride %llu; a multiple of 4 is expected", i,
+			     (unsigned long long)whole(view, "byteStride"));
 		uint64_t id = whole(view, "buffer"), end = whole(view, "byteOffset") + whole(view, "byteLength");
 		if (end > lengths.at(id))
 			fail("bufferViews/%zu ends at byte %llu; buffer %llu has %llu", i, (unsigned long long)end,
@@ -338,7 +396,7 @@ static bytes take_data(const std::string &uri, uint64_t length, const std::strin
 }
 
 /* A buffer that holds more than it says is as long as it says. */
-static void take_buffer(checker &check, json_t *buffer, size_t i, const container &parts, std::set<std::string> &paths)
+static void take_buffer(checker &check, json_t *buffer, size_t i, const container &parts)
 {
 	std::string where = "buffers/" + std::to_string(i) + "/uri", key = "buffer-" + std::to_string(i);
 	std::string uri = text_of(json_object_get(buffer, "uri"));
@@ -355,8 +413,6 @@ static void take_buffer(checker &check, json_t *buffer, size_t i, const containe
 		from.data = take_data(uri, from.byte_length, where);
 	} else {
 		from.path = path_from_uri(uri, where);
-		if (!paths.insert(from.path).second)
-			fail("%s: %s is a buffer already", where.c_str(), quoted(from.path).c_str());
 	}
 	put(buffer, "uri", json_string(key.c_str()));
 }
@@ -380,6 +436,46 @@ static picture take_image(const json_t *image, size_t i)
 	taken.from.data = std::move(held.data);
 	taken.type = held.type;
 	return taken;
+}
+
+/* What stands at an accessor's path, or null. */
+static const json_t *view_of(const json_t *root, const json_t *index)
+{
+	const json_t *views = json_object_get(root, "bufferViews");
+	return index ? json_array_get(views, (size_t)json_integer_value(index)) : nullptr;
+}
+
+/* Strides that the specification does not allow, and which are read or passed over. */
+static void note_strides(document &doc, const json_t *root)
+{
+	const json_t *accessors = json_object_get(root, "accessors"), *item, *sampler;
+	size_t i, k;
+	json_array_foreach (accessors, i, item) {
+		const json_t *sparse = json_object_get(item, "sparse");
+		for (const char *part : {"indices", "values"}) {
+			const json_t *view = view_of(root, json_object_get(json_object_get(sparse, part), "bufferView"));
+			if (json_object_get(view, "byteStride"))
+				doc.notes.insert("accessors/" + std::to_string(i) + "/sparse/" + part +
+				                 ": the byteStride of its buffer view is ignored");
+		}
+	}
+	json_array_foreach (json_object_get(root, "animations"), i, item)
+		json_array_foreach (json_object_get(item, "samplers"), k, sampler)
+			for (const char *part : {"input", "output"}) {
+				const json_t *accessor = json_array_get(accessors, (size_t)whole(sampler, part));
+				if (json_object_get(view_of(root, json_object_get(accessor, "bufferView")), "byteStride"))
+					doc.notes.insert("animations/" + std::to_string(i) +
+					                 ": keyframes are read by the byteStride of their buffer view");
+			}
+}
+
+static void note_endless_lights(document &doc, const json_t *root)
+{
+	const json_t *light;
+	size_t i;
+	json_array_foreach (json_object_get(punctual_of(root), "lights"), i, light)
+		if (json_object_get(light, "range") && json_number_value(json_object_get(light, "range")) == 0)
+			doc.notes.insert("lights/" + std::to_string(i) + " has range 0: it is read as without an end");
 }
 
 static recorded take_animation(const json_t *animation)
@@ -427,13 +523,17 @@ document guard(const char *text, size_t n, const container &parts)
 	check.check_object(root.get(), "", "");
 	check_version(root.get());
 	check_transforms(root.get());
+	static const char *const cameras[2] = {"perspective", "orthographic"}, *const lights[2] = {"spot", nullptr};
+	check_types(json_object_get(root.get(), "cameras"), "cameras", cameras);
+	check_types(json_object_get(punctual_of(root.get()), "lights"), "lights", lights);
+	note_strides(check.doc, root.get());
+	note_endless_lights(check.doc, root.get());
 	size_t i;
 	json_t *item;
-	std::set<std::string> paths;
 	std::vector<uint64_t> lengths;
 	json_array_foreach (json_object_get(root.get(), "buffers"), i, item) {
 		lengths.push_back(whole(item, "byteLength"));
-		take_buffer(check, item, i, parts, paths);
+		take_buffer(check, item, i, parts);
 	}
 	json_array_foreach (json_object_get(root.get(), "images"), i, item) check.doc.images.push_back(take_image(item, i));
 	json_array_foreach (json_object_get(root.get(), "animations"), i, item)

@@ -11,12 +11,14 @@ static u32 kind_of(const std::string &type)
 	return type == "point" ? TS_LIGHT_KIND_POINT : TS_LIGHT_KIND_SPOT;
 }
 
-static void take_cone(ts_light &to, const tinygltf::Light &from, int index)
+static void take_cone(loader &in, ts_light &to, const tinygltf::Light &from, int index)
 {
 	f32 inner = ts_number(from.spot.innerConeAngle), outer = ts_number(from.spot.outerConeAngle);
-	if (!(inner < outer))
+	if (!(inner <= outer))
 		fail("lights/%d/spot: inner cone %g, outer cone %g; the inner one must be smaller", index,
 		     from.spot.innerConeAngle, from.spot.outerConeAngle);
+	if (inner == outer)
+		in.notes.insert("lights/" + std::to_string(index) + ": inner and outer cone are equal: its edge is hard");
 	ts_number_cone(&to.spot_scale, &to.spot_offset, inner, outer);
 }
 
@@ -29,7 +31,7 @@ void light_build(loader &in, int index, const ts_place &place)
 	ts_number_scale3(to.intensity, colour, ts_number(from.intensity));
 	to.range = ts_number(from.range);
 	to.kind = kind_of(from.type);
-	if (to.kind == TS_LIGHT_KIND_SPOT) take_cone(to, from, index);
+	if (to.kind == TS_LIGHT_KIND_SPOT) take_cone(in, to, from, index);
 	ts_place_aim(&place, to.position, to.direction);
 	if (to.kind != TS_LIGHT_KIND_POINT && place.side == 0.0f) {
 		in.notes.insert("the light " + quoted(from.name) + " is ignored: its node's scale is 0");

@@ -200,11 +200,19 @@ static void take_flags(loader &in, ts_material &m, const tinygltf::Material &fro
 	}
 }
 
+/* Section 3.9.6: all properties have their defaults. */
+static u32 default_build(loader &in)
+{
+	ts_material m = ts_material_default();
+	m.metallic = 1.0f;
+	return ts_build_material(in.build, &m);
+}
+
 u32 material_build(loader &in, int index)
 {
-	if (index < 0) return TS_NONE;
-	u32 &place = in.materials.at((size_t)index);
+	u32 &place = index < 0 ? in.default_material : in.materials.at((size_t)index);
 	if (place != TS_NONE) return place;
+	if (index < 0) return place = default_build(in);
 	const tinygltf::Material &from = in.model.materials.at((size_t)index);
 	ts_material m = ts_material_default();
 	take_factors(m, from);

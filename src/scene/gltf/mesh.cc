@@ -27,6 +27,11 @@ static size_t triangle_count(loader &in, int mode, size_t n)
 	return count;
 }
 
+struct skinned {
+	ts_vertex vertex;
+	influence by;
+};
+
 static const form vertex_forms[] = {
 	{"POSITION", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC3, AS_FLOAT | AS_SMALL, AT(ts_vertex, position)},
 	{"NORMAL", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC3, AS_FLOAT | AS_SNORM, AT(ts_vertex, normal)},
@@ -34,29 +39,41 @@ static const form vertex_forms[] = {
 	{"TEXCOORD_0", TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC2, AS_FLOAT | AS_UNORM | AS_SMALL, AT(ts_vertex, uv)},
 	{"TEXCOORD_1", TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC2, AS_FLOAT | AS_UNORM | AS_SMALL, AT(ts_vertex, uv) + 2},
 	{"COLOR_0", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_UNORM, AT(ts_vertex, colour)},
+	{"JOINTS_0", TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC4, AS_JOINT, AT(skinned, by.joint)},
+	{"WEIGHTS_0", TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_UNORM, AT(skinned, by.weight)},
 };
+static constexpr size_t n_unskinned = 6; /* of the forms */
 
 static std::string uv_name(int set) { return "TEXCOORD_" + std::to_string(set); }
 
 /* The table with the names of those sets. */
-static attributes vertex_attributes(const uv_sets &sets)
+static attributes vertex_attributes(const uv_sets &sets, bool has_skins)
 {
 	attributes a(vertex_forms);
+	if (!has_skins) a.forms.resize(n_unskinned, a.forms[0]);
 	for (form &f : a.forms)
 		for (size_t k = 0; k < 2; k++)
 			if (f.offset == AT(ts_vertex, uv) + 2 * k) f.name = uv_name(sets.set[k]);
 	return a;
 }
 
-static ts_vertex read_vertex(const attributes &a, size_t i)
+static skinned read_vertex(const attributes &a, size_t i)
 {
-	f32 field[sizeof(ts_vertex) / sizeof(f32)] = {0.0f};
+	f32 field[sizeof(skinned) / sizeof(f32)] = {0.0f};
 	for (size_t k = 0; k < 4; k++) field[AT(ts_vertex, colour) + k] = 1.0f;
 	a.read(i, field);
-	ts_vertex vertex;
-	static_assert(sizeof vertex == sizeof field, "ts_vertex consists of 4-byte fields");
+	skinned vertex;
+	static_assert(sizeof vertex == sizeof field, "it consists of 4-byte fields");
 	memcpy(&vertex, field, sizeof vertex);
 	return vertex;
+}
+
+/* Section 3.7.2.1. */
+static void drop_lone_tangents(loader &in, attributes &a)
+{
+	if (!a.has("TANGENT") || a.has("NORMAL")) return;
+	a.views.erase("TANGENT");
+	in.notes.insert("tangents of primitives without normals are ignored");
 }
 
 static void note_missing_uv(loader &in, const tinygltf::Primitive &primitive, const attributes &a)
@@ -73,13 +90,15 @@ static void note_missing_uv(loader &in, const tinygltf::Primitive &primitive, co
 static void collect(piece &out, const attributes &a, const std::vector<uint32_t> &corners)
 {
 	std::map<uint32_t, u32> spread;
-	bool is_small = a.count <= corners.size() * 4;
+	bool is_small = a.count <= corners.size() * 4, has_joints = a.has("JOINTS_0") && a.has("WEIGHTS_0");
 	std::vector<u32> dense(is_small ? a.count : 0, TS_NONE);
 	for (uint32_t corner : corners) {
 		u32 &place = is_small ? dense[corner] : spread.emplace(corner, TS_NONE).first->second;
 		if (place == TS_NONE) {
 			place = (u32)out.vertices.size();
-			out.vertices.push_back(read_vertex(a, corner));
+			skinned read = read_vertex(a, corner);
+			out.vertices.push_back(read.vertex);
+			if (has_joints) out.influences.push_back(read.by);
 		}
 		out.corners.push_back(place);
 	}
@@ -108,7 +127,7 @@ static std::vector<uint32_t> read_corners(loader &in, const tinygltf::Primitive 
 piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where)
 {
 	piece out;
-	attributes a = vertex_attributes(material_uv_sets(in, primitive.material));
+	attributes a = vertex_attributes(material_uv_sets(in, primitive.material), !in.model.skins.empty());
 	int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
 	out.material = TS_NONE;
 	if (mode == TINYGLTF_MODE_POINTS) {
@@ -120,6 +139,7 @@ piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::
 		return out;
 	}
 	a.open(in, primitive, where);
+	drop_lone_tangents(in, a);
 	if (!a.has("POSITION")) {
 		in.notes.insert("primitives without POSITION are not drawn");
 		return out;

@@ -38,6 +38,7 @@ struct walker {
 	loader &in;
 	std::vector<unsigned> uses; /* of each mesh by nodes still to come */
 	std::map<int, std::vector<piece>> pieces;
+	std::map<int, std::vector<ts_place>> poses; /* of skins */
 	std::vector<visit> stack;
 	std::vector<mover> movers;
 	std::vector<opened> open;
@@ -52,7 +53,9 @@ struct walker {
 	spot spot_of(const visit &at) const;
 	int add_mover(const visit &from);
 	void select_object(const visit &at);
-	void draw(int mesh, const visit &at);
+	void draw_mesh(const tinygltf::Node &node, const visit &at);
+	void draw(int mesh, const visit &at, const std::vector<ts_place> *pose);
+	const std::vector<ts_place> *pose_of(int skin);
 	void place_camera(const visit &at);
 	void begin_reflector(const visit &at);
 	void end_reflector(const opened &from);
@@ -100,7 +103,8 @@ static std::vector<bool> below_roots(const loader &in, const std::vector<int> &p
 /* What the scene draws: its roots, each once, and not those that it draws as children already. */
 static std::vector<int> roots_of(loader &in)
 {
-	std::vector<int> parents = parents_of(in), roots;
+	std::vector<int> roots;
+	const std::vector<int> &parents = in.parents = parents_of(in);
 	if (in.model.scenes.empty()) return roots;
 	const tinygltf::Scene &scene = in.model.scenes.at(in.model.defaultScene < 0 ? 0 : (size_t)in.model.defaultScene);
 	std::vector<bool> is_root(parents.size()), drawn;
@@ -111,6 +115,10 @@ static std::vector<int> roots_of(loader &in)
 			in.notes.insert(where_of(node) + " is listed again as a root of the scene: it is drawn once");
 		else
 			roots.push_back(node);
+		if (!drawn[(size_t)node] && parents[(size_t)node] >= 0)
+			in.notes.insert(where_of(node) + " is a root of the scene and a child of " +
+			                where_of(parents[(size_t)node]) +
+			                ", which is not drawn: it stands without its parent's place");
 		drawn[(size_t)node] = true;
 	}
 	return roots;
@@ -125,27 +133,51 @@ static trs trs_of(const tinygltf::Node &node)
 	return local;
 }
 
-static ts_place place_of_trs(const trs &local, int index)
+ts_place place_of_trs(const trs &local, const std::string &where)
 {
 	const f32 *r = local.rotation;
 	if (r[0] == 0.0f && r[1] == 0.0f && r[2] == 0.0f && r[3] == 0.0f)
-		fail("%s/rotation is a quaternion of length 0; 0 0 0 1 stands for no rotation", where_of(index).c_str());
+		fail("%s/rotation is a quaternion of length 0; 0 0 0 1 stands for no rotation", where.c_str());
 	return ts_place_from_trs(local.translation, local.rotation, local.scale);
 }
 
 static ts_place place_of(const tinygltf::Node &node, int index)
 {
 	f32 matrix[16];
-	if (node.matrix.empty()) return place_of_trs(trs_of(node), index);
+	if (node.matrix.empty()) return place_of_trs(trs_of(node), where_of(index));
 	for (size_t i = 0; i < node.matrix.size(); i++) matrix[i] = ts_number(node.matrix[i]);
-	if (matrix[3] != 0.0f || matrix[7] != 0.0f || matrix[11] != 0.0f || matrix[15] != 1.0f)
-		fail("%s/matrix: the last row must be 0 0 0 1", where_of(index).c_str());
+	for (size_t k = 0; k < 4; k++) /* a rounding away is near enough */
+		if (!(ts_abs(matrix[4 * k + 3] - (k < 3 ? 0.0f : 1.0f)) <= 0x1p-20f))
+			fail("%s/matrix: the last row must be 0 0 0 1", where_of(index).c_str());
 	return ts_place_from_matrix(matrix);
+}
+
+/* As at frame 0. */
+static ts_place local_at_begin(const loader &in, int node)
+{
+	if (!animation_moves(in, node)) return place_of(in.model.nodes.at((size_t)node), node);
+	trs local = trs_of(in.model.nodes.at((size_t)node));
+	animation_set(in, node, 0, local);
+	return place_of_trs(local, where_of(node));
 }
 
 static void check_place(const ts_place &place, int node)
 {
 	if (!ts_place_is_sane(&place)) fail("%s: a number of its world matrix is beyond 16777216", where_of(node).c_str());
+}
+
+ts_place node_place(loader &in, int node)
+{
+	std::vector<int> above;
+	for (int at = node; at >= 0; at = in.parents.at((size_t)at)) above.push_back(at);
+	ts_place place = ts_place_identity();
+	for (size_t i = above.size(); i-- > 0;) {
+		ts_place local = local_at_begin(in, above[i]);
+		place = ts_place_compose(&place, &local);
+		check_place(place, above[i]);
+		if (animation_moves(in, above[i])) in.notes.insert("joints that move stand as at frame 0");
+	}
+	return place;
 }
 
 /* In the world. */
@@ -163,7 +195,7 @@ int walker::add_mover(const visit &from)
 		     TS_MOTION_MAX_PLACES);
 	for (u32 frame = 0; frame < in.animated.n_frames; frame++) {
 		animation_set(in, from.node, frame, local);
-		ts_place below = place_of_trs(local, from.node), parent = place_at(from, frame);
+		ts_place below = place_of_trs(local, where_of(from.node)), parent = place_at(from, frame);
 		m.places.push_back(ts_place_compose(&parent, &below));
 		check_place(m.places.back(), from.node);
 	}
@@ -218,7 +250,29 @@ void walker::select_object(const visit &at)
 	give_motion(in.build, m);
 }
 
-void walker::draw(int mesh, const visit &at)
+const std::vector<ts_place> *walker::pose_of(int skin)
+{
+	if (skin < 0) return nullptr;
+	auto found = poses.find(skin);
+	return &(found != poses.end() ? found : poses.emplace(skin, skin_pose(in, skin)).first)->second;
+}
+
+/* A skin moves its mesh, not the node. */
+void walker::draw_mesh(const tinygltf::Node &node, const visit &at)
+{
+	const std::vector<ts_place> *pose = pose_of(node.skin);
+	bool copied = pose == nullptr && node.extensions.count("EXT_mesh_gpu_instancing") != 0;
+	if (!copied) draw(node.mesh, at, pose);
+	for (const ts_place &place : copied ? instances_open(in, node, where_of(at.node)) : std::vector<ts_place>()) {
+		visit copy = at;
+		copy.parent = ts_place_compose(&at.parent, &place);
+		check_place(place_at(copy, 0), at.node);
+		draw(node.mesh, copy, pose);
+	}
+	if (--uses.at((size_t)node.mesh) == 0) pieces.erase(node.mesh);
+}
+
+void walker::draw(int mesh, const visit &at, const std::vector<ts_place> *pose)
 {
 	const tinygltf::Mesh &from = in.model.meshes.at((size_t)mesh);
 	std::string where = "meshes/" + std::to_string(mesh) + "/primitives/";
@@ -235,12 +289,19 @@ void walker::draw(int mesh, const visit &at)
 	if (n_triangles > most_items || n_vertices > most_items || n_surfels > most_items || size > ts_memory_total() / 3)
 		fail("%s: more than %llu triangles or points or a third of this machine's memory, instances counted",
 		     ("meshes/" + std::to_string(mesh)).c_str(), (unsigned long long)most_items);
-	for (const piece &p : list) {
-		if (!p.corners.empty()) select_object(at);
+	for (size_t i = 0; i < list.size(); i++) {
+		const piece &p = list[i];
+		visit still = at;
+		bool skinned = pose != nullptr && !p.influences.empty();
+		if (skinned) skin_check(p, pose->size(), where + std::to_string(i));
+		if (skinned) still.mover = -1;
+		if (!p.corners.empty()) select_object(still);
 		if (!p.surfels.empty() && at.mover >= 0) in.notes.insert("points below a node that moves stand as at frame 0");
-		piece_place(in.build, p, spot_of(at));
+		if (skinned)
+			skin_place(in.build, p, *pose);
+		else
+			piece_place(in.build, p, spot_of(at));
 	}
-	if (--uses.at((size_t)mesh) == 0) pieces.erase(mesh);
 }
 
 static bool is_marked(const loader &in, const tinygltf::Node &node)
@@ -288,10 +349,7 @@ void walker::enter(const visit &from)
 		stack.push_back({from.node, at.parent, at.mover, true});
 	}
 	if (marked) begin_reflector(at);
-	if (node.mesh >= 0 && node.skin >= 0 && in.doc.is_quantized)
-		in.notes.insert(
-			"quantized meshes with skins are drawn at the size of their integers: the skin holds the scale");
-	if (node.mesh >= 0) draw(node.mesh, at);
+	if (node.mesh >= 0) draw_mesh(node, at);
 	if (node.camera >= 0) place_camera(at);
 	auto light = node.extensions.find("KHR_lights_punctual");
 	if (light != node.extensions.end()) {
@@ -330,9 +388,11 @@ static void fail_unknown_reflector(const loader &in)
 
 void nodes_walk(loader &in)
 {
-	walker walk{in, std::vector<unsigned>(in.model.meshes.size()), {}, {}, {}, {}, {}};
+	walker walk{in, std::vector<unsigned>(in.model.meshes.size()), {}, {}, {}, {}, {}, {}};
 	std::vector<int> roots = roots_of(in);
-	if (in.model.scenes.empty()) in.notes.insert("the file has no scene: nothing is drawn");
+	if (roots.empty())
+		in.notes.insert(in.model.scenes.empty() ? "the file has no scene: nothing is drawn"
+		                                        : "the scene has no nodes: nothing is drawn");
 	for (const tinygltf::Node &node : in.model.nodes)
 		if (node.mesh >= 0) walk.uses.at((size_t)node.mesh)++;
 	for (size_t i = roots.size(); i-- > 0;) walk.stack.push_back({roots[i], ts_place_identity(), -1, false});

@@ -4,6 +4,7 @@
 #include "model/core.h"
 #include "scene/gltf/gltf.h"
 #include "scene/neighbours.h"
+#include "scene/normals.h"
 
 namespace gltf {
 
@@ -27,9 +28,12 @@ struct cloud {
 static ts_v3 factor_of(loader &in, const tinygltf::Primitive &primitive)
 {
 	if (primitive.material < 0) return ts_v3_make(1.0f, 1.0f, 1.0f);
-	const tinygltf::PbrMetallicRoughness &m = in.model.materials.at((size_t)primitive.material).pbrMetallicRoughness;
-	if (m.baseColorTexture.index >= 0) in.notes.insert("textures of points are ignored");
-	const std::vector<double> &c = m.baseColorFactor;
+	const tinygltf::Material &m = in.model.materials.at((size_t)primitive.material);
+	const std::vector<double> &c = m.pbrMetallicRoughness.baseColorFactor, &emits = m.emissiveFactor;
+	bool is_more = m.pbrMetallicRoughness.baseColorTexture.index >= 0 || m.emissiveTexture.index >= 0 ||
+	               m.normalTexture.index >= 0 || m.alphaMode != "OPAQUE" ||
+	               emits.at(0) + emits.at(1) + emits.at(2) > 0 || m.extensions.count("KHR_materials_unlit") != 0;
+	if (is_more) in.notes.insert("of materials of points only the base colour's factor is read");
 	return ts_v3_make(ts_number(c.at(0)), ts_number(c.at(1)), ts_number(c.at(2)));
 }
 
@@ -63,7 +67,17 @@ static splat read_splat(const attributes &a, size_t i)
 	return s;
 }
 
-static cloud read_cloud(const attributes &a, const std::vector<uint32_t> &items, ts_v3 factor)
+/* Section 3.7.2.1: clamped before the factor. */
+static ts_v3 colour_of(loader &in, const f32 *colour)
+{
+	ts_v3 c = ts_load3(colour), none = {0.0f, 0.0f, 0.0f}, all = {1.0f, 1.0f, 1.0f};
+	ts_v3 inside = ts_min3(ts_max3(c, none), all);
+	if (inside.x != c.x || inside.y != c.y || inside.z != c.z)
+		in.notes.insert("colours of points outside 0 to 1 are read as the nearest inside");
+	return inside;
+}
+
+static cloud read_cloud(loader &in, const attributes &a, const std::vector<uint32_t> &items, ts_v3 factor)
 {
 	cloud c;
 	c.surfels.resize(items.size());
@@ -73,7 +87,7 @@ static cloud read_cloud(const attributes &a, const std::vector<uint32_t> &items,
 		memcpy(c.surfels[i].centre, s.position, sizeof s.position);
 		memcpy(c.surfels[i].u, s.u, sizeof s.u);
 		memcpy(c.surfels[i].v, s.v, sizeof s.v);
-		ts_store3(c.surfels[i].colour, ts_mul(ts_load3(s.colour), factor));
+		ts_store3(c.surfels[i].colour, ts_mul(colour_of(in, s.colour), factor));
 		if (a.has("NORMAL")) c.normals[i] = ts_load3(s.normal);
 	}
 	return c;
@@ -93,11 +107,36 @@ static void make_ellipses(cloud &c, const std::string &where)
 	}
 }
 
-/* Points whose neighbours are all in the same place have no size and are left out. */
-static void make_circles(loader &in, cloud &c, const std::string &where)
+static std::vector<ts_v3> centres_of(const cloud &c)
 {
 	std::vector<ts_v3> centres;
 	for (const ts_surfel &s : c.surfels) centres.push_back(ts_load3(s.centre));
+	return centres;
+}
+
+/* As of .ply files. Points on a line with their neighbours are left out. */
+static void estimate_normals(loader &in, cloud &c)
+{
+	std::vector<ts_v3> centres = centres_of(c), normals(centres.size());
+	if (centres.size() > TS_NORMALS_MOST)
+		fail("%zu points without normals; at most %u can be estimated", centres.size(), TS_NORMALS_MOST);
+	if (ts_normals_estimate(normals.data(), centres.data(), (u32)centres.size()) != TS_OK)
+		throw error{"", TS_KIND_NONE};
+	in.notes.insert("points have no normals: they are estimated by the points around each");
+	size_t n = 0;
+	for (size_t i = 0; i < normals.size(); i++) {
+		if (ts_length(normals[i]) == 0.0f) continue;
+		c.surfels[n++] = c.surfels[i];
+		c.normals.push_back(normals[i]);
+	}
+	if (n < normals.size()) in.notes.insert("points that are on a line with their neighbours are not drawn");
+	c.surfels.resize(n);
+}
+
+/* Points whose neighbours are all in the same place have no size and are left out. */
+static void make_circles(loader &in, cloud &c, const std::string &where)
+{
+	std::vector<ts_v3> centres = centres_of(c);
 	std::vector<f32> radii(centres.size());
 	if (ts_neighbours_distance(radii.data(), centres.data(), (u32)centres.size(), in.neighbours) != TS_OK)
 		throw error{"", TS_KIND_NONE};
@@ -124,11 +163,8 @@ std::vector<ts_surfel> points_decode(loader &in, const tinygltf::Primitive &prim
 		in.notes.insert("primitives without POSITION are not drawn");
 		return {};
 	}
-	if (!has_axes && !a.has("NORMAL")) {
-		in.notes.insert("points without NORMAL are not drawn");
-		return {};
-	}
-	cloud c = read_cloud(a, read_items(in, primitive, a.count, where), factor_of(in, primitive));
+	cloud c = read_cloud(in, a, read_items(in, primitive, a.count, where), factor_of(in, primitive));
+	if (!has_axes && !a.has("NORMAL")) estimate_normals(in, c);
 	if (has_axes)
 		make_ellipses(c, where);
 	else

@@ -11,10 +11,11 @@ enum kind {
 	LIST,   /* of objects */
 	TEXT,   /* `of`: the words allowed, if not any */
 	FLAG,
-	WHOLE,   /* low to high */
-	NUMBER,  /* low to high */
-	NUMBERS, /* `n` of them, low to high */
-	INDEX,   /* below the length of the list `of` */
+	EXTRA_FLAG, /* a FLAG of ours among other programs' extras: a value of another type is noted and ignored */
+	WHOLE,      /* low to high */
+	NUMBER,     /* low to high; a rounding outside is the nearest inside, and noted */
+	NUMBERS,    /* `n` of them, the same */
+	INDEX,      /* below the length of the list `of` */
 	INDICES,
 	ATTRIBUTES, /* an object of indices into the list `of` */
 	NOTED,      /* ignored; `of` is what `touchstone info` says about it */
@@ -38,6 +39,7 @@ struct extension {
 static constexpr const char *texture_note = "textures are read from their PNG or JPEG images only";
 
 static const extension known_extensions[] = {
+	{"EXT_mesh_gpu_instancing", nullptr},
 	{"KHR_lights_punctual", nullptr},
 	{"KHR_materials_emissive_strength", nullptr},
 	{"KHR_materials_unlit", nullptr},
@@ -77,10 +79,12 @@ static const rule rules[] = {
 	{"nodes[].rotation", NUMBERS, false, nullptr, -most_number, most_number, 4},
 	{"nodes[].scale", NUMBERS, false, nullptr, -most_number, most_number, 3},
 	{"nodes[].extras", EXTRAS},
-	{"nodes[].extras.reflector", FLAG},
+	{"nodes[].extras.reflector", EXTRA_FLAG},
 	{"nodes[].extensions", OBJECT},
 	{"nodes[].extensions.KHR_lights_punctual", OBJECT},
 	{"nodes[].extensions.KHR_lights_punctual.light", INDEX, true, "lights"},
+	{"nodes[].extensions.EXT_mesh_gpu_instancing", OBJECT},
+	{"nodes[].extensions.EXT_mesh_gpu_instancing.attributes", ATTRIBUTES, true, "accessors"},
 	{"meshes", LIST},
 	{"meshes[].name", TEXT},
 	{"meshes[].primitives", LIST, true},
@@ -177,7 +181,9 @@ static const rule rules[] = {
 	{"extensions.KHR_lights_punctual.lights[].spot", OBJECT},
 	{"extensions.KHR_lights_punctual.lights[].spot.innerConeAngle", NUMBER, false, nullptr, 0, 1.5707963267948967},
 	{"extensions.KHR_lights_punctual.lights[].spot.outerConeAngle", NUMBER, false, nullptr, 0, 1.5707963267948967},
-	{"skins", NOTED, false, "skins are ignored: meshes are drawn as modelled, and joints do not move them"},
+	{"skins", LIST},
+	{"skins[].joints", INDICES, true, "nodes"},
+	{"skins[].inverseBindMatrices", INDEX, false, "accessors"},
 	{"animations", LIST},
 	{"animations[].name", TEXT},
 	{"animations[].channels", LIST, true},

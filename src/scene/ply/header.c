@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "kernels/base/num.h"
+#include "model/core.h"
 
 const ts_ply_kind ts_ply_kinds[TS_PLY_TYPES] = {
 	[TS_PLY_I8] = {{"char", "int8"}, 1, INT8_MIN, INT8_MAX},
@@ -184,9 +185,7 @@ static bool fits(const ts_ply_header *h, ts_build *build, const char *path, size
 
 bool ts_ply_header_read(ts_ply_header *header, ts_build *build, const char *path, const char *file, size_t n)
 {
-	static const char mark[] = {'\xef', '\xbb', '\xbf'}; /* the byte order mark, in UTF-8 */
-	bool has_mark = n >= sizeof mark && memcmp(file, mark, sizeof mark) == 0;
-	line l = {.at = file + (has_mark ? sizeof mark : 0), .end = file + n};
+	line l = {.at = file + ts_text_mark(file, n), .end = file + n};
 	*header = (ts_ply_header){.n_elements = 0};
 	const char *fault = read_lines(header, &l);
 	if (fault != NULL) ts_build_fail(build, "%s: line %u: %s", path, l.number, fault);

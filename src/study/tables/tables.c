@@ -79,7 +79,7 @@ ts_status ts_tables_open(ts_tables **tables)
 ts_status ts_tables_open_file(ts_tables **tables, const char *path)
 {
 	size_t bytes;
-	char *text = ts_input_read(&bytes, path);
+	char *text = ts_text_read(&bytes, path);
 	ts_tables *made = *tables = text != NULL ? ts_alloc_zero(1, sizeof *made, "tables") : NULL;
 	ts_status status = made != NULL ? TS_OK : TS_ERROR;
 	if (status == TS_OK && strlen(text) != bytes) status = ts_fail("%s: no text: a byte of it is 0", path);

@@ -138,13 +138,17 @@ static void points_without_axes_are_as_wide_as_their_neighbours_are_far(void **s
 	ts_build_free(build);
 }
 
-static void without_a_normal_they_are_noted(void **state)
+static void without_normals_they_are_estimated(void **state)
 {
 	(void)state;
 	ts_build *build = load("\"POSITION\":0", "", "");
 	const ts_scene *scene = good(build);
-	assert_int_equal(scene->n_surfels, 0);
-	assert_string_equal(scene->notes[0], "points without NORMAL are not drawn");
+	assert_int_equal(scene->n_surfels, N);
+	for (u32 i = 0; i < N; i++) {
+		ts_v3 n = ts_cross(ts_load3(scene->surfels[i].u), ts_load3(scene->surfels[i].v));
+		assert_true(n.x == 0.0f && n.y == 0.0f && n.z != 0.0f);
+	}
+	assert_string_equal(scene->notes[0], "points have no normals: they are estimated by the points around each");
 	ts_build_free(build);
 	build = load("\"POSITION\":6,\"NORMAL\":1", "", "");
 	assert_int_equal(good(build)->n_surfels, 0);
@@ -177,7 +181,7 @@ int main(void)
 		cmocka_unit_test(nodes_move_and_mirror_them),
 		cmocka_unit_test(indices_and_materials_count),
 		cmocka_unit_test(points_without_axes_are_as_wide_as_their_neighbours_are_far),
-		cmocka_unit_test(without_a_normal_they_are_noted),
+		cmocka_unit_test(without_normals_they_are_estimated),
 		cmocka_unit_test(what_is_no_splat_is_refused),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);

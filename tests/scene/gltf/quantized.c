@@ -50,6 +50,7 @@ static ts_build *load(const char *attribute, u32 components, coding c, bool as_f
 	}
 	base64(data, bytes, sizeof bytes);
 	if (strcmp(attribute, "POSITION") != 0) snprintf(first, sizeof first, "\"POSITION\":1,");
+	if (strcmp(attribute, "TANGENT") == 0) snprintf(first, sizeof first, "\"POSITION\":1,\"NORMAL\":1,");
 	snprintf(text, sizeof text,
 	         "{\"asset\":{\"version\":\"2.0\"},%s\"buffers\":[{\"byteLength\":96,\"uri\":"
 	         "\"data:application/octet-stream;base64,%s\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":48,"
