@@ -24,11 +24,13 @@ void ts_api_ready(void)
 /* The caller's floating-point environment, which may trap where the library does not, and its listener. */
 static _Thread_local fenv_t environment;
 static _Thread_local ts_listener before;
+static _Thread_local uint32_t threads_before;
 
 static ts_status enter(const ts_context *context, u32 threads)
 {
 	feholdexcept(&environment);
 	before = ts_listen(&context->listener);
+	threads_before = ts_threads_limit(threads);
 	ts_status status = ts_selftest_require_on(ts_threads_ready(threads));
 	if (status != TS_OK) ts_api_leave();
 	return status;
@@ -41,6 +43,7 @@ ts_status ts_api_enter_alone(const ts_context *context) { return enter(context, 
 void ts_api_leave(void)
 {
 	ts_listen(&before);
+	ts_threads_limit(threads_before);
 	fesetenv(&environment);
 }
 

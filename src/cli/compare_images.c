@@ -2,11 +2,13 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <touchstone/image.h>
 #include "cli/client.h"
 #include "cli/compare.h"
 #include "cli/reports/outcomes.h"
 #include "image/format.h"
+#include "image/frame.h"
 #include "kernels/base/srgb.h"
 #include "output/json/text.h"
 #include "study/results/folder.h"
@@ -16,6 +18,7 @@ enum { LINE = 2048, SHOWN = 512 };
 typedef struct {
 	f32 *pixels;
 	u32 width, height, channels;
+	ts_image_frame frame;
 	bool linear; /* radiance; otherwise sRGB codes, from 0 to 1 */
 } picture;
 
@@ -37,7 +40,7 @@ static ts_status read_picture(picture *p, const char *path)
 	ts_image_format format;
 	if (ts_image_format_of(&format, path) != TS_OK) return TS_ERROR;
 	p->linear = format == TS_IMAGE_EXR;
-	return ts_image_read(&p->pixels, &p->width, &p->height, &p->channels, path);
+	return ts_image_read_framed(&p->pixels, &p->width, &p->height, &p->channels, &p->frame, path);
 }
 
 static ts_status check_sizes(const images *s)
@@ -52,6 +55,36 @@ static ts_status check_sizes(const images *s)
 	if (r->mask == NULL || (r->mask_width == ref->width && r->mask_height == ref->height)) return TS_OK;
 	return ts_fail("mask: %u x %u pixels; the images have %u x %u", (unsigned)r->mask_width, (unsigned)r->mask_height,
 	               (unsigned)ref->width, (unsigned)ref->height);
+}
+
+/* The same part of the same picture, of numbers of the same kind. */
+static ts_status check_frames(const images *s)
+{
+	const ts_image_frame *a = &s->p[0].frame, *b = &s->p[1].frame;
+	const char *const *path = s->cli->arguments;
+	for (u32 i = 0; i < 2; i++) {
+		if (s->p[i].frame.parts > 1)
+			return ts_fail("%s: %u parts; one picture a file would be right", path[i], (unsigned)s->p[i].frame.parts);
+	}
+	if (a->whole != b->whole)
+		return ts_fail("%s: other channels of whole numbers than those of the reference", path[1]);
+	if (s->p[0].linear != s->p[1].linear) return TS_OK;
+	if (memcmp(a->window, b->window, sizeof a->window) != 0)
+		return ts_fail("%s: begins at pixel %d,%d of the picture; the reference at %d,%d", path[1], b->window[0],
+		               b->window[1], a->window[0], a->window[1]);
+	if (memcmp(a->display, b->display, sizeof a->display) == 0) return TS_OK;
+	return ts_fail("%s: part of a picture of %d,%d,%d,%d; the reference of %d,%d,%d,%d", path[1], b->display[0],
+	               b->display[1], b->display[2], b->display[3], a->display[0], a->display[1], a->display[2],
+	               a->display[3]);
+}
+
+static bool is_whole(const images *s, u64 value) { return s->p[0].frame.whole >> value % s->p[0].channels & 1; }
+
+static u32 whole_of(f32 bits)
+{
+	u32 code;
+	memcpy(&code, &bits, sizeof code);
+	return code;
 }
 
 /* CONTRACT rule 38. */
@@ -89,7 +122,7 @@ static ts_status open_images(images *s)
 		if (read_picture(&s->p[i], s->cli->arguments[i]) != TS_OK) return TS_ERROR;
 	}
 	if (make_comparable(s) != TS_OK || ts_client_options(&s->relaxed, &s->mask, s->cli) != TS_OK) return TS_ERROR;
-	if (check_sizes(s) != TS_OK) return TS_ERROR;
+	if (check_sizes(s) != TS_OK || check_frames(s) != TS_OK) return TS_ERROR;
 	s->marks = ts_alloc_zero(s->p[0].width, s->p[0].height, "a picture of differences");
 	s->first = ts_alloc(s->cli->judging.first, sizeof *s->first, "first differences");
 	return s->marks != NULL && s->first != NULL ? TS_OK : TS_ERROR;
@@ -106,10 +139,11 @@ static void judge_pixel(images *s, u64 pixel)
 	u32 channels = s->p[0].channels;
 	for (u64 i = pixel * channels; i < (pixel + 1) * channels; i++) {
 		f32 ref = s->p[0].pixels[i], cand = s->p[1].pixels[i];
-		double apart = distance(ref, cand);
+		bool whole = is_whole(s, i), same = whole && whole_of(ref) == whole_of(cand);
+		double apart = whole ? fabs((double)whole_of(ref) - (double)whole_of(cand)) : distance(ref, cand);
 		s->squares += apart * apart;
 		s->largest = fmax(s->largest, apart);
-		if (ts_float_passes(&s->relaxed, ref, cand)) continue;
+		if (same || (whole ? apart <= s->relaxed.abs : ts_float_passes(&s->relaxed, ref, cand))) continue;
 		if (s->n_first < s->cli->judging.first) s->first[s->n_first++] = i;
 		s->n_unlike++;
 		s->marks[pixel] = 255;
@@ -152,8 +186,13 @@ static void show(char text[SHOWN], const images *s, u64 value)
 {
 	char ref[TS_FLOAT_TEXT], cand[TS_FLOAT_TEXT];
 	u64 pixel = value / s->p[0].channels;
-	ts_float_text(ref, s->p[0].pixels[value]);
-	ts_float_text(cand, s->p[1].pixels[value]);
+	for (u32 k = 0; k < 2; k++) {
+		f32 v = s->p[k].pixels[value];
+		if (is_whole(s, value))
+			snprintf(k == 0 ? ref : cand, TS_FLOAT_TEXT, "%u", (unsigned)whole_of(v));
+		else
+			ts_float_text(k == 0 ? ref : cand, v);
+	}
 	snprintf(text, SHOWN, "pixel (%" PRIu64 ", %" PRIu64 "), channel %" PRIu64 ": ref %s candidate %s",
 	         pixel % s->p[0].width, pixel / s->p[0].width, value % s->p[0].channels, ref, cand);
 }

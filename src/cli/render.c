@@ -7,7 +7,7 @@
 #include "study/asked/sweep.h"
 #include "study/results/folder.h"
 
-enum { DARK = 8, BLACK_PERCENT = 95 };
+enum { DARK = 8 };
 enum { TRUTH_RAYS = 1 << 25 }; /* per truth of --truth: about 10 s on two cores */
 
 static ts_status prepare_traces(ts_render *render)
@@ -50,15 +50,47 @@ static void say_notes(const ts_render *render)
 	}
 }
 
-/* Whether more than BLACK_PERCENT of the pixels have no channel above DARK. */
-static bool is_black(const ts_picture *picture, u64 n)
+static bool is_sky(const ts_picture *picture, u64 i, f32 exposure)
 {
-	u64 n_dark = 0;
-	for (u64 i = 0; i < n && picture->srgb != NULL; i++) {
-		const u8 *p = picture->srgb + 3 * i;
-		n_dark += p[0] <= DARK && p[1] <= DARK && p[2] <= DARK;
+	(void)exposure;
+	return picture->seen != NULL && picture->seen[i] == 0;
+}
+
+/* Brighter than is displayed. */
+static bool is_white(const ts_picture *picture, u64 i, f32 exposure)
+{
+	const f32 *p = picture->radiance + 3 * i;
+	return ts_min(ts_min(p[0], p[1]), p[2]) * (picture->gain * exposure) > 1.0f;
+}
+
+static bool is_black(const ts_picture *picture, u64 i, f32 exposure)
+{
+	(void)exposure;
+	const u8 *p = picture->srgb + 3 * i;
+	return p[0] <= DARK && p[1] <= DARK && p[2] <= DARK;
+}
+
+/* Pictures that show nothing: those with more than so many percent of such pixels. */
+static const struct {
+	bool (*is)(const ts_picture *picture, u64 pixel, f32 exposure);
+	u32 percent;
+	const char *what, *advice;
+} nothings[] = {
+	{is_sky, 99, "sky", "--eye and --target, or --camera; info says where the scene is"},
+	{is_white, 95, "white", "--exposure auto"},
+	{is_black, 95, "black", "--lamp X,Y,Z, --eye and --target, or --set image.exposure=8"},
+};
+
+static void advise(const ts_picture *picture, const char *name, u64 n, f32 exposure)
+{
+	for (size_t k = 0; k < sizeof nothings / sizeof *nothings && picture->srgb != NULL; k++) {
+		u64 found = 0;
+		for (u64 i = 0; i < n; i++) found += nothings[k].is(picture, i, exposure);
+		if (found * 100 <= n * nothings[k].percent) continue;
+		ts_say("%s: more than %u %% of the picture is %s; try %s", name, (unsigned)nothings[k].percent,
+		       nothings[k].what, nothings[k].advice);
+		return;
 	}
-	return n_dark * 100 > n * BLACK_PERCENT;
 }
 
 void ts_render_advise(const ts_render *render)
@@ -68,12 +100,8 @@ void ts_render_advise(const ts_render *render)
 	bool mirrors = ts_effect_find(render->effect)->mirrors && render->scene->info.n_reflectors > 0;
 	if (mirrors && (render->mirrors == NULL || render->mirrors->n_reflective == 0))
 		ts_say("no mirror is in the picture; try --mirror X,Y,Z,R, another --eye and --target, or --camera");
-	for (u32 i = 0; i < render->n_methods; i++) {
-		if (!is_black(&render->pictures[i], n)) continue;
-		ts_say("%s: more than %d %% of the picture is black; try --lamp X,Y,Z, --eye and --target, or "
-		       "--set image.exposure=8",
-		       render->methods[i]->name, BLACK_PERCENT);
-	}
+	for (u32 i = 0; i < render->n_methods; i++)
+		advise(&render->pictures[i], render->methods[i]->name, n, TS_PARAM(p, image_exposure));
 }
 
 static ts_status work_in_folder(ts_render *render, void *user)

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <touchstone/image.h>
+#include "image/frame.h"
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -19,9 +20,9 @@ typedef struct {
 	                        uint32_t height, uint32_t channels, const ts_image_text *texts);
 	ts_status (*encode_exr)(void **file, size_t *file_bytes, const char *path, const float *pixels, uint32_t width,
 	                        uint32_t height, uint32_t channels, const ts_image_text *texts);
-	/* Reads `file`, which is of that format ("png", "jpeg", "openexr"); otherwise like ts_image_read. */
-	ts_status (*read)(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *format,
-	                  const void *file, size_t file_bytes, const char *what);
+	/* Reads `file`, which is of that format ("png", "jpeg", "openexr"); otherwise like ts_image_read_framed. */
+	ts_status (*read)(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, ts_image_frame *frame,
+	                  const char *format, const void *file, size_t file_bytes, const char *what);
 	/* The message and the kind of this thread's last failure in the module. */
 	const char *(*message)(void);
 	ts_kind (*kind)(void);

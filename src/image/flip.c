@@ -110,7 +110,7 @@ static void apply(const lens *l, double *to, const double *from, const filter *a
 {
 	const int64_t width = l->width, height = l->height;
 	double *between = l->work[0];
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for num_threads((int)ts_threads_all()) schedule(static)
 	for (int64_t y = 0; y < height; y++) {
 		double *row = between + y * width;
 		for (int64_t x = 0; x < width; x++) row[x] = 0;
@@ -118,7 +118,7 @@ static void apply(const lens *l, double *to, const double *from, const filter *a
 			add_shifted(row, from + y * width, width, i, along->tap[along->reach + i]);
 		}
 	}
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for num_threads((int)ts_threads_all()) schedule(static)
 	for (int64_t y = 0; y < height; y++) {
 		double *row = to + y * width;
 		for (int64_t x = 0; x < width; x++) row[x] = 0;
@@ -217,7 +217,7 @@ static void take_colour(const lens *l, const seen *s)
 	apply(l, s->colour[0], s->colour[0], &l->achromatic, &l->achromatic);
 	apply(l, s->colour[1], s->colour[1], &l->red_green, &l->red_green);
 	for (int k = 0; k < 2; k++) apply(l, l->work[1 + k], s->colour[2], &l->blue_yellow[k], &l->blue_yellow[k]);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for num_threads((int)ts_threads_all()) schedule(static)
 	for (int64_t i = 0; i < (int64_t)l->width * l->height; i++) {
 		double blue_yellow = l->share[0] * l->work[1][i] + l->share[1] * l->work[2][i], rgb[3], lab[3];
 		linear_of_opponent(rgb, (const double[3]){s->colour[0][i], s->colour[1][i], blue_yellow});

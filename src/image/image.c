@@ -204,8 +204,8 @@ ts_status ts_image_format_of(ts_image_format *format, const char *path)
 	return is_read(*format) ? TS_OK : ts_fail(EXPECTED, path, name);
 }
 
-static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const void *file,
-                           size_t bytes, const char *what)
+static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, ts_image_frame *frame,
+                           const void *file, size_t bytes, const char *what)
 {
 	uint8_t *clean = NULL;
 	const char *name = "its first bytes are those of no format";
@@ -216,9 +216,19 @@ static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, ui
 	ts_status status = is == TS_IMAGE_PNG ? ts_png_clean(&clean, &bytes, file, bytes, what) : TS_OK;
 	const void *whole = clean != NULL ? clean : file;
 	if (status == TS_OK)
-		status = with_message(codec->read(pixels, width, height, channels, format, whole, bytes, what));
+		status = with_message(codec->read(pixels, width, height, channels, frame, format, whole, bytes, what));
 	free(clean);
 	return status;
+}
+
+/* Whole numbers, of which there are the bits, as floats. */
+static void convert(float *pixels, size_t n, uint32_t channels, const ts_image_frame *frame)
+{
+	for (size_t i = 0; i < n * channels; i++) {
+		uint32_t code;
+		memcpy(&code, &pixels[i], sizeof code);
+		if (frame->whole >> i % channels & 1) pixels[i] = (float)code;
+	}
 }
 
 ts_status ts_image_read_bytes(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const void *file,
@@ -227,10 +237,23 @@ ts_status ts_image_read_bytes(float **pixels, uint32_t *width, uint32_t *height,
 	if (TS_LACKS(pixels)) return TS_ERROR;
 	*pixels = NULL;
 	if (TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(file) || TS_LACKS(what)) return TS_ERROR;
-	return ts_blame(read_file(pixels, width, height, channels, file, file_bytes, what), TS_KIND_FORMAT);
+	ts_image_frame frame;
+	ts_status status =
+		ts_blame(read_file(pixels, width, height, channels, &frame, file, file_bytes, what), TS_KIND_FORMAT);
+	if (status == TS_OK) convert(*pixels, (size_t)*width * *height, *channels, &frame);
+	return status;
 }
 
 ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path)
+{
+	ts_image_frame frame;
+	ts_status status = ts_image_read_framed(pixels, width, height, channels, &frame, path);
+	if (status == TS_OK) convert(*pixels, (size_t)*width * *height, *channels, &frame);
+	return status;
+}
+
+ts_status ts_image_read_framed(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels,
+                               ts_image_frame *frame, const char *path)
 {
 	size_t bytes = 0;
 	ts_image_format is;
@@ -241,7 +264,7 @@ ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint3
 		return TS_ERROR;
 	void *file = ts_input_read(&bytes, path);
 	if (file == NULL) return TS_ERROR;
-	ts_status status = ts_blame(read_file(pixels, width, height, channels, file, bytes, path), TS_KIND_FORMAT);
+	ts_status status = ts_blame(read_file(pixels, width, height, channels, frame, file, bytes, path), TS_KIND_FORMAT);
 	free(file);
 	return status;
 }

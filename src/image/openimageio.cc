@@ -164,8 +164,37 @@ template <typename Code> static bool read_codes(float *pixels, ImageInput &in, u
 	return true;
 }
 
-static ts_status read_floats(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *format,
-                             const void *file, size_t file_bytes, const char *path)
+static bool is_whole(const ImageSpec &spec, int channel) { return spec.channelformat(channel) == TypeDesc::UINT32; }
+
+static ts_image_frame frame_of(ImageInput &in)
+{
+	const ImageSpec spec = in.spec();
+	ts_image_frame frame = {{spec.x, spec.y}, {spec.full_x, spec.full_y, spec.full_width, spec.full_height}, 1, 0};
+	for (int c = 0; c < spec.nchannels && c < 4; c++) frame.whole |= (uint32_t)is_whole(spec, c) << c;
+	while (in.seek_subimage((int)frame.parts, 0)) frame.parts++;
+	(void)in.geterror();
+	in.seek_subimage(0, 0);
+	return frame;
+}
+
+/* The bits of whole numbers, which floats do not hold. */
+static bool read_whole(float *pixels, ImageInput &in, uint64_t n)
+{
+	const ImageSpec spec = in.spec();
+	std::vector<uint32_t> codes(n);
+	bool good = true;
+	for (int c = 0; c < spec.nchannels && good; c++) {
+		if (!is_whole(spec, c)) continue;
+		good = in.read_image(0, 0, c, c + 1, TypeDesc::UINT32, codes.data());
+		for (uint64_t i = 0; i < n && good; i++)
+			memcpy(pixels + i * (uint64_t)spec.nchannels + (uint64_t)c, &codes[i], sizeof codes[i]);
+	}
+	return good;
+}
+
+static ts_status read_floats(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels,
+                             ts_image_frame *frame, const char *format, const void *file, size_t file_bytes,
+                             const char *path)
 {
 	OIIO::Filesystem::IOMemReader memory(const_cast<void *>(file), file_bytes);
 	ImageSpec spec;
@@ -184,6 +213,8 @@ static ts_status read_floats(float **pixels, uint32_t *width, uint32_t *height, 
 	bool good = spec.format == TypeDesc::UINT8    ? read_codes<uint8_t>(out, *in, n, TypeDesc::UINT8, 255.0f)
 	            : spec.format == TypeDesc::UINT16 ? read_codes<uint16_t>(out, *in, n, TypeDesc::UINT16, 65535.0f)
 	                                              : in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, out);
+	*frame = frame_of(*in);
+	if (good && frame->whole != 0) good = read_whole(out, *in, (uint64_t)spec.width * (uint64_t)spec.height);
 	if (!good) return ts_fail("%s: %s; a whole image is expected", path, reason(in->geterror()).c_str());
 	*width = (uint32_t)spec.width;
 	*height = (uint32_t)spec.height;
@@ -210,7 +241,8 @@ static ts_status require_whole(void **file, size_t bytes, const char *path, cons
 {
 	float *back = nullptr;
 	uint32_t width, height, channels;
-	ts_status status = read_floats(&back, &width, &height, &channels, "openexr", *file, bytes, path);
+	ts_image_frame frame;
+	ts_status status = read_floats(&back, &width, &height, &channels, &frame, "openexr", *file, bytes, path);
 	std::unique_ptr<float, void (*)(void *)> owner(back, free);
 	bool whole = status == TS_OK && memcmp(back, pixels, spec.image_pixels() * channels * sizeof *pixels) == 0;
 	if (whole && has_header(*file, bytes, spec)) return TS_OK;
@@ -235,10 +267,11 @@ static ts_status encode_exr(void **file, size_t *bytes, const char *path, const 
 	});
 }
 
-static ts_status read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *format,
-                      const void *file, size_t file_bytes, const char *what)
+static ts_status read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, ts_image_frame *frame,
+                      const char *format, const void *file, size_t file_bytes, const char *what)
 {
-	return guarded(what, [&] { return read_floats(pixels, width, height, channels, format, file, file_bytes, what); });
+	return guarded(what,
+	               [&] { return read_floats(pixels, width, height, channels, frame, format, file, file_bytes, what); });
 }
 
 const ts_image_codec ts_image_codec_module = {decode, encode_png, encode_exr, read, ts_error_message, ts_error_kind};

@@ -101,7 +101,11 @@ enum { TS_MOST_THREADS = 1024 };
 /* Makes up to `wanted` threads ready, this one among them, and returns how many there are, at least 1; a line says so
  * where they are fewer. */
 uint32_t ts_threads_ready(uint32_t wanted);
-/* As ts_threads_ready, with one thread a processor. */
+/* The processors of this machine. */
+uint32_t ts_processors(void);
+/* The most threads that ts_threads_all gives this thread; 0, as at first: one a processor. Returns the number before. */
+uint32_t ts_threads_limit(uint32_t most);
+/* As ts_threads_ready, with as many threads as that allows. */
 uint32_t ts_threads_all(void);
 
 /* The commit that the program was built from, with "-dirty" behind it if its source was changed since; or "unknown". */

@@ -22,4 +22,13 @@ static inline const char *ts_json_why(char why[TS_JSON_WHY], const json_error_t 
 	return why;
 }
 
+/* Whether a value is a whole number from low to high, in *n; 3.0 is as good as 3. */
+static inline bool ts_json_whole(json_int_t *n, const json_t *value, json_int_t low, json_int_t high)
+{
+	double x = json_number_value(value);
+	if (!json_is_number(value) || !(x >= (double)low && x <= (double)high)) return false;
+	*n = json_is_integer(value) ? json_integer_value(value) : (json_int_t)x;
+	return (double)*n == x && *n >= low && *n <= high;
+}
+
 #endif

@@ -56,4 +56,15 @@ uint32_t ts_threads_ready(uint32_t wanted)
 	return there;
 }
 
-uint32_t ts_threads_all(void) { return ts_threads_ready((uint32_t)omp_get_num_procs()); }
+uint32_t ts_processors(void) { return (uint32_t)omp_get_num_procs(); }
+
+static _Thread_local uint32_t limit;
+
+uint32_t ts_threads_limit(uint32_t most)
+{
+	uint32_t before = limit;
+	limit = most;
+	return before;
+}
+
+uint32_t ts_threads_all(void) { return ts_threads_ready(limit > 0 ? limit : ts_processors()); }

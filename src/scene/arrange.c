@@ -1,4 +1,5 @@
 /* Added after the triangles: the eye, the subject of the pictures, a ground, mirrors and lamps. */
+#include <stdlib.h>
 #include <string.h>
 #include "kernels/base/vec.h"
 #include "model/core.h"
@@ -151,10 +152,49 @@ static void add_stands(ts_build *build, const ts_rays *rays, const ts_params *pa
 	for (u32 k = 0; k < TS_N_STANDS; k++) ts_store3(scene->stands[k].position, ts_load3(lamp));
 }
 
+/* Options whose places are counted from the scene's origin. */
+typedef struct {
+	ts_scene_options options;
+	f32 eye[3], target[3], lamp[3], (*mirrors)[4];
+} moved;
+
+static const f32 *counted(f32 to[3], const f32 *from, const double *origin)
+{
+	for (u32 k = 0; k < 3 && from != NULL; k++) to[k] = (f32)((double)from[k] - origin[k]);
+	return from != NULL ? to : NULL;
+}
+
+static void move_options(moved *m, ts_build *build, const ts_scene_options *o)
+{
+	const double *origin = build->scene->origin;
+	*m = (moved){.options = *o};
+	m->options.eye = counted(m->eye, o->eye, origin);
+	m->options.target = counted(m->target, o->target, origin);
+	m->options.lamp = counted(m->lamp, o->lamp, origin);
+	if (o->n_mirrors == 0 || o->n_mirrors > MOST_MIRRORS || o->mirrors == NULL) return;
+	m->mirrors = ts_alloc(o->n_mirrors, sizeof *m->mirrors, "mirrors");
+	if (m->mirrors == NULL) ts_build_adopt(build);
+	for (u32 i = 0; i < o->n_mirrors && m->mirrors != NULL; i++) {
+		counted(m->mirrors[i], o->mirrors[i], origin);
+		m->mirrors[i][3] = o->mirrors[i][3];
+	}
+	m->options.mirrors = (const f32(*)[4])m->mirrors;
+}
+
+static const char *arrange(ts_build *build, const ts_params *params, const ts_scene_options *o, bool find);
+
 const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_options *options, bool find)
 {
 	static const ts_scene_options none;
-	const ts_scene_options *o = options != NULL ? options : &none;
+	moved m;
+	move_options(&m, build, options != NULL ? options : &none);
+	const char *camera = arrange(build, params, &m.options, find);
+	free(m.mirrors);
+	return camera;
+}
+
+static const char *arrange(ts_build *build, const ts_params *params, const ts_scene_options *o, bool find)
+{
 	bool circle = o->camera != NULL && strcmp(o->camera, TS_CAMERA_CIRCLE) == 0;
 	if (build->failed) return NULL;
 	const ts_kind before = ts_build_about(build, TS_KIND_ARGUMENT);

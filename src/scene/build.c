@@ -226,7 +226,7 @@ u32 ts_build_material(ts_build *build, const ts_material *material)
 	if (!countable(build, scene->n_materials, "materials") || !TS_BUILD_ROOM(build, materials, "materials")) return 0;
 	ts_material *m = &scene->materials[scene->n_materials];
 	*m = *material;
-	sanitize(m->base, material->base, 4);
+	for (u32 k = 0; k < 4; k++) m->base[k] = unit_range(build, material->base[k], "base colour");
 	sanitize(m->emissive, material->emissive, 3);
 	m->metallic = unit_range(build, material->metallic, "metallic");
 	m->roughness = unit_range(build, material->roughness, "roughness");
@@ -315,6 +315,11 @@ u32 ts_build_surfel(ts_build *build, const ts_surfel *surfel)
 	sanitize(s->v, surfel->v, 3);
 	take_colour(build, s->colour, surfel->colour, 3);
 	return scene->n_surfels++;
+}
+
+void ts_build_origin(ts_build *build, const double origin[3])
+{
+	memcpy(build->scene->origin, origin, sizeof build->scene->origin);
 }
 
 void ts_build_note(ts_build *build, const char *format, ...)

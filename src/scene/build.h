@@ -33,7 +33,7 @@ u32 ts_build_vertex_moving(ts_build *build, const ts_vertex *vertex, const ts_ve
 void ts_build_move(ts_build *build, u32 first, ts_v3 by);
 /* Counter-clockwise seen from the front; material TS_NONE is a default one. */
 void ts_build_triangle(ts_build *build, u32 a, u32 b, u32 c, u32 material);
-/* Metallic, roughness and occlusion outside 0 to 1 are clamped and noted. */
+/* Base colour, metallic, roughness and occlusion outside 0 to 1 are clamped and noted. */
 u32 ts_build_material(ts_build *build, const ts_material *material);
 /* A material's reference to an image. */
 u32 ts_build_slot(ts_build *build, const ts_slot *slot);
@@ -61,6 +61,9 @@ u32 ts_build_image(ts_build *build, const u8 *rgba, u32 width, u32 height, bool 
 
 /* A default for every field: white, roughness 1, metallic 0, no texture, opaque. */
 ts_material ts_material_default(void);
+
+/* The coordinates that are appended are counted from that point of the file's: those of options are in the file's. */
+void ts_build_origin(ts_build *build, const double origin[3]);
 
 /* Notes one line, cleaned by ts_line_clean, for `touchstone info`: something in the file that is ignored or changed. */
 void ts_build_note(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));

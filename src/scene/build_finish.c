@@ -216,6 +216,23 @@ static void set_off(ts_scene *scene)
 	camera->n_path = 0;
 }
 
+#define COARSE 8192.0f /* a box that has less than 1024 steps of binary32 at its greatest coordinate */
+
+/* Before mirrors are added the box is that of what the file draws. */
+static void note_coarse(ts_build *build)
+{
+	const ts_info *info = &build->scene->info;
+	f32 extent = 0.0f, far = 0.0f;
+	for (u32 k = 0; k < 3; k++) {
+		extent = ts_max(extent, info->box_max[k] - info->box_min[k]);
+		far = ts_max(far, ts_max(ts_abs(info->box_min[k]), ts_abs(info->box_max[k])));
+	}
+	if (extent * COARSE < far)
+		ts_build_note(build,
+		              "the scene is %g large and %g from the origin, where binary32 has steps of %g: move it there",
+		              (double)extent, (double)far, (double)ts_u2f(ts_f2u(far) & 0x7f800000u) * 0x1p-23);
+}
+
 static void note_colours(ts_build *build)
 {
 	if (build->n_outside > 0)
@@ -235,6 +252,7 @@ static void complete(ts_build *build, const ts_params *params, const char *camer
 	if (!build->failed) choose_camera(build, camera);
 	if (build->failed) return;
 	ts_build_measure(build);
+	note_coarse(build);
 	note_colours(build);
 	count_triangles(build);
 	ts_sample_add(build, params);

@@ -172,7 +172,55 @@ u32 ts_neighbours_find(const ts_neighbours *tree, u32 i, u32 k, ts_neighbour *fo
 	return s.n;
 }
 
-ts_status ts_neighbours_distance(f32 *distance, const ts_v3 *points, u32 n, u32 k)
+typedef struct {
+	ts_v3 at;
+	u32 index;
+} placed;
+
+static int by_place(const void *a, const void *b)
+{
+	const placed *p = a, *q = b;
+	if (p->at.x != q->at.x) return p->at.x < q->at.x ? -1 : 1;
+	if (p->at.y != q->at.y) return p->at.y < q->at.y ? -1 : 1;
+	if (p->at.z != q->at.z) return p->at.z < q->at.z ? -1 : 1;
+	return p->index < q->index ? -1 : 1;
+}
+
+ts_status ts_neighbours_places(ts_places_of *of, const ts_v3 *points, u32 n)
+{
+	placed *sorted = ts_alloc(n, sizeof *sorted, "places of points");
+	*of = (ts_places_of){.at = ts_alloc(n, sizeof *of->at, "places of points"),
+	                     .place = ts_alloc(n, sizeof *of->place, "places of points")};
+	if (sorted == NULL || of->at == NULL || of->place == NULL) {
+		free(sorted);
+		ts_neighbours_places_free(of);
+		return TS_ERROR;
+	}
+	for (u32 i = 0; i < n; i++) sorted[i] = (placed){points[i], i};
+	qsort(sorted, n, sizeof *sorted, by_place);
+	/* The first point of each place, then the places by these. */
+	for (u32 k = 0, first = 0; k < n; k++) {
+		if (sorted[k].at.x != sorted[first].at.x || sorted[k].at.y != sorted[first].at.y ||
+		    sorted[k].at.z != sorted[first].at.z)
+			first = k;
+		of->place[sorted[k].index] = sorted[first].index;
+	}
+	free(sorted);
+	for (u32 i = 0; i < n; i++) {
+		bool is_first = of->place[i] == i;
+		if (is_first) of->at[of->n] = points[i];
+		of->place[i] = is_first ? of->n++ : of->place[of->place[i]];
+	}
+	return TS_OK;
+}
+
+void ts_neighbours_places_free(ts_places_of *of)
+{
+	free(of->at);
+	free(of->place);
+}
+
+static ts_status distances(f32 *distance, const ts_v3 *points, u32 n, u32 k)
 {
 	ts_neighbours *tree = ts_neighbours_new(points, n);
 	if (tree == NULL) return TS_ERROR;
@@ -186,4 +234,18 @@ ts_status ts_neighbours_distance(f32 *distance, const ts_v3 *points, u32 n, u32 
 	}
 	ts_neighbours_free(tree);
 	return TS_OK;
+}
+
+ts_status ts_neighbours_distance(f32 *distance, const ts_v3 *points, u32 n, u32 k)
+{
+	ts_places_of of;
+	f32 *own = ts_alloc(n, sizeof *own, "distances of points");
+	ts_status status = own != NULL ? ts_neighbours_places(&of, points, n) : TS_ERROR;
+	if (status == TS_OK) {
+		status = distances(own, of.at, of.n, k);
+		for (u32 i = 0; i < n && status == TS_OK; i++) distance[i] = own[of.place[i]];
+		ts_neighbours_places_free(&of);
+	}
+	free(own);
+	return status;
 }

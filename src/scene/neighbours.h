@@ -26,8 +26,19 @@ typedef struct {
  * index. Returns their number: less than k where there are not k other points. */
 u32 ts_neighbours_find(const ts_neighbours *tree, u32 i, u32 k, ts_neighbour *found);
 
-/* The mean distance of every point to its k nearest neighbours, from which splats without a radius get one: 0 where the
- * neighbours are in the same place or there are none. */
+/* The places where points stand, each once, in the order of their first points. */
+typedef struct {
+	ts_v3 *at;
+	u32 *place, n; /* of each point its place; places */
+} ts_places_of;
+
+/* Finds them. To be released by ts_neighbours_places_free; after TS_ERROR, with the message set, there is nothing to
+ * release. */
+ts_status ts_neighbours_places(ts_places_of *of, const ts_v3 *points, u32 n);
+void ts_neighbours_places_free(ts_places_of *of);
+
+/* The mean distance of every point to the k places of other points that are nearest, from which splats without a radius
+ * get one: 0 where all points are in one place. */
 ts_status ts_neighbours_distance(f32 *distance, const ts_v3 *points, u32 n, u32 k);
 
 #ifdef __cplusplus

@@ -143,7 +143,27 @@ static void choose_sides(cloud *c)
 	}
 }
 
-ts_status ts_normals_estimate(ts_v3 *normals, const ts_v3 *points, u32 n)
+/* The normals of a closed surface cancel out. */
+static ts_status find_open(u8 *guessed, cloud *c)
+{
+	ts_v3 *sum = ts_alloc_zero(c->n, sizeof *sum, "sums of normals");
+	u32 *count = ts_alloc_zero(c->n, sizeof *count, "sums of normals");
+	for (u32 i = 0; i < c->n && sum != NULL && count != NULL; i++) {
+		u32 root = root_of(c->link, i) >> 1;
+		sum[root] = ts_add(sum[root], c->normals[i]);
+		count[root]++;
+	}
+	for (u32 i = 0; i < c->n && sum != NULL && count != NULL; i++) {
+		u32 root = root_of(c->link, i) >> 1;
+		guessed[i] = ts_length(sum[root]) * 8.0f > (f32)count[root];
+	}
+	ts_status status = sum != NULL && count != NULL ? TS_OK : TS_ERROR;
+	free(sum);
+	free(count);
+	return status;
+}
+
+static ts_status estimate(ts_v3 *normals, u8 *guessed, const ts_v3 *points, u32 n)
 {
 	u32 *memory = ts_alloc((u64)n * (2 * K + 1) + WEIGHTS + 2, sizeof *memory, "normals of points");
 	if (memory == NULL) return TS_ERROR;
@@ -155,7 +175,25 @@ ts_status ts_normals_estimate(ts_v3 *normals, const ts_v3 *points, u32 n)
 	if (status == TS_OK) {
 		grow_forest(&c);
 		choose_sides(&c);
+		status = find_open(guessed, &c);
 	}
 	free(memory);
+	return status;
+}
+
+ts_status ts_normals_estimate(ts_v3 *normals, u8 *guessed, const ts_v3 *points, u32 n)
+{
+	ts_places_of of;
+	if (ts_neighbours_places(&of, points, n) != TS_OK) return TS_ERROR;
+	ts_v3 *own = ts_alloc(of.n, sizeof *own, "normals of points");
+	u8 *open = ts_alloc(of.n, 1, "normals of points");
+	ts_status status = own != NULL && open != NULL ? estimate(own, open, of.at, of.n) : TS_ERROR;
+	for (u32 i = 0; i < n && status == TS_OK; i++) {
+		normals[i] = own[of.place[i]];
+		if (guessed != NULL) guessed[i] = open[of.place[i]];
+	}
+	free(own);
+	free(open);
+	ts_neighbours_places_free(&of);
 	return status;
 }

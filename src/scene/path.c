@@ -97,6 +97,7 @@ static void read_line(reader *r, const char *at, const char *end)
 		refuse(r, "is not FRAME EX,EY,EZ TX,TY,TZ [FOV]");
 		return;
 	}
+	for (u32 i = 0; i < FOV; i++) k->value[i] = (f32)((double)k->value[i] - r->build->scene->origin[i % 3]);
 	check_key(r, k, has_fov);
 	for (u32 i = 0; i < N_VALUES; i++) k->value[i] = ts_san(k->value[i]);
 	r->n++;

@@ -56,6 +56,7 @@ struct ts_scene {
 	u32 camera;           /* the chosen one; TS_NONE: the eye circles */
 	u64 n_triangles_file; /* triangles before mirrors were added */
 	u64 n_degenerate;     /* zero-area triangles among them */
+	double origin[3];     /* what was subtracted from the file's coordinates, and from those of options */
 	char **notes;
 	u32 n_notes; /* lines about parts of the file that are ignored or changed */
 };

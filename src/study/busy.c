@@ -107,7 +107,7 @@ static double others_now(void)
 
 ts_status ts_quiet_begin(ts_quiet *quiet, ts_report *report, u32 threads, bool anyway)
 {
-	u32 processors = ts_threads_all();
+	u32 processors = ts_processors();
 	double others = others_now(), load = load_now(), most_load = LOAD * processors;
 	*quiet = (ts_quiet){.threads = threads, .best = best_of(FIRST_LOOPS, threads), .anyway = anyway};
 	bool busy = others > ts_busy_limit() || load > most_load;

@@ -45,7 +45,7 @@ void ts_speed_machine_print(const ts_speed *speed)
 	ts_c_backend c;
 	ts_c_begin(&c, 1);
 	const ts_backend *backend = speed->job->how.backend != NULL ? speed->job->how.backend : &c.backend;
-	u32 processors = ts_threads_all();
+	u32 processors = ts_processors();
 	read_model(model, sizeof model);
 	read_caches(caches, sizeof caches);
 	snprintf(text, sizeof text, "%s, %u processors, caches %s", model[0] != 0 ? model : "an unknown processor",

@@ -32,8 +32,8 @@ static ts_status add_crop(ts_trace *trace, ts_buffer_id id, const char *path, co
 	bool pixels = ts_shape_is_image(ts_buffer_shape(id));
 	if (crop == NULL) return TS_OK;
 	for (u32 i = 0; i < 4; i++) {
-		json_int_t n = json_integer_value(json_array_get(crop, i));
-		if (json_array_size(crop) != 4 || n < 0 || n > 16384)
+		json_int_t n;
+		if (json_array_size(crop) != 4 || !ts_json_whole(&n, json_array_get(crop, i), 0, 16384))
 			return ts_fail("%s: crop is not 4 numbers of pixels", path);
 		item->crop[i] = (u32)n;
 	}
@@ -52,8 +52,8 @@ static ts_status add_left_out(ts_trace_item *item, const char *path, const json_
 	bool right = json_array_size(shape) <= TS_MAX_DIMS;
 	if (sha256[0] == 0) return TS_OK;
 	for (u32 i = 0; i < npy.n_dims && right; i++) {
-		json_int_t n = json_integer_value(json_array_get(shape, i));
-		right = n >= 0;
+		json_int_t n = 0;
+		right = ts_json_whole(&n, json_array_get(shape, i), 0, INT64_MAX);
 		npy.shape[i] = (u64)n;
 	}
 	right = right && ts_shape_count(&npy.n, npy.n_dims, npy.shape);
@@ -105,8 +105,8 @@ static ts_status add_params(ts_trace *trace, const char *path, json_t *params)
 static ts_status check_version(const char *path, const json_t *root, const char *key, int first, int last)
 {
 	const json_t *value = json_object_get(root, key);
-	json_int_t n = json_is_integer(value) ? json_integer_value(value) : 0;
-	if (n >= first && n <= last) return TS_OK;
+	json_int_t n;
+	if (ts_json_whole(&n, value, first, last)) return TS_OK;
 	char *text = value != NULL ? json_dumps(value, JSON_ENCODE_ANY) : NULL;
 	char right[64];
 	snprintf(right, sizeof right, first < last ? "%s %d to %d" : "%s %d", key, first, last);
@@ -128,6 +128,8 @@ static void name_effects(char *text, size_t room, const char *method)
 static ts_status read_pipeline(ts_trace *trace, const char *path, const json_t *root)
 {
 	char others[256] = "";
+	const json_t *named = json_object_get(root, "effect");
+	if (named != NULL && !json_is_string(named)) return ts_fail("%s: effect is not a text", path);
 	const char *method = text_of(root, "pipeline"), *effect = text_of(root, "effect");
 	bool given = effect[0] != 0;
 	if (!given) effect = ts_pipelines()[0]->effect->name;
@@ -156,7 +158,7 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 	const json_t *producer = json_object_get(root, "producer"), *buffers = json_object_get(root, "buffers");
 	snprintf(trace->producer, sizeof trace->producer, "%s %s", text_of(producer, "name"), text_of(producer, "version"));
 	ts_line_clean(trace->producer);
-	bool plain = json_integer_value(json_object_get(root, "version")) == TS_TRACE_VERSION;
+	bool plain = json_number_value(json_object_get(root, "version")) == (double)TS_TRACE_VERSION;
 	if (!json_is_array(buffers)) return ts_fail("%s: buffers is not an array", path);
 	for (size_t i = 0; i < json_array_size(buffers); i++) {
 		const json_t *entry = json_array_get(buffers, i);

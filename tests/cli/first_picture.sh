@@ -56,12 +56,17 @@ verdict $? 'mirrors come where the eye looks'
 
 run render reflections scenes/model.gltf --method epr --size 96x54 --no-images --eye 0,1,9 --target 0,1,20 \
 	--mirror 0,1,0,1
-[ "$status" -eq 0 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q 'no mirror is in the picture; try --mirror' stderr
-verdict $? 'a picture without its mirrors says so'
+[ "$status" -eq 0 ] && grep -q 'no mirror is in the picture; try --mirror' stderr &&
+	grep -q 'of the picture is sky; try --eye and --target' stderr && [ "$(wc -l < stderr)" -eq 2 ]
+verdict $? 'a picture without its mirrors, of the sky alone, says so'
 
 run render indirect scenes/far_room.gltf --method direct --size 96x54 --no-images --set light.irradiance=0
 [ "$status" -eq 0 ] && grep -q 'of the picture is black; try --lamp' stderr
 verdict $? 'a black picture says so'
+
+run render reflections gallery:triangles=10000:texels=32 --method mvr --size 96x54 --no-images --set image.exposure=1000
+[ "$status" -eq 0 ] && grep -q 'of the picture is white; try --exposure auto' stderr
+verdict $? 'a white picture says so'
 
 render=(render soft-shadows scenes/far_room.gltf --method mvr --size 96x54 --trace -o traced --force --set lamp.views=4)
 run "${render[@]}" --lamp 3000,-2.5,1200 && run replay traced/trace-mvr

@@ -16,24 +16,30 @@ open(sys.argv[1], "wb").write(b"\x89PNG\r\n\x1a\n"
                               + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 PY
 }
-# writes_exr NAME CHANNELS: black, 10 x 4, not compressed: header, offsets of rows, rows (OpenEXR's file layout).
+# writes_exr NAME CHANNELS [BEGIN [WIDTH [FIRST]]]: black, 10 x 4, not compressed: header, offsets of rows, rows
+# (OpenEXR's file layout). The first pixel stands at BEGIN,BEGIN of a picture of WIDTH x WIDTH; a channel I is of whole
+# numbers, the first of which is FIRST.
 writes_exr() {
 	python3 - "$@" <<'PY'
 import struct, sys
 width, height, names = 10, 4, sys.argv[2]
+begin, whole, first = (int(word) for word in (sys.argv[3:] + ["0", "0", "0"][len(sys.argv) - 3:]))
 def attribute(name, kind, body):
 	return f"{name}\0{kind}\0".encode() + struct.pack("<I", len(body)) + body
-window = struct.pack("<4i", 0, 0, width - 1, height - 1)
-channels = b"".join(name.encode() + struct.pack("<BIIII", 0, 2, 0, 1, 1) for name in sorted(names)) + b"\0"
+window = struct.pack("<4i", begin, begin, begin + width - 1, begin + height - 1)
+shown = struct.pack("<4i", 0, 0, whole - 1, whole - 1) if whole else window
+kinds = {"I": 0}
+channels = b"".join(name.encode() + struct.pack("<BIIII", 0, kinds.get(name, 2), 0, 1, 1) for name in sorted(names)) + b"\0"
 head = struct.pack("<II", 20000630, 2) + attribute("channels", "chlist", channels)
 head += attribute("compression", "compression", b"\0")
-head += attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", window)
+head += attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", shown)
 head += attribute("lineOrder", "lineOrder", b"\0") + attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
 head += attribute("screenWindowCenter", "v2f", bytes(8))
 head += attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0"
 row = 4 * width * len(names)
 offsets = [len(head) + 8 * height + y * (row + 8) for y in range(height)]
-rows = b"".join(struct.pack("<iI", y, row) + bytes(row) for y in range(height))
+rows = b"".join(struct.pack("<iI", begin + y, row) + struct.pack("<I", 0 if y else first) + bytes(row - 4)
+                for y in range(height))
 open(sys.argv[1], "wb").write(head + struct.pack(f"<{height}Q", *offsets) + rows)
 PY
 }

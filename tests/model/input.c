@@ -28,6 +28,32 @@ static void files_give_all_bytes_and_a_zero(void **state)
 	}
 }
 
+/* A text is the same with a mark before it; half a mark is text. */
+static void a_mark_before_a_text_is_passed_over(void **state)
+{
+	(void)state;
+	static const char *const texts[][2] = {{"", ""},
+	                                       {"a", "a"},
+	                                       {"\xef\xbb\xbf", ""},
+	                                       {"\xef\xbb\xbf"
+	                                        "ab",
+	                                        "ab"},
+	                                       {"\xef\xbb", "\xef\xbb"},
+	                                       {"a\xef\xbb\xbf", "a\xef\xbb\xbf"}};
+	for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+		size_t bytes;
+		write_file(texts[i][0], strlen(texts[i][0]));
+		char *read = ts_text_read(&bytes, path);
+		assert_non_null(read);
+		assert_int_equal(bytes, strlen(texts[i][1]));
+		assert_string_equal(read, texts[i][1]);
+		free(read);
+	}
+	assert_int_equal(unlink(path), 0);
+	size_t bytes;
+	assert_null(ts_text_read(&bytes, path));
+}
+
 static void refuses(const char *words)
 {
 	size_t bytes;
@@ -62,6 +88,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(files_give_all_bytes_and_a_zero),
+		cmocka_unit_test(a_mark_before_a_text_is_passed_over),
 		cmocka_unit_test(only_regular_files_are_read),
 		cmocka_unit_test(nothing_beyond_memory_is_read),
 	};

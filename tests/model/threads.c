@@ -21,6 +21,22 @@ static void wanted_threads_are_there(void **state)
 	assert_string_equal(said_end(), "");
 }
 
+/* What asks for all threads gets no more than its caller allows; another thread has its own limit. */
+static void a_limit_holds_for_its_thread(void **state)
+{
+	(void)state;
+	assert_int_equal(ts_threads_limit(1), 0);
+	assert_int_equal(ts_threads_all(), 1);
+	assert_int_equal(ts_threads_limit(3), 1);
+	assert_int_equal(ts_threads_all(), 3);
+#pragma omp parallel num_threads(2)
+	{
+		if (omp_get_thread_num() == 1) assert_int_equal(ts_threads_limit(0), 0);
+	}
+	assert_int_equal(ts_threads_limit(0), 3);
+	assert_int_equal(ts_threads_all(), ts_processors());
+}
+
 static size_t mapped(void)
 {
 	size_t pages = 0;
@@ -60,6 +76,7 @@ static void little_memory_gives_fewer_threads(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(little_memory_gives_fewer_threads),
-	                                   cmocka_unit_test(wanted_threads_are_there)};
+	                                   cmocka_unit_test(wanted_threads_are_there),
+	                                   cmocka_unit_test(a_limit_holds_for_its_thread)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -80,7 +80,7 @@ static void points_without_normals_are_surfels(void **state)
 	(void)state;
 	ts_scene *scene = open_scene("scenes/points.gltf", 2, NULL);
 	assert_int_equal(scene->n_triangles_file, 0);
-	assert_int_equal(scene->n_surfels, 6);
+	assert_int_equal(scene->n_surfels, 12); /* both sides */
 	assert_true(scene->n_notes >= 1);
 	ts_scene_free(scene);
 }

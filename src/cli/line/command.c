@@ -116,7 +116,8 @@ static int run(void *user)
 	if (status == TS_OK) status = open_backend(&cli->job); /* before there are threads: asking for devices forks */
 	if (status == TS_OK && ts_command_takes(t->command, TS_OPTION_THREADS)) {
 		u32 *n = &cli->job.how.threads;
-		*n = *n == 0 ? ts_threads_all() : ts_threads_ready(*n);
+		ts_threads_limit(*n);
+		*n = ts_threads_all();
 	}
 	if (status == TS_SKIPPED && t->command->says_skipped) {
 		snprintf(cli->no_device, sizeof cli->no_device, "%s", ts_error_message());

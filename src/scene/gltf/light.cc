@@ -14,10 +14,10 @@ static u32 kind_of(const std::string &type)
 static void take_cone(loader &in, ts_light &to, const tinygltf::Light &from, int index)
 {
 	f32 inner = ts_number(from.spot.innerConeAngle), outer = ts_number(from.spot.outerConeAngle);
-	if (!(inner <= outer))
+	if (!(inner <= outer * (1.0f + 0x1p-22f))) /* a rounding above is as good as equal */
 		fail("lights/%d/spot: inner cone %g, outer cone %g; the inner one must be smaller", index,
 		     from.spot.innerConeAngle, from.spot.outerConeAngle);
-	if (inner == outer)
+	if (inner >= outer)
 		in.notes.insert("lights/" + std::to_string(index) + ": inner and outer cone are equal: its edge is hard");
 	ts_number_cone(&to.spot_scale, &to.spot_offset, inner, outer);
 }

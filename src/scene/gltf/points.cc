@@ -1,6 +1,7 @@
 /* Points, glTF 2.0 section 3.7.2.1, as surfels. Beside the usual attributes they may have _SPLAT_U and _SPLAT_V, the
  * half-axes of an ellipse; without those they are circles in the plane of NORMAL, as wide as their neighbours are
  * far. */
+#include <algorithm>
 #include "model/core.h"
 #include "scene/gltf/gltf.h"
 #include "scene/neighbours.h"
@@ -21,7 +22,11 @@ static const form splat_forms[] = {
 
 struct cloud {
 	std::vector<ts_surfel> surfels;
-	std::vector<ts_v3> normals; /* none, where the axes say it */
+	std::vector<ts_v3> normals;   /* none, where the axes say it */
+	std::vector<bool> both_sides; /* of each point, or of none */
+	std::vector<uint32_t> items;  /* of the accessors, of each point */
+	size_t n_left = 0;            /* points that are left out */
+	std::string left;             /* the first of them, and why */
 };
 
 /* What points are multiplied by: the material's base colour without its texture. */
@@ -77,34 +82,39 @@ static ts_v3 colour_of(loader &in, const f32 *colour)
 	return inside;
 }
 
-static cloud read_cloud(loader &in, const attributes &a, const std::vector<uint32_t> &items, ts_v3 factor)
+static void read_point(loader &in, cloud &c, const attributes &a, uint32_t item, ts_v3 factor)
 {
-	cloud c;
-	c.surfels.resize(items.size());
-	if (a.has("NORMAL")) c.normals.resize(items.size());
-	for (size_t i = 0; i < items.size(); i++) {
-		splat s = read_splat(a, items[i]);
-		memcpy(c.surfels[i].centre, s.position, sizeof s.position);
-		memcpy(c.surfels[i].u, s.u, sizeof s.u);
-		memcpy(c.surfels[i].v, s.v, sizeof s.v);
-		ts_store3(c.surfels[i].colour, ts_mul(colour_of(in, s.colour), factor));
-		if (a.has("NORMAL")) c.normals[i] = ts_load3(s.normal);
-	}
-	return c;
+	splat s = read_splat(a, item);
+	ts_surfel surfel = {};
+	memcpy(surfel.centre, s.position, sizeof s.position);
+	memcpy(surfel.u, s.u, sizeof s.u);
+	memcpy(surfel.v, s.v, sizeof s.v);
+	ts_store3(surfel.colour, ts_mul(colour_of(in, s.colour), factor));
+	c.surfels.push_back(surfel);
+	c.items.push_back(item);
+	if (a.has("NORMAL")) c.normals.push_back(ts_load3(s.normal));
 }
 
-static void check(const char *fault, const std::string &where, size_t point)
+/* A point that is none does not keep the others from being drawn. */
+static void leave_out(cloud &c, size_t point, const std::string &fault)
 {
-	if (fault) fail("%s: point %zu: %s", where.c_str(), point, fault);
+	if (c.n_left++ == 0) c.left = "point " + std::to_string(point) + ": " + fault;
 }
 
-static void make_ellipses(cloud &c, const std::string &where)
+static void make_ellipses(cloud &c)
 {
+	size_t n = 0;
 	for (size_t i = 0; i < c.surfels.size(); i++) {
 		f32 normal[3] = {0.0f, 0.0f, 0.0f};
 		if (!c.normals.empty()) ts_store3(normal, c.normals[i]);
-		check(ts_surfel_ellipse(&c.surfels[i], c.normals.empty() ? nullptr : normal), where, i);
+		c.surfels[n] = c.surfels[i];
+		const char *fault = ts_surfel_ellipse(&c.surfels[n], c.normals.empty() ? nullptr : normal);
+		if (fault)
+			leave_out(c, c.items[i], fault);
+		else
+			n++;
 	}
+	c.surfels.resize(n);
 }
 
 static std::vector<ts_v3> centres_of(const cloud &c)
@@ -118,39 +128,52 @@ static std::vector<ts_v3> centres_of(const cloud &c)
 static void estimate_normals(loader &in, cloud &c)
 {
 	std::vector<ts_v3> centres = centres_of(c), normals(centres.size());
+	std::vector<u8> guessed(centres.size());
 	if (centres.size() > TS_NORMALS_MOST)
 		fail("%zu points without normals; at most %u can be estimated", centres.size(), TS_NORMALS_MOST);
-	if (ts_normals_estimate(normals.data(), centres.data(), (u32)centres.size()) != TS_OK)
+	if (ts_normals_estimate(normals.data(), guessed.data(), centres.data(), (u32)centres.size()) != TS_OK)
 		throw error{"", TS_KIND_NONE};
 	in.notes.insert("points have no normals: they are estimated by the points around each");
 	size_t n = 0;
 	for (size_t i = 0; i < normals.size(); i++) {
 		if (ts_length(normals[i]) == 0.0f) continue;
+		c.items[n] = c.items[i];
 		c.surfels[n++] = c.surfels[i];
 		c.normals.push_back(normals[i]);
+		c.both_sides.push_back(guessed[i] != 0);
 	}
+	if (std::find(c.both_sides.begin(), c.both_sides.end(), true) != c.both_sides.end())
+		in.notes.insert("points of sheets, whose front is not known, are seen from both sides");
 	if (n < normals.size()) in.notes.insert("points that are on a line with their neighbours are not drawn");
 	c.surfels.resize(n);
 }
 
 /* Points whose neighbours are all in the same place have no size and are left out. */
-static void make_circles(loader &in, cloud &c, const std::string &where)
+static void make_circles(loader &in, cloud &c)
 {
 	std::vector<ts_v3> centres = centres_of(c);
+	std::vector<ts_surfel> made;
 	std::vector<f32> radii(centres.size());
+	bool has_same = false;
 	if (ts_neighbours_distance(radii.data(), centres.data(), (u32)centres.size(), in.neighbours) != TS_OK)
 		throw error{"", TS_KIND_NONE};
-	size_t n = 0;
 	for (size_t i = 0; i < radii.size(); i++) {
 		f32 normal[3];
 		ts_store3(normal, c.normals[i]);
+		has_same |= radii[i] == 0.0f;
 		if (radii[i] == 0.0f) continue;
-		c.surfels[n] = c.surfels[i];
-		check(ts_surfel_circle(&c.surfels[n++], normal, radii[i]), where, i);
+		made.push_back(c.surfels[i]);
+		const char *fault = ts_surfel_circle(&made.back(), normal, radii[i]);
+		if (fault) {
+			leave_out(c, c.items[i], fault);
+			made.pop_back();
+		} else if (!c.both_sides.empty() && c.both_sides[i]) {
+			made.push_back(made.back());
+			ts_surfel_turn(&made.back());
+		}
 	}
-	if (n < radii.size())
-		in.notes.insert("points whose neighbours are all in the same place are not drawn: they have no size");
-	c.surfels.resize(n);
+	if (has_same) in.notes.insert("points whose neighbours are all in the same place are not drawn: they have no size");
+	c.surfels = std::move(made);
 }
 
 std::vector<ts_surfel> points_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where)
@@ -163,12 +186,27 @@ std::vector<ts_surfel> points_decode(loader &in, const tinygltf::Primitive &prim
 		in.notes.insert("primitives without POSITION are not drawn");
 		return {};
 	}
-	cloud c = read_cloud(in, a, read_items(in, primitive, a.count, where), factor_of(in, primitive));
-	if (!has_axes && !a.has("NORMAL")) estimate_normals(in, c);
+	cloud c;
+	ts_v3 factor = factor_of(in, primitive);
+	std::vector<uint32_t> items = read_items(in, primitive, a.count, where);
+	for (uint32_t item : items) {
+		try {
+			read_point(in, c, a, item, factor);
+		} catch (const error &e) {
+			if (e.kind != TS_KIND_FORMAT) throw;
+			leave_out(c, item, e.line);
+		}
+	}
+	auto is_none = [](ts_v3 n) { return n.x == 0.0f && n.y == 0.0f && n.z == 0.0f; };
+	if (std::all_of(c.normals.begin(), c.normals.end(), is_none)) c.normals.clear(); /* as writers without any have */
+	if (!has_axes && c.normals.empty()) estimate_normals(in, c);
 	if (has_axes)
-		make_ellipses(c, where);
+		make_ellipses(c);
 	else
-		make_circles(in, c, where);
+		make_circles(in, c);
+	if (c.n_left > 0 && c.n_left == items.size()) fail("%s: no point can be drawn; %s", where.c_str(), c.left.c_str());
+	if (c.n_left > 0)
+		in.notes.insert(where + ": " + std::to_string(c.n_left) + " points are left out, the first: " + c.left);
 	return std::move(c.surfels);
 }
 

@@ -71,9 +71,10 @@ ts_status ts_scene_of_bytes(ts_scene **scene, const ts_scene_file *file, const t
                             const ts_scene_options *options)
 {
 	const char *text = file->bytes, *blanks = " \t\r\n";
-	size_t n = file->n_bytes, first = 0;
+	size_t n = file->n_bytes, first = ts_text_mark(text, n);
 	while (first < n && memchr(blanks, text[first], 4) != NULL) first++;
-	bool is_ply = n >= 4 && memcmp(text, "ply", 3) == 0 && memchr(blanks, text[3], 4) != NULL;
+	size_t begin = ts_text_mark(text, n);
+	bool is_ply = n - begin >= 4 && memcmp(text + begin, "ply", 3) == 0 && memchr(blanks, text[begin + 3], 4) != NULL;
 	bool is_gltf = (n >= 4 && memcmp(text, "glTF", 4) == 0) || (first < n && text[first] == '{');
 	*scene = NULL;
 	if (is_ply || is_gltf) return of_file(scene, file, is_ply, params, options);

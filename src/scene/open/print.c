@@ -119,6 +119,7 @@ static json_t *json_of(const ts_scene *s, const f32 *radius)
 	}
 	bad |= json_object_set_new(root, "box_min", json_floats(s->info.box_min, 3));
 	bad |= json_object_set_new(root, "box_max", json_floats(s->info.box_max, 3));
+	bad |= json_object_set_new(root, "origin", json_pack("[f, f, f]", s->origin[0], s->origin[1], s->origin[2]));
 	bad |= json_object_set_new(root, "hall_min", json_floats(s->info.hall_min, 2));
 	bad |= json_object_set_new(root, "hall_max", json_floats(s->info.hall_max, 2));
 	bad |= json_object_set_new(root, "ambient", json_real((double)s->info.ambient));

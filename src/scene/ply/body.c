@@ -1,8 +1,17 @@
 /* Numbers of PLY files: text, and words in either order. */
 #include "scene/ply/body.h"
+#include <math.h>
 #include "model/decimal.h"
 
 static const char at_end[] = "is missing: the file ends before it";
+
+static double half_of(u32 word)
+{
+	u32 exponent = word >> 10 & 31, part = word & 1023;
+	double size = exponent == 0 ? part * 0x1p-24 : ldexp(1024 + part, (int)exponent - 25);
+	if (exponent == 31) size = part == 0 ? INFINITY : NAN;
+	return word >> 15 & 1 ? -size : size;
+}
 
 static double number_of_bytes(const unsigned char bytes[8], ts_ply_type type)
 {
@@ -17,6 +26,8 @@ static double number_of_bytes(const unsigned char bytes[8], ts_ply_type type)
 	for (u32 k = 0; k < ts_ply_kinds[type].bytes; k++) wide.word |= (u64)bytes[k] << 8 * k;
 	narrow.word = (u32)wide.word;
 	switch (type) {
+	case TS_PLY_I64: return (double)(i64)wide.word;
+	case TS_PLY_F16: return half_of((u32)wide.word);
 	case TS_PLY_I8: return (double)(int8_t)wide.word;
 	case TS_PLY_I16: return (double)(int16_t)wide.word;
 	case TS_PLY_I32: return (double)(int32_t)wide.word;
@@ -58,7 +69,7 @@ const char *ts_ply_number(ts_ply_body *body, ts_ply_type type, double *value)
 bool ts_ply_holds(ts_ply_type type, double value)
 {
 	const ts_ply_kind *kind = &ts_ply_kinds[type];
-	return value >= kind->least && value <= kind->most && (type >= TS_PLY_F32 || value == (double)(i64)value);
+	return value >= kind->least && value <= kind->most && (type >= TS_PLY_F16 || value == trunc(value));
 }
 
 static const char *skip_list(ts_ply_body *body, const ts_ply_property *list)

@@ -13,6 +13,9 @@ const ts_ply_kind ts_ply_kinds[TS_PLY_TYPES] = {
 	[TS_PLY_U16] = {{"ushort", "uint16"}, 2, 0, UINT16_MAX},
 	[TS_PLY_I32] = {{"int", "int32"}, 4, INT32_MIN, INT32_MAX},
 	[TS_PLY_U32] = {{"uint", "uint32"}, 4, 0, UINT32_MAX},
+	[TS_PLY_I64] = {{"int64", "long", "longlong", "int64_t"}, 8, INT64_MIN, 0x1p63},
+	[TS_PLY_U64] = {{"uint64", "ulong", "ulonglong", "uint64_t"}, 8, 0, 0x1p64},
+	[TS_PLY_F16] = {{"float16", "half"}, 2, -65504, 65504},
 	[TS_PLY_F32] = {{"float", "float32"}, 4, -(double)FLT_MAX, (double)FLT_MAX},
 	[TS_PLY_F64] = {{"double", "float64"}, 8, -DBL_MAX, DBL_MAX},
 };
@@ -106,7 +109,8 @@ static bool read_type(ts_ply_type *type, const char *name)
 {
 	for (u32 t = 0; t < TS_PLY_TYPES; t++) {
 		*type = (ts_ply_type)t;
-		if (strcmp(name, ts_ply_kinds[t].name[0]) == 0 || strcmp(name, ts_ply_kinds[t].name[1]) == 0) return true;
+		for (u32 k = 0; k < 4 && ts_ply_kinds[t].name[k] != NULL; k++)
+			if (strcmp(name, ts_ply_kinds[t].name[k]) == 0) return true;
 	}
 	return false;
 }
@@ -120,8 +124,8 @@ static const char *read_property(ts_ply_header *h, const line *l)
 	ts_ply_property *p = &h->property[h->n_properties];
 	*p = (ts_ply_property){.is_list = is_list};
 	if (!read_type(&p->type, l->word[is_list ? 3 : 1]) || !read_type(&p->length, l->word[is_list ? 2 : 1]))
-		return "no such type; there are char, uchar, short, ushort, int, uint, float and double";
-	if (is_list && p->length >= TS_PLY_F32) return "the first type of a list, that of its length, must be an integer";
+		return "no such type; there are char, uchar, short, ushort, int, uint, int64, uint64, float and double";
+	if (is_list && p->length >= TS_PLY_F16) return "the first type of a list, that of its length, must be an integer";
 	memcpy(p->name, l->word[is_list ? 4 : 2], sizeof p->name);
 	for (u32 i = e->first; i < h->n_properties; i++)
 		if (strcmp(p->name, h->property[i].name) == 0) return "a second property of this name";

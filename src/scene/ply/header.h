@@ -15,6 +15,9 @@ typedef enum {
 	TS_PLY_U16,
 	TS_PLY_I32,
 	TS_PLY_U32,
+	TS_PLY_I64,
+	TS_PLY_U64,
+	TS_PLY_F16, /* these and what follows are floats */
 	TS_PLY_F32,
 	TS_PLY_F64,
 	TS_PLY_TYPES,
@@ -44,7 +47,7 @@ typedef struct {
 } ts_ply_header;
 
 typedef struct {
-	const char *name[2];
+	const char *name[4]; /* NULL behind the last; the first two are Turk's, or the writers' */
 	u32 bytes;
 	double least, most;
 } ts_ply_kind;

@@ -143,8 +143,8 @@ static void without_normals_they_are_estimated(void **state)
 	(void)state;
 	ts_build *build = load("\"POSITION\":0", "", "");
 	const ts_scene *scene = good(build);
-	assert_int_equal(scene->n_surfels, N);
-	for (u32 i = 0; i < N; i++) {
+	assert_int_equal(scene->n_surfels, 2 * N); /* a sheet, seen from both sides */
+	for (u32 i = 0; i < 2 * N; i++) {
 		ts_v3 n = ts_cross(ts_load3(scene->surfels[i].u), ts_load3(scene->surfels[i].v));
 		assert_true(n.x == 0.0f && n.y == 0.0f && n.z != 0.0f);
 	}
@@ -164,13 +164,25 @@ static void what_is_no_splat_is_refused(void **state)
 	       "point 0: the half-axes u and v are not at a right");
 	refuse("\"POSITION\":0,\"NORMAL\":1,\"_SPLAT_U\":2,\"_SPLAT_V\":6", "", "half-axis v is not longer than 0");
 	refuse("\"POSITION\":0,\"NORMAL\":2,\"_SPLAT_U\":2,\"_SPLAT_V\":3", "", "right angle to the normal");
-	refuse("\"POSITION\":0,\"NORMAL\":6", "", "the normal has no length");
 	refuse("\"POSITION\":8,\"NORMAL\":1", "", "has 3 items, another attribute has 4");
 	refuse("\"POSITION\":8,\"NORMAL\":8,\"_SPLAT_U\":8,\"_SPLAT_V\":8", ",\"indices\":7", "index 3 at 0; there are 3");
 	refuse("\"POSITION\":0,\"NORMAL\":1,\"_SPLAT_U\":7,\"_SPLAT_V\":3", "", "the type is not what this use needs");
 	f32 nan = ts_u2f(0x7fc00000u);
 	memcpy(buffer + U, &nan, sizeof nan);
-	refuse(SPLATS, "", "is not finite");
+	for (u32 i = 0; i < N; i++) memcpy(buffer + U + 12 * i, &nan, sizeof nan);
+	refuse(SPLATS, "", "no point can be drawn; point 0: accessors/2: item 0 is not finite");
+	set_up(NULL);
+}
+
+static void a_bad_point_is_left_out(void **state)
+{
+	(void)state;
+	f32 nan = ts_u2f(0x7fc00000u);
+	memcpy(buffer + 12, &nan, sizeof nan); /* of the second position */
+	ts_build *build = load("\"POSITION\":0,\"NORMAL\":1", "", "");
+	assert_int_equal(good(build)->n_surfels, N - 1);
+	assert_note(build, "1 points are left out, the first: point 1: accessors/0: item 1 is not finite");
+	ts_build_free(build);
 	set_up(NULL);
 }
 
@@ -182,6 +194,7 @@ int main(void)
 		cmocka_unit_test(indices_and_materials_count),
 		cmocka_unit_test(points_without_axes_are_as_wide_as_their_neighbours_are_far),
 		cmocka_unit_test(without_normals_they_are_estimated),
+		cmocka_unit_test(a_bad_point_is_left_out),
 		cmocka_unit_test(what_is_no_splat_is_refused),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);

@@ -627,7 +627,7 @@ PLY = [
 	("value_1e999", "ascii", SPLATS, "1e999 0 0 0 0 1 1\n", "point 0: x is not finite"),
 	("value_text", "ascii", SPLATS, "x 0 0 0 0 1 1\n", "point 0: x is no number"),
 	("value_nan_binary", "binary_little_endian", SPLATS, f32(NAN, 0, 0, 0, 0, 1, 1), "point 0: x is not finite"),
-	("normal_0", "ascii", SPLATS, "0 0 0 0 0 0 1\n", "point 0: the normal has no length"),
+	("normal_0", "ascii", SPLATS, "0 0 0 0 0 0 1\n", 0),
 	("radius_negative", "ascii", SPLATS, "0 0 0 0 0 1 -1\n", "point 0: the radius is not above 0 and at most"),
 	("radius_infinite", "binary_little_endian", SPLATS, f32(0, 0, 0, 0, 0, 1, INFINITE),
 	 "point 0: radius is not finite"),

@@ -126,15 +126,18 @@ static void points_without_normals_ask_their_neighbours(void **state)
 	(void)state;
 	ts_build *with = load_hill(NORMAL, " 0 0 1"), *without = load_hill("", ""), *wide = load_hill(RADIUS, " 3");
 	const ts_scene *a = good(with), *b = good(without), *c = good(wide);
-	assert_true(a->n_surfels == SIDE * SIDE && b->n_surfels == SIDE * SIDE && c->n_surfels == SIDE * SIDE);
+	assert_true(a->n_surfels == SIDE * SIDE && b->n_surfels == 2 * SIDE * SIDE && c->n_surfels == 2 * SIDE * SIDE);
 	u32 n_up = 0;
 	for (u32 i = 0; i < SIDE * SIDE; i++) {
 		f32 x = (f32)(i % SIDE), y = (f32)(i / SIDE);
-		ts_v3 u = ts_load3(b->surfels[i].u), n = ts_normalize(ts_cross(u, ts_load3(b->surfels[i].v)));
+		const ts_surfel *front = &b->surfels[2 * i], *back = front + 1;
+		ts_v3 u = ts_load3(front->u), n = ts_normalize(ts_cross(u, ts_load3(front->v)));
+		assert_memory_equal(front->u, back->v, sizeof back->v);
+		assert_memory_equal(front->v, back->u, sizeof back->u);
 		n_up += n.z > 0.0f;
 		assert_true(ts_abs(ts_dot(n, ts_normalize(ts_v3_make(0.02f * x, 0.02f * y, 1.0f)))) > 0.99f);
 		assert_true(ts_abs(ts_length(u) - ts_length(ts_load3(a->surfels[i].u))) < 1e-5f);
-		assert_true(ts_abs(ts_length(ts_load3(c->surfels[i].u)) - 3.0f) < 1e-5f);
+		assert_true(ts_abs(ts_length(ts_load3(c->surfels[2 * i].u)) - 3.0f) < 1e-5f);
 	}
 	assert_true(n_up == 0 || n_up == SIDE * SIDE);
 	assert_string_equal(b->notes[0], "points have no normals: they are estimated by the points around each");
@@ -487,8 +490,6 @@ static void properties_come_in_whole_groups(void **state)
 	refuse(POINTS("1") NORMAL "property float x\nproperty float y\nproperty list uchar float z\n" END "0 0 1 1 1 1 1 ",
 	       "the property z must not be a list");
 	refuse(POINTS("1") XYZ NORMAL "property float u_x\n" END "0 0 0 0 0 1 1 ", "it takes 6");
-	refuse(POINTS("1") XYZ NORMAL "property int red\nproperty int green\nproperty int blue\n" END "0 0 0 0 0 1 1 1 1 ",
-	       "the property red must be uchar, ushort or float");
 }
 
 static void numbers_are_held_to_their_meaning(void **state)
@@ -499,8 +500,6 @@ static void numbers_are_held_to_their_meaning(void **state)
 	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 1e999 0 0 1 1 ", "point 0: z is not finite");
 	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 x 0 0 1 1 ", "point 0: z is no number");
 	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 1x 0 0 1 1 ", "point 0: z is no number");
-	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 0 0 0 0 1 ", "point 0: the normal has no length");
-	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 0 0 0 1 0 ", "point 0: the radius");
 	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 0 0 0 1 -1 ", "point 0: the radius");
 	refuse(POINTS("1") XYZ NORMAL RADIUS "property uchar red\nproperty uchar green\nproperty uchar blue\n" END
 	                                     "0 0 0 0 0 1 1 0 256 0 ",
@@ -511,9 +510,6 @@ static void numbers_are_held_to_their_meaning(void **state)
 	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 0 0 0 1e39 1 ", "point 0: nz is 1e+39; a number from -3.40282e+38");
 	refuse(POINTS("1") "property short x\nproperty short y\nproperty short z\n" NORMAL RADIUS END "0 -32769 0 0 0 1 1 ",
 	       "point 0: y is -32769; a whole number from -32768 to 32767 would be right");
-	refuse(POINTS("1") XYZ NORMAL RADIUS "property float red\nproperty float green\nproperty float blue\n" END
-	                                     "0 0 0 0 0 1 1 0 0 -0.5 ",
-	       "point 0: blue is -0.5; it must not be below 0");
 }
 
 static void locale_of_the_host_does_not_matter(void **state)
