@@ -103,7 +103,7 @@ enum { TS_MOST_THREADS = 1024 };
 uint32_t ts_threads_ready(uint32_t wanted);
 /* The processors of this machine. */
 uint32_t ts_processors(void);
-/* The most threads that ts_threads_all gives this thread; 0, as at first: one a processor. Returns the number before. */
+/* The most threads that ts_threads_all gives this thread; 0, as at first: one a processor. Returns the one before. */
 uint32_t ts_threads_limit(uint32_t most);
 /* As ts_threads_ready, with as many threads as that allows. */
 uint32_t ts_threads_all(void);

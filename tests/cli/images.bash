@@ -28,8 +28,9 @@ def attribute(name, kind, body):
 	return f"{name}\0{kind}\0".encode() + struct.pack("<I", len(body)) + body
 window = struct.pack("<4i", begin, begin, begin + width - 1, begin + height - 1)
 shown = struct.pack("<4i", 0, 0, whole - 1, whole - 1) if whole else window
-kinds = {"I": 0}
-channels = b"".join(name.encode() + struct.pack("<BIIII", 0, kinds.get(name, 2), 0, 1, 1) for name in sorted(names)) + b"\0"
+def channel(name):
+	return name.encode() + struct.pack("<BIIII", 0, 0 if name == "I" else 2, 0, 1, 1)
+channels = b"".join(map(channel, sorted(names))) + b"\0"
 head = struct.pack("<II", 20000630, 2) + attribute("channels", "chlist", channels)
 head += attribute("compression", "compression", b"\0")
 head += attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", shown)

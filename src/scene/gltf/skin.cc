@@ -1,6 +1,6 @@
-/* Skins, glTF 2.0 section 3.7.3: the matrix of a joint is that of its node, times its inverse bind matrix; a vertex goes
- * where the sum of its joints' matrices by its weights takes it, whatever its mesh's node says. Joints stand as at
- * frame 0. */
+/* Skins, glTF 2.0 section 3.7.3: the matrix of a joint is that of its node, times its inverse bind matrix; a vertex
+ * goes where the sum of its joints' matrices by its weights takes it, whatever its mesh's node says. Joints stand as
+ * at frame 0. */
 #include "scene/gltf/gltf.h"
 
 namespace gltf {

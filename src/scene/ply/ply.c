@@ -340,8 +340,8 @@ typedef struct {
 	u32 n_placed, n_bright, n_normals, n_radii;
 } overview;
 
-enum { DOUBTFUL = 2 };    /* no albedo is as great */
-#define FARTHEST 1e9 /* no place on Earth has a greater coordinate, in metres or in feet */
+enum { DOUBTFUL = 2 }; /* no albedo is as great */
+#define FARTHEST 1e9   /* no place on Earth has a greater coordinate, in metres or in feet */
 
 /* Of a type that does not say what its numbers mean. */
 static bool is_loose_colour(const reader *in, u32 property)
@@ -388,7 +388,7 @@ static void choose_codes(reader *in, const overview *o)
 
 #define FAR 65536.0 /* from here on 1/128 is lost */
 
-/* Centres that binary32 would move, because they are far from the origin for their extent, are counted from a middle. */
+/* Centres that binary32 would move, as they are far from the origin for their extent, are counted from a middle. */
 static void choose_middle(reader *in, const overview *o)
 {
 	double extent = 0.0, far = 0.0, step = 1.0;
