@@ -41,7 +41,7 @@ static void each_table_has_its_own_name(void **state)
 	ts_tables *tables;
 	if (ts_tables_open(&tables) != TS_OK) fail_msg("%s", ts_error_message());
 	for (u32 i = 0; (row = ts_tables_at(tables, i)) != NULL; i++) {
-		assert_int_equal((row->paper != NULL) + (row->run != NULL), 1);
+		assert_int_equal((row->paper != NULL) + (row->run != NULL) + (row->speed != NULL), 1);
 		for (u32 k = 0; k < i; k++) assert_string_not_equal(row->name, ts_tables_at(tables, k)->name);
 	}
 	ts_tables_close(tables);

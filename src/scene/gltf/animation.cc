@@ -98,6 +98,7 @@ static constexpr u32 other_objects = 32; /* that stand still, or circle */
 /* As many frames as there is room for of all objects; what is longer is cut. */
 static void cut(loader &in)
 {
+	if (in.animated.tracks.empty()) return;
 	u32 most = TS_MOTION_MAX_PLACES / (u32)(in.animated.tracks.size() + other_objects);
 	in.animated.n_frames = std::min(in.animated.n_frames, most);
 	u32 wanted = ts_keyframe_count(std::min(in.animated.seconds, longest));

@@ -212,8 +212,8 @@ void piece_place(ts_build *build, const piece &piece, const spot &at);
 
 /* skin.cc: the matrices of a skin's joints. */
 std::vector<ts_place> skin_pose(loader &in, int index);
-/* Fails unless the joints of all influences are of the skin. */
-void skin_check(const piece &piece, size_t n_joints, const std::string &where);
+/* Fails unless the joints of all influences are of the skin; notes weights that do not add up to 1. */
+void skin_check(loader &in, const piece &piece, size_t n_joints, const std::string &where);
 /* A copy of a piece with influences, in the world. */
 void skin_place(ts_build *build, const piece &piece, const std::vector<ts_place> &pose);
 
@@ -243,6 +243,8 @@ void nodes_walk(loader &in);
 /* Where a node stands at frame 0. */
 ts_place node_place(loader &in, int node);
 ts_place place_of_trs(const trs &local, const std::string &where);
+/* Of column by column; fails unless the last row is 0 0 0 1. */
+ts_place place_of_matrix(const f32 matrix[16], const std::string &where);
 
 /* instances.cc: where a node draws its mesh, in the node's own space. */
 std::vector<ts_place> instances_open(loader &in, const tinygltf::Node &node, const std::string &where);

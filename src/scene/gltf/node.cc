@@ -141,15 +141,20 @@ ts_place place_of_trs(const trs &local, const std::string &where)
 	return ts_place_from_trs(local.translation, local.rotation, local.scale);
 }
 
+ts_place place_of_matrix(const f32 matrix[16], const std::string &where)
+{
+	for (size_t k = 0; k < 4; k++) /* a rounding away is near enough */
+		if (!(ts_abs(matrix[4 * k + 3] - (k < 3 ? 0.0f : 1.0f)) <= 0x1p-20f))
+			fail("%s: the last row must be 0 0 0 1", where.c_str());
+	return ts_place_from_matrix(matrix);
+}
+
 static ts_place place_of(const tinygltf::Node &node, int index)
 {
 	f32 matrix[16];
 	if (node.matrix.empty()) return place_of_trs(trs_of(node), where_of(index));
 	for (size_t i = 0; i < node.matrix.size(); i++) matrix[i] = ts_number(node.matrix[i]);
-	for (size_t k = 0; k < 4; k++) /* a rounding away is near enough */
-		if (!(ts_abs(matrix[4 * k + 3] - (k < 3 ? 0.0f : 1.0f)) <= 0x1p-20f))
-			fail("%s/matrix: the last row must be 0 0 0 1", where_of(index).c_str());
-	return ts_place_from_matrix(matrix);
+	return place_of_matrix(matrix, where_of(index) + "/matrix");
 }
 
 /* As at frame 0. */
@@ -293,8 +298,10 @@ void walker::draw(int mesh, const visit &at, const std::vector<ts_place> *pose)
 		const piece &p = list[i];
 		visit still = at;
 		bool skinned = pose != nullptr && !p.influences.empty();
-		if (skinned) skin_check(p, pose->size(), where + std::to_string(i));
+		if (skinned) skin_check(in, p, pose->size(), where + std::to_string(i));
 		if (skinned) still.mover = -1;
+		if (pose != nullptr && !skinned && !p.corners.empty())
+			in.notes.insert("primitives of skinned meshes without JOINTS_0 and WEIGHTS_0 stand at their node");
 		if (!p.corners.empty()) select_object(still);
 		if (!p.surfels.empty() && at.mover >= 0) in.notes.insert("points below a node that moves stand as at frame 0");
 		if (skinned)

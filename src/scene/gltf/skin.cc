@@ -9,7 +9,8 @@ static ts_place bind_of(const view &list, size_t joint)
 {
 	f32 matrix[16];
 	for (int k = 0; k < 16; k++) matrix[k] = list.number(joint, k);
-	return ts_place_from_matrix(matrix);
+	return place_of_matrix(matrix, "accessors/" + std::to_string(list.id) + " (inverseBindMatrices): item " +
+	                                   std::to_string(joint));
 }
 
 std::vector<ts_place> skin_pose(loader &in, int index)
@@ -54,17 +55,23 @@ static ts_place blend(const std::vector<ts_place> &pose, const influence &by)
 	return ts_place_from_matrix(matrix);
 }
 
-void skin_check(const piece &piece, size_t n_joints, const std::string &where)
+static constexpr f32 near_1 = 0x1p-7f; /* of weights of bytes, each of which is rounded */
+
+void skin_check(loader &in, const piece &piece, size_t n_joints, const std::string &where)
 {
-	for (size_t i = 0; i < piece.influences.size(); i++)
+	for (size_t i = 0; i < piece.influences.size(); i++) {
+		const influence &by = piece.influences[i];
+		f32 sum = by.weight[0] + by.weight[1] + by.weight[2] + by.weight[3];
+		if (ts_abs(sum - 1.0f) > near_1)
+			in.notes.insert("weights of joints that do not add up to 1 are divided by their sum");
 		for (size_t k = 0; k < 4; k++) {
-			const influence &by = piece.influences[i];
 			if (by.weight[k] < 0.0f)
 				fail("%s: vertex %zu: the weight %g; a number from 0 is expected", where.c_str(), i,
 				     (double)by.weight[k]);
 			if (by.weight[k] != 0.0f && by.joint[k] >= (f32)n_joints)
 				fail("%s: vertex %zu: joint %g; its skin has %zu", where.c_str(), i, (double)by.joint[k], n_joints);
 		}
+	}
 }
 
 void skin_place(ts_build *build, const piece &piece, const std::vector<ts_place> &pose)

@@ -8,7 +8,7 @@ static const char at_end[] = "is missing: the file ends before it";
 static double half_of(u32 word)
 {
 	u32 exponent = word >> 10 & 31, part = word & 1023;
-	double size = exponent == 0 ? part * 0x1p-24 : ldexp(1024 + part, (int)exponent - 25);
+	double size = (exponent == 0 ? part : (u64)(1024 + part) << (exponent - 1)) * 0x1p-24;
 	if (exponent == 31) size = part == 0 ? INFINITY : NAN;
 	return word >> 15 & 1 ? -size : size;
 }
@@ -69,7 +69,8 @@ const char *ts_ply_number(ts_ply_body *body, ts_ply_type type, double *value)
 bool ts_ply_holds(ts_ply_type type, double value)
 {
 	const ts_ply_kind *kind = &ts_ply_kinds[type];
-	return value >= kind->least && value <= kind->most && (type >= TS_PLY_F16 || value == trunc(value));
+	bool whole = !(value > -0x1p53 && value < 0x1p53) || value == (double)(i64)value;
+	return value >= kind->least && value <= kind->most && (type >= TS_PLY_F16 || whole);
 }
 
 static const char *skip_list(ts_ply_body *body, const ts_ply_property *list)

@@ -65,6 +65,10 @@ typedef struct {
 	double value[N_FIELDS];
 } record;
 
+static double least(double a, double b) { return a < b ? a : b; }
+static double most(double a, double b) { return a > b ? a : b; }
+static double nearest(double x) { return (double)(i64)(x < 0.0 ? x - 0.5 : x + 0.5); }
+
 static u32 field_of(reader *in, const ts_ply_property *p)
 {
 	for (u32 f = 0; f < N_FIELDS; f++) {
@@ -141,7 +145,7 @@ static f32 colour_of(reader *in, const ts_ply_property *p, double value)
 {
 	if (p->type == TS_PLY_U8) return decoded(257 * (u32)value);
 	if (p->type == TS_PLY_U16) return decoded((u32)value);
-	double share = in->codes > 0.0 ? value / in->codes : value, clamped = fmin(fmax(share, 0.0), 1.0);
+	double share = in->codes > 0.0 ? value / in->codes : value, clamped = least(most(share, 0.0), 1.0);
 	in->n_clamped += clamped != share;
 	return in->codes > 0.0 ? decoded((u32)(clamped * 65535.0 + 0.5)) : ts_number(clamped);
 }
@@ -357,14 +361,14 @@ static void look_at(reader *in, overview *o, const record *r)
 	double brightest = 0.0;
 	if (fabs(x[0]) < FARTHEST && fabs(x[1]) < FARTHEST && fabs(x[2]) < FARTHEST) {
 		for (u32 k = 0; k < 3; k++) {
-			o->low[k] = o->n_placed > 0 ? fmin(o->low[k], x[k]) : x[k];
-			o->high[k] = o->n_placed > 0 ? fmax(o->high[k], x[k]) : x[k];
+			o->low[k] = o->n_placed > 0 ? least(o->low[k], x[k]) : x[k];
+			o->high[k] = o->n_placed > 0 ? most(o->high[k], x[k]) : x[k];
 		}
 		o->n_placed++;
 	}
 	for (u32 i = 0; i < in->n_properties; i++)
-		if (is_loose_colour(in, i) && isfinite(x[in->field[i]])) brightest = fmax(brightest, x[in->field[i]]);
-	o->most = fmax(o->most, brightest);
+		if (is_loose_colour(in, i) && isfinite(x[in->field[i]])) brightest = most(brightest, x[in->field[i]]);
+	o->most = most(o->most, brightest);
 	o->n_bright += brightest > DOUBTFUL;
 	o->n_normals += fabs(n[0]) + fabs(n[1]) + fabs(n[2]) > 0.0;
 	o->n_radii += radius < 0.0 || radius > 0.0;
@@ -393,12 +397,12 @@ static void choose_middle(reader *in, const overview *o)
 {
 	double extent = 0.0, far = 0.0, step = 1.0;
 	for (u32 k = 0; k < 3; k++) {
-		extent = fmax(extent, o->high[k] - o->low[k]);
-		far = fmax(far, fmin(fabs(o->low[k]), fabs(o->high[k])));
+		extent = most(extent, o->high[k] - o->low[k]);
+		far = most(far, least(fabs(o->low[k]), fabs(o->high[k])));
 	}
 	if (!(far > FAR && far > extent)) return;
 	while (step < extent) step *= 10.0;
-	for (u32 k = 0; k < 3; k++) in->middle[k] = step * round((o->low[k] / 2.0 + o->high[k] / 2.0) / step);
+	for (u32 k = 0; k < 3; k++) in->middle[k] = step * nearest((o->low[k] / 2.0 + o->high[k] / 2.0) / step);
 	ts_build_origin(in->build, in->middle);
 	ts_build_note(in->build, "the points are far from the origin: %.17g, %.17g, %.17g is subtracted", in->middle[0],
 	              in->middle[1], in->middle[2]);

@@ -18,6 +18,7 @@ static const ts_bench_variant variants[] = {{.method = "epr", .set = ""}, {.meth
 static void check(u8 *first, const char *const *wanted)
 {
 	u8 second[SIDE * SIDE * 3] = {9, 8, 7};
+	f32 light[SIDE * SIDE * 3] = {0.5f};
 	const ts_paper_line line = {.scene = "a"};
 	char name[] = "a";
 	ts_scene scene = {.name = name};
@@ -29,8 +30,8 @@ static void check(u8 *first, const char *const *wanted)
 	c->scene = &scene;
 	c->effect = table.effect;
 	c->variants = variants;
-	c->images[0] = (ts_picture){.name = "epr", .srgb = first};
-	c->images[1] = (ts_picture){.name = "mvr", .srgb = second};
+	c->images[0] = (ts_picture){.name = "epr", .srgb = first, .radiance = light};
+	c->images[1] = (ts_picture){.name = "mvr", .srgb = second, .radiance = light};
 	assert_int_equal(ts_results_begin(scratch_path("results"), false), TS_OK);
 	assert_int_equal(ts_paper_pictures(&table, c, &line, 1), TS_OK);
 	size_t n = 0;

@@ -40,11 +40,11 @@ row("3.11", MUST, "what is not animated keeps its value", "anim_keeps",
            node={"scale": [0.5, 0.5, 1], "rotation": [0, 0, HALF, HALF], "translation": [9, 9, 9]}),
     same(base(node={"scale": [0.5, 0.5, 1], "rotation": [0, 0, HALF, HALF], "translation": [0.5, 0, 0]})))
 row("3.11", SHOULD, "a channel without a node is ignored", "anim_no_node",
-    edit(moving(((1, 0, 0), (1, 0, 0))), (f"{TARGET}/node", GONE)), same(BASE, "without a node", "lasts 0 seconds"))
+    edit(moving(((1, 0, 0), (1, 0, 0))), (f"{TARGET}/node", GONE)), same(BASE, "without a node"))
 row("3.11", MUST, "paths are four; others are ignored", "anim_path_odd",
-    edit(moving(), (f"{TARGET}/path", "colour")), same(BASE, "are ignored", "lasts 0 seconds"))
+    edit(moving(), (f"{TARGET}/path", "colour")), same(BASE, "are ignored"))
 row("3.11", MUST, "weights move nodes with morph targets alone", "anim_weights",
-    moving(((0.0,), (0.0,)), "weights"), same(BASE, "animations of morph targets are ignored", "lasts 0 seconds"))
+    moving(((0.0,), (0.0,)), "weights"), same(BASE, "animations of morph targets are ignored"))
 row("3.11", MUST, "one channel a node and path", "anim_twice",
     edit(moving(), ("animations/0/channels/1", {"sampler": 0, "target": {"node": 1, "path": "translation"}})),
     refused("is animated already"))
@@ -67,7 +67,7 @@ row("3.11", MUST, "input has min and max", "anim_bounds",
     edit(moving(), ("accessors/4/max", GONE)), ignored(), "min and max are not read")
 row("3.11", MUST, "keyframes of morph weights lie end to end", "anim_weights_short",
     moving(((0.0,), (0.0,), (0.0,)), "weights"),
-    same(BASE, "animations of morph targets are ignored", "lasts 0 seconds"))
+    same(BASE, "animations of morph targets are ignored"))
 row("3.11", MUST, "keyframes of rotation are unit quaternions", "anim_rotation_long",
     moving(path="rotation", values=((0, 0, 2, 2), (0, 0, 2, 2))), same(base(node={"rotation": [0, 0, HALF, HALF]})),
     "divided by its length: there is no other reading")
