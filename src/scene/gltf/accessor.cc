@@ -176,12 +176,22 @@ void attributes::open(loader &in, const tinygltf::Primitive &primitive, const st
 			in.notes.insert("the vertex attribute " + quoted(attribute.first) + " is ignored");
 			continue;
 		}
-		view v = view_open(in, attribute.second, match->type, match->other_type, match->forms, attribute.first);
-		if (count != 0 && v.count != count)
-			fail("%s: %s has %zu items, another attribute has %zu", where.c_str(), match->name.c_str(), v.count, count);
-		count = v.count;
-		views.emplace(attribute.first, std::move(v));
+		try {
+			take(in, attribute.second, *match, where);
+		} catch (const error &e) {
+			if (!match->spared) throw;
+			in.notes.insert(e.line + ": it is ignored");
+		}
 	}
+}
+
+void attributes::take(const loader &in, int accessor, const form &as, const std::string &where)
+{
+	view v = view_open(in, accessor, as.type, as.other_type, as.forms, as.name);
+	if (count != 0 && v.count != count)
+		fail("%s: %s has %zu items, another attribute has %zu", where.c_str(), as.name.c_str(), v.count, count);
+	count = v.count;
+	views.emplace(as.name, std::move(v));
 }
 
 void attributes::read(size_t i, f32 *field) const

@@ -171,6 +171,7 @@ struct form {
 	int type, other_type;
 	unsigned forms;
 	size_t offset; /* in floats of a record */
+	bool spared;   /* one that is not as it should be is noted and ignored */
 };
 #define AT(record, field) (offsetof(record, field) / sizeof(f32))
 struct attributes {
@@ -179,6 +180,7 @@ struct attributes {
 	size_t count = 0;
 	template <size_t n> explicit attributes(const form (&list)[n]) : forms(list, list + n) {}
 	void open(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
+	void take(const loader &in, int accessor, const form &as, const std::string &where);
 	bool has(const std::string &name) const { return views.count(name) != 0; }
 	/* Writes the fields of item i that the file has. */
 	void read(size_t i, f32 *field) const;
@@ -210,10 +212,10 @@ struct spot {
 };
 void piece_place(ts_build *build, const piece &piece, const spot &at);
 
-/* skin.cc: the matrices of a skin's joints. */
+/* skin.cc: the matrices of a skin's joints; none of a skin that is not as it should be, which is noted. */
 std::vector<ts_place> skin_pose(loader &in, int index);
-/* Fails unless the joints of all influences are of the skin; notes weights that do not add up to 1. */
-void skin_check(loader &in, const piece &piece, size_t n_joints, const std::string &where);
+/* Notes influences that are ignored or changed. */
+void skin_note(loader &in, const piece &piece, size_t n_joints);
 /* A copy of a piece with influences, in the world. */
 void skin_place(ts_build *build, const piece &piece, const std::vector<ts_place> &pose);
 

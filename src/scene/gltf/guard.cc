@@ -21,6 +21,7 @@ struct checker {
 	void check_object(json_t *object, const std::string &path, const std::string &where);
 	void check_value(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where);
 	void take_unknown(const std::string &path, const char *key, const json_t *value);
+	void check_spared(json_t *list, const rule &r, const std::string &where);
 	void check_list(json_t *list, const rule &r, const std::string &where);
 	void check_extras(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where);
 	void check_extra_flag(json_t *parent, const char *key, const json_t *value, const std::string &where);
@@ -161,6 +162,23 @@ void checker::check_list(json_t *list, const rule &r, const std::string &where)
 	}
 }
 
+void checker::check_spared(json_t *list, const rule &r, const std::string &where)
+{
+	size_t i;
+	json_t *item;
+	if (!json_is_array(list)) refuse(where, list, "an array");
+	json_array_foreach (list, i, item) {
+		std::string place = where + "/" + std::to_string(i);
+		try {
+			if (!json_is_object(item)) refuse(place, item, "an object");
+			check_object(item, std::string(r.path) + "[]", place);
+		} catch (const error &e) {
+			doc.notes.insert(e.line + ": it is ignored");
+			if (json_array_set_new(list, i, json_pack("{s:[]}", r.of)) != 0) throw std::bad_alloc();
+		}
+	}
+}
+
 void checker::check_indices(json_t *list, const rule &r, const std::string &where) const
 {
 	size_t i;
@@ -209,6 +227,7 @@ void checker::check_value(json_t *parent, const char *key, json_t *value, const 
 		check_object(value, r.of ? r.of : r.path, where);
 		break;
 	case LIST: check_list(value, r, where); break;
+	case SPARED: check_spared(value, r, where); break;
 	case TEXT: check_text(value, r, where); break;
 	case FLAG:
 		if (!json_is_boolean(value)) refuse(where, value, "true or false");

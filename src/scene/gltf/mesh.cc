@@ -33,14 +33,15 @@ struct skinned {
 };
 
 static const form vertex_forms[] = {
-	{"POSITION", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC3, AS_FLOAT | AS_SMALL, AT(ts_vertex, position)},
-	{"NORMAL", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC3, AS_FLOAT | AS_SNORM, AT(ts_vertex, normal)},
-	{"TANGENT", TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_SNORM, AT(ts_vertex, tangent)},
-	{"TEXCOORD_0", TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC2, AS_FLOAT | AS_UNORM | AS_SMALL, AT(ts_vertex, uv)},
-	{"TEXCOORD_1", TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC2, AS_FLOAT | AS_UNORM | AS_SMALL, AT(ts_vertex, uv) + 2},
-	{"COLOR_0", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_UNORM, AT(ts_vertex, colour)},
-	{"JOINTS_0", TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC4, AS_JOINT, AT(skinned, by.joint)},
-	{"WEIGHTS_0", TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_UNORM, AT(skinned, by.weight)},
+	{"POSITION", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC3, AS_FLOAT | AS_SMALL, AT(ts_vertex, position), false},
+	{"NORMAL", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC3, AS_FLOAT | AS_SNORM, AT(ts_vertex, normal), false},
+	{"TANGENT", TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_SNORM, AT(ts_vertex, tangent), false},
+	{"TEXCOORD_0", TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC2, AS_FLOAT | AS_UNORM | AS_SMALL, AT(ts_vertex, uv), false},
+	{"TEXCOORD_1", TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC2, AS_FLOAT | AS_UNORM | AS_SMALL, AT(ts_vertex, uv) + 2,
+     false},
+	{"COLOR_0", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_UNORM, AT(ts_vertex, colour), false},
+	{"JOINTS_0", TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC4, AS_JOINT, AT(skinned, by.joint), true},
+	{"WEIGHTS_0", TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_UNORM, AT(skinned, by.weight), true},
 };
 static constexpr size_t n_unskinned = 6; /* of the forms */
 

@@ -259,7 +259,8 @@ const std::vector<ts_place> *walker::pose_of(int skin)
 {
 	if (skin < 0) return nullptr;
 	auto found = poses.find(skin);
-	return &(found != poses.end() ? found : poses.emplace(skin, skin_pose(in, skin)).first)->second;
+	if (found == poses.end()) found = poses.emplace(skin, skin_pose(in, skin)).first;
+	return found->second.empty() ? nullptr : &found->second;
 }
 
 /* A skin moves its mesh, not the node. */
@@ -298,7 +299,7 @@ void walker::draw(int mesh, const visit &at, const std::vector<ts_place> *pose)
 		const piece &p = list[i];
 		visit still = at;
 		bool skinned = pose != nullptr && !p.influences.empty();
-		if (skinned) skin_check(in, p, pose->size(), where + std::to_string(i));
+		if (skinned) skin_note(in, p, pose->size());
 		if (skinned) still.mover = -1;
 		if (pose != nullptr && !skinned && !p.corners.empty())
 			in.notes.insert("primitives of skinned meshes without JOINTS_0 and WEIGHTS_0 stand at their node");

@@ -9,6 +9,7 @@ enum kind {
 	EXTRAS, /* an OBJECT; a value of another type is ignored */
 	OBJECT, /* `of`: the path under which its properties are listed, if not its own */
 	LIST,   /* of objects */
+	SPARED, /* the same; of one that is not as it should be a note says so, and its list `of` is empty */
 	TEXT,   /* `of`: the words allowed, if not any */
 	FLAG,
 	EXTRA_FLAG, /* a FLAG of ours among other programs' extras: a value of another type is noted and ignored */
@@ -181,7 +182,7 @@ static const rule rules[] = {
 	{"extensions.KHR_lights_punctual.lights[].spot", OBJECT},
 	{"extensions.KHR_lights_punctual.lights[].spot.innerConeAngle", NUMBER, false, nullptr, 0, 1.5707963267948967},
 	{"extensions.KHR_lights_punctual.lights[].spot.outerConeAngle", NUMBER, false, nullptr, 0, 1.5707963267948967},
-	{"skins", LIST},
+	{"skins", SPARED, false, "joints"},
 	{"skins[].joints", INDICES, true, "nodes"},
 	{"skins[].inverseBindMatrices", INDEX, false, "accessors"},
 	{"animations", LIST},

@@ -13,7 +13,7 @@ static ts_place bind_of(const view &list, size_t joint)
 	                                   std::to_string(joint));
 }
 
-std::vector<ts_place> skin_pose(loader &in, int index)
+static std::vector<ts_place> read_pose(loader &in, int index)
 {
 	const tinygltf::Skin &skin = in.model.skins.at((size_t)index);
 	std::vector<ts_place> pose;
@@ -35,14 +35,31 @@ std::vector<ts_place> skin_pose(loader &in, int index)
 	return pose;
 }
 
+std::vector<ts_place> skin_pose(loader &in, int index)
+{
+	try {
+		return read_pose(in, index);
+	} catch (const error &e) {
+		if (e.kind != TS_KIND_FORMAT) throw;
+		in.notes.insert(e.line + ": the skin is ignored");
+		return {};
+	}
+}
+
+/* Whether one of the four joints counts. */
+static bool is_held(const influence &by, size_t k, size_t n_joints)
+{
+	return by.weight[k] > 0.0f && by.joint[k] < (f32)n_joints;
+}
+
 /* The blended matrix; without a weight that of nothing: the vertex stands as modelled. */
 static ts_place blend(const std::vector<ts_place> &pose, const influence &by)
 {
 	f32 sum = 0.0f, matrix[16] = {0.0f};
-	for (f32 weight : by.weight) sum += weight;
+	for (size_t k = 0; k < 4; k++) sum += is_held(by, k, pose.size()) ? by.weight[k] : 0.0f;
 	if (!(sum > 0.0f)) return ts_place_identity();
 	for (size_t k = 0; k < 4; k++) {
-		if (by.weight[k] == 0.0f) continue;
+		if (!is_held(by, k, pose.size())) continue;
 		const ts_place &joint = pose[(size_t)by.joint[k]];
 		f32 weight = by.weight[k] / sum;
 		for (size_t row = 0; row < 3; row++) {
@@ -57,20 +74,17 @@ static ts_place blend(const std::vector<ts_place> &pose, const influence &by)
 
 static constexpr f32 near_1 = 0x1p-7f; /* of weights of bytes, each of which is rounded */
 
-void skin_check(loader &in, const piece &piece, size_t n_joints, const std::string &where)
+void skin_note(loader &in, const piece &piece, size_t n_joints)
 {
-	for (size_t i = 0; i < piece.influences.size(); i++) {
-		const influence &by = piece.influences[i];
-		f32 sum = by.weight[0] + by.weight[1] + by.weight[2] + by.weight[3];
+	for (const influence &by : piece.influences) {
+		f32 sum = 0.0f;
+		for (size_t k = 0; k < 4; k++) {
+			sum += is_held(by, k, n_joints) ? by.weight[k] : 0.0f;
+			if (by.weight[k] != 0.0f && !is_held(by, k, n_joints))
+				in.notes.insert("weights below 0, and joints that a skin does not have, are ignored");
+		}
 		if (ts_abs(sum - 1.0f) > near_1)
 			in.notes.insert("weights of joints that do not add up to 1 are divided by their sum");
-		for (size_t k = 0; k < 4; k++) {
-			if (by.weight[k] < 0.0f)
-				fail("%s: vertex %zu: the weight %g; a number from 0 is expected", where.c_str(), i,
-				     (double)by.weight[k]);
-			if (by.weight[k] != 0.0f && by.joint[k] >= (f32)n_joints)
-				fail("%s: vertex %zu: joint %g; its skin has %zu", where.c_str(), i, (double)by.joint[k], n_joints);
-		}
 	}
 }
 
