@@ -133,7 +133,8 @@ row("3.7.3.1", MUST, "inverse bind matrices: floats of MAT4", "skin_matrices_vec
     edit(skinned(), ("skins/0/inverseBindMatrices", data("f32", "VEC4", [0] * 8))),
     noted("the type is not what this use needs: the skin is ignored"))
 row("3.7.3.1", MUST, "inverse bind matrices: the last row is 0 0 0 1", "skin_matrix_row",
-    skinned(matrices=[[1, 0, 0, 0.5] + IDENTITY[4:], IDENTITY]), noted("the last row must be 0 0 0 1: the skin is ignored"))
+    skinned(matrices=[[1, 0, 0, 0.5] + IDENTITY[4:], IDENTITY]),
+    noted("the last row must be 0 0 0 1: the skin is ignored"))
 row("3.7.3.1", MUST, "inverse bind matrices are applied", "skin_matrices",
     skinned(matrices=[moved(1), IDENTITY]), same(shifted(1)))
 row("3.7.3.1", MUST, "more inverse bind matrices than joints are allowed", "skin_matrices_many",
