@@ -217,6 +217,7 @@ static void set_off(ts_scene *scene)
 }
 
 #define COARSE 8192.0f /* a box that has less than 1024 steps of binary32 at its greatest coordinate */
+#define FAR 1024.0f    /* a box of one place is noted from here on */
 
 /* Before mirrors are added the box is that of what the file draws. */
 static void note_coarse(ts_build *build)
@@ -227,7 +228,7 @@ static void note_coarse(ts_build *build)
 		extent = ts_max(extent, info->box_max[k] - info->box_min[k]);
 		far = ts_max(far, ts_max(ts_abs(info->box_min[k]), ts_abs(info->box_max[k])));
 	}
-	if (extent * COARSE < far)
+	if (extent * COARSE < far && (extent > 0.0f || far > FAR))
 		ts_build_note(build,
 		              "the scene is %g large and %g from the origin, where binary32 has steps of %g: move it there",
 		              (double)extent, (double)far, (double)ts_u2f(ts_f2u(far) & 0x7f800000u) * 0x1p-23);

@@ -404,6 +404,47 @@ static void mips_of_a_constant_image_are_constant(void **state)
 	ts_scene_free(scene);
 }
 
+static bool notes(const ts_scene *scene, const char *words)
+{
+	bool found = false;
+	for (u32 i = 0; i < scene->n_notes; i++) found |= strstr(scene->notes[i], words) != NULL;
+	return found;
+}
+
+static void colours_outside_are_clamped_and_counted(void **state)
+{
+	(void)state;
+	ts_build *build = start();
+	ts_vertex v = {.colour = {-1.0f, 2.0f, 0.5f, 1.5f}};
+	ts_surfel s = {.u = {1.0f}, .v = {0.0f, 1.0f}, .colour = {0.0f, 1.0f, 1.25f}};
+	u32 i = ts_build_vertex(build, &v), k = ts_build_surfel(build, &s);
+	ts_material m = ts_material_default();
+	m.base[0] = 1.5f;
+	u32 j = ts_build_material(build, &m);
+	ts_scene *scene = finish(build);
+	static const f32 clamped[] = {0.0f, 1.0f, 0.5f, 1.0f};
+	assert_memory_equal(scene->vertices[i].colour, clamped, sizeof clamped);
+	assert_true(scene->surfels[k].colour[2] == 1.0f && scene->materials[j].base[0] == 1.0f);
+	assert_true(notes(scene, "2 vertices or points have colours outside 0 to 1"));
+	assert_true(notes(scene, "base colour 1.5 is outside 0 to 1, read as 1"));
+	ts_scene_free(scene);
+}
+
+/* A box of fewer than 1024 steps of binary32, where it stands. */
+static void scenes_far_from_the_origin_are_noted(void **state)
+{
+	(void)state;
+	static const f32 far[] = {0.0f, 1.0f, 8000.0f, 8400.0f, 500000.0f};
+	for (u32 i = 0; i < sizeof far / sizeof *far; i++) {
+		ts_build *build = ts_build_new("test");
+		for (u32 k = 0; k < 3; k++) vertex(build, far[i], k == 1 ? 1.0f : 0.0f, k == 2 ? 1.0f : 0.0f);
+		ts_build_triangle(build, 0, 1, 2, TS_NONE);
+		ts_scene *scene = finish(build);
+		assert_int_equal(notes(scene, "from the origin, where binary32 has steps of"), far[i] > 8192.0f);
+		ts_scene_free(scene);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -424,6 +465,8 @@ int main(void)
 		cmocka_unit_test_setup(coded_texels_follow_the_curve, set_up),
 		cmocka_unit_test_setup(every_texel_of_mips_is_a_mean, set_up),
 		cmocka_unit_test_setup(mips_of_a_constant_image_are_constant, set_up),
+		cmocka_unit_test_setup(colours_outside_are_clamped_and_counted, set_up),
+		cmocka_unit_test_setup(scenes_far_from_the_origin_are_noted, set_up),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
