@@ -81,14 +81,6 @@ static std::string shown(const json_t *value)
 	fail("%s is %s; %s is expected", where.c_str(), shown(value).c_str(), expected);
 }
 
-/* 3.0 is as good as 3. */
-static bool is_whole(const json_t *value, double low, double high)
-{
-	if (!json_is_number(value)) return false;
-	double x = json_number_value(value);
-	return x >= low && x <= high && x == (double)(json_int_t)x;
-}
-
 static std::string range_text(const char *what, double low, double high)
 {
 	char text[96];
@@ -103,9 +95,10 @@ json_int_t checker::check_index(json_t *value, const rule &r, const std::string 
 {
 	size_t n = lengths.at(r.of);
 	if (n == 0) fail("%s is %s; the file has no %s", where.c_str(), shown(value).c_str(), r.of);
-	if (!is_whole(value, 0, (double)n - 1))
+	json_int_t index;
+	if (!ts_json_whole(&index, value, 0, (json_int_t)n - 1))
 		refuse(where, value, range_text("a whole number", 0, (double)n - 1).c_str());
-	return (json_int_t)json_number_value(value);
+	return index;
 }
 
 /* A number that a rounding to binary32 put outside its range is the nearest inside, and noted. */
@@ -145,8 +138,10 @@ static void check_text(const json_t *value, const rule &r, const std::string &wh
 
 static void check_whole(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where)
 {
-	if (!is_whole(value, r.low, r.high)) refuse(where, value, range_text("a whole number", r.low, r.high).c_str());
-	put(parent, key, json_integer((json_int_t)json_number_value(value)));
+	json_int_t n;
+	if (!ts_json_whole(&n, value, (json_int_t)r.low, (json_int_t)r.high))
+		refuse(where, value, range_text("a whole number", r.low, r.high).c_str());
+	put(parent, key, json_integer(n));
 }
 
 void checker::check_list(json_t *list, const rule &r, const std::string &where)
