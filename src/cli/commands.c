@@ -137,7 +137,7 @@ const ts_command ts_command_table[] = {
      .says_skipped = true,
      .failed = ts_golden_failed},
 	{"merge", "DIR...", "results of shards, put together", 1, TS_MAX_ARGUMENTS, TS_OPT(JUNIT), TS_OPT(MARKDOWN),
-     TS_OPT(TAP), TS_OPT(OUTPUT), TS_OPT(FORCE), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_merge_command},
+     TS_OPT(TAP), TS_OPT(OUTPUT), TS_OPT(FORCE), TS_OPT(REPORT), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_merge_command},
 	{"vectors", "[PRIMITIVE...] -o DIR | --check DIR",
      "inputs and outputs of arithmetic primitives, to write or to check", 0, TS_MAX_ARGUMENTS, TS_OPT(OUTPUT),
      TS_OPT(FORCE), TS_OPT(CHECK), TS_OPT(QUIET), TS_OPT(JSON), .run = ts_vectors_command},

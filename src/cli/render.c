@@ -206,7 +206,7 @@ ts_status ts_render_command(ts_cli *cli)
 	if (choose_truths(job) != TS_OK) return TS_ERROR;
 	ts_measure_keep_memory();
 	ts_effect_params(job, job->effect);
-	if (job->exposed && ts_exposure_choose(job) != TS_OK) return TS_ERROR;
+	if (job->exposed && cli->parts == NULL && ts_exposure_choose(job) != TS_OK) return TS_ERROR;
 	if (job->output.report != NULL && ts_render_page_check(job) != TS_OK) return TS_ERROR;
 	ts_status status = series ? ts_render_series(cli) : ts_render_with(job, work_in_folder, NULL);
 	if (status == TS_OK && job->output.report != NULL) status = ts_render_page(cli);

@@ -245,24 +245,37 @@ static ts_status make_frames(ts_series *series)
 	return status;
 }
 
+static ts_status open_scene(ts_series *series, const ts_params *before)
+{
+	if (series->cli->parts != NULL) return series->begun ? TS_OK : ts_series_fetch_head(series);
+	if (series->begun && is_other_scene(series, before)) {
+		ts_scene_free(series->render->own);
+		series->render->scene = series->render->own = NULL;
+	}
+	return ts_render_open(series->render);
+}
+
+static ts_status report_missing(ts_series *series)
+{
+	if (series->cli->parts != NULL) return ts_series_fetch_missing(series);
+	u32 absent = ts_render_truths_absent(series->render);
+	if (!series->begun || absent != series->absent) ts_render_truths_missing(series->render, &series->report);
+	series->absent = absent;
+	return TS_OK;
+}
+
 static ts_status make_combination(ts_series *series)
 {
 	ts_job *job = series->job;
 	ts_params before = job->params;
 	ts_status status = ts_sweep_set(&job->sweep, series->combination, &job->params, series->values);
 	ts_frames_set(&job->params, &job->frames, 0);
-	if (status == TS_OK && series->begun && is_other_scene(series, &before)) {
-		ts_scene_free(series->render->own);
-		series->render->scene = series->render->own = NULL;
-	}
-	if (status == TS_OK) status = ts_render_open(series->render);
-	if (status != TS_OK) return status;
-	u32 absent = ts_render_truths_absent(series->render);
 	bool first = !series->begun;
+	if (status == TS_OK) status = open_scene(series, &before);
+	if (status != TS_OK) return status;
 	if (first) ts_render_report_head(series->render, &series->report);
-	if (first || absent != series->absent) ts_render_truths_missing(series->render, &series->report);
-	if (first && job->sweep.n == 0) status = ts_report_print(&series->report);
-	series->absent = absent;
+	status = report_missing(series);
+	if (status == TS_OK && first && job->sweep.n == 0) status = ts_report_print(&series->report);
 	series->begun = true;
 	forget_before(series);
 	if (status == TS_OK) status = make_frames(series);
@@ -391,6 +404,7 @@ static void release(ts_series *series)
 	ts_contact_free(&series->contact);
 	ts_keep_free(&series->keep);
 	json_decref(series->renders);
+	free(series->reported.notes);
 	free(series->data);
 	free(series);
 }

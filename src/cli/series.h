@@ -71,6 +71,7 @@ typedef struct {
 	bool begun;              /* the report has its head */
 	json_t *renders;         /* of a shard: results of its renders */
 	const ts_part *from;     /* merge: the shard of this render */
+	ts_scene reported;       /* merge: of the scene, what the shards report */
 	const json_t *fetched;   /* merge: the results of this render */
 	u32 absent;              /* truths that cannot be made and were reported */
 	ts_datum *data;          /* of the plots */
@@ -90,6 +91,10 @@ bool ts_series_has(const ts_series *series, u32 combination, u32 k);
 ts_status ts_series_record(ts_series *series);
 /* Writes the report as one of a shard. */
 ts_status ts_series_shard_write(ts_series *series);
+/* Takes the scene's figures, the exposure and the backend from the first shard, for merge: the scene is not opened. */
+ts_status ts_series_fetch_head(ts_series *series);
+/* Reports the truths that the shard of this combination lacks, unless the one before lacked the same. */
+ts_status ts_series_fetch_missing(ts_series *series);
 /* Takes the pictures, times and figures of this render from the shard that made them, for merge. */
 ts_status ts_series_fetch(ts_series *series);
 ts_status ts_series_fetch_figures(ts_series_figure_list *figures, const ts_series *series, u32 shown);

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "cli/vectors.h"
+#include "model/input.h"
 #include "model/json.h"
 #include "output/npy.h"
 
@@ -93,7 +94,7 @@ ts_status ts_vectors_read_contract(const char *dir)
 	if (stat(path, &info) != 0) return TS_OK;
 	size_t bytes = 0;
 	bool readable = S_ISREG(info.st_mode) && info.st_size <= MAX_INDEX_BYTES;
-	char *text = readable ? ts_text_read(&bytes, path) : NULL;
+	char *text = readable ? ts_text_read(&bytes, path, MAX_INDEX_BYTES) : NULL;
 	if (readable && text == NULL) return TS_ERROR;
 	errno = 0;
 	json_t *root = text != NULL ? json_loadb(text, bytes, 0, &error) : NULL;

@@ -3,16 +3,12 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-static ts_status fail(const ts_golden_dir *dir, const char *name, const char *what)
-{
-	return ts_fail_as(TS_KIND_FILE, "%s/%s: %s: %s", dir->path, name, what, strerror(errno));
-}
+#include "model/input.h"
 
 ts_status ts_golden_dir_open(ts_golden_dir *dir, const ts_golden_dir *parent, const char *name)
 {
@@ -55,38 +51,10 @@ ts_status ts_golden_names(const ts_golden_dir *dir, ts_status (*each)(void *user
 	return status;
 }
 
-static ts_status read_all(int fd, char *data, size_t bytes)
-{
-	for (size_t done = 0; done < bytes;) {
-		ssize_t n = read(fd, data + done, bytes - done);
-		if (n == 0) errno = EIO;
-		if (n == 0 || (n < 0 && errno != EINTR)) return TS_ERROR;
-		if (n > 0) done += (size_t)n;
-	}
-	return TS_OK;
-}
-
 ts_status ts_golden_read_file(char **data, size_t *bytes, const ts_golden_dir *dir, const char *name, size_t most)
 {
-	struct stat s;
-	ts_status status = TS_ERROR;
-	*data = NULL;
-	*bytes = 0;
-	int fd = openat(dir->fd, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-	if (fd < 0) return fail(dir, name, "cannot open");
-	if (fstat(fd, &s) != 0 || !S_ISREG(s.st_mode)) {
-		ts_fail_as(TS_KIND_FILE, "%s/%s: not a regular file", dir->path, name);
-	} else if ((unsigned long long)s.st_size > most) {
-		ts_fail("%s/%s: %llu bytes; at most %zu are right", dir->path, name, (unsigned long long)s.st_size, most);
-	} else if ((*data = ts_alloc((size_t)s.st_size + 1, 1, "a golden")) != NULL) {
-		*bytes = (size_t)s.st_size;
-		(*data)[*bytes] = 0;
-		status = read_all(fd, *data, *bytes);
-		if (status != TS_OK) fail(dir, name, "cannot read");
-	}
-	close(fd);
-	if (status == TS_OK) return TS_OK;
-	free(*data);
-	*data = NULL;
-	return TS_ERROR;
+	char path[TS_GOLDEN_PATH + NAME_MAX];
+	snprintf(path, sizeof path, "%s/%s", dir->path, name);
+	*data = ts_input_take(bytes, openat(dir->fd, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC), path, most);
+	return *data != NULL ? TS_OK : TS_ERROR;
 }

@@ -13,6 +13,7 @@
 #include "image/format.h"
 #include "image/optional.h"
 #include "image/png.h"
+#include "model/input.h"
 #include "output/file.h"
 
 enum { MOST_PIXELS = 1 << 28 }; /* for reading and writing */
@@ -192,13 +193,9 @@ static bool is_read(ts_image_format format) { return format == TS_IMAGE_EXR || t
 ts_status ts_image_format_of(ts_image_format *format, const char *path)
 {
 	uint8_t head[TS_IMAGE_HEAD];
-	struct stat info;
-	if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
-		return ts_fail_as(TS_KIND_FILE, "%s: not a regular file; a PNG, JPEG or EXR is expected", path);
-	FILE *file = fopen(path, "rb");
-	if (file == NULL) return ts_fail_as(TS_KIND_FILE, "%s: %s; a PNG, JPEG or EXR is expected", path, strerror(errno));
-	size_t n = fread(head, 1, sizeof head, file);
-	fclose(file);
+	size_t n;
+	if (ts_input_head(&n, head, sizeof head, path) != TS_OK)
+		return ts_fail_as(TS_KIND_FILE, "%s; a PNG, JPEG or EXR is expected", ts_error_message());
 	const char *name = "its first bytes are those of no format";
 	*format = ts_image_format_find(head, n, &name);
 	return is_read(*format) ? TS_OK : ts_fail(EXPECTED, path, name);
@@ -262,7 +259,7 @@ ts_status ts_image_read_framed(float **pixels, uint32_t *width, uint32_t *height
 	if (TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(path)) return TS_ERROR;
 	if (ts_blame(ts_image_format_of(&is, path), TS_KIND_FORMAT) != TS_OK || require_codec(path) != TS_OK)
 		return TS_ERROR;
-	void *file = ts_input_read(&bytes, path);
+	void *file = ts_input_read(&bytes, path, TS_INPUT_ANY);
 	if (file == NULL) return TS_ERROR;
 	ts_status status = ts_blame(read_file(pixels, width, height, channels, frame, file, bytes, path), TS_KIND_FORMAT);
 	free(file);

@@ -47,14 +47,6 @@ void ts_memory_large_pages(void *memory, size_t bytes);
 /* Grows *array (of *capacity elements) to hold at least `need`, at least doubling. */
 ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, const char *what);
 
-/* Returns all bytes of a regular file, which is untrusted, and a 0 behind them; to be released by free(). NULL with the
- * message set if the file cannot be read or is larger than a third of the machine's memory. */
-char *ts_input_read(size_t *bytes, const char *path);
-/* The same of a text, without the byte order mark that may begin it. */
-char *ts_text_read(size_t *bytes, const char *path);
-/* Bytes of the mark, in UTF-8, with which a text begins: 3 or 0. */
-size_t ts_text_mark(const char *text, size_t n);
-
 /* Bytes of this process in memory: those of files, such as libraries, and allocated ones that are not released. */
 uint64_t ts_memory_used(void);
 /* As ts_memory_used, with released bytes that the process keeps. */

@@ -5,10 +5,11 @@
 #include <touchstone/image.h>
 #include <unistd.h>
 #include "image/png.h"
+#include "model/input.h"
 #include "output/json/text.h"
 #include "report/page.h"
 
-enum { PATH_BYTES = 4608, NAME_BYTES = 256, MOST_SIDE = 1 << 14 };
+enum { PATH_BYTES = 4608, NAME_BYTES = 256, MOST_SIDE = 1 << 14, MOST_BYTES = 1 << 30 };
 
 /* A PNG file of a folder. */
 typedef struct {
@@ -70,12 +71,13 @@ static void drop_alpha(u8 *rgba, size_t n)
 static u32 big_endian(const u8 *p) { return (u32)p[0] << 24 | (u32)p[1] << 16 | (u32)p[2] << 8 | p[3]; }
 
 /* *png, to be released by free(): a PNG with nothing but pixels, of the size in its header. */
-static ts_status read_png(u8 **png, size_t *bytes, ts_page_picture *picture, const char *path)
+static ts_status read_png(u8 **png, size_t *bytes, ts_page_picture *picture, const found *f)
 {
 	static const u8 signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 	size_t file_bytes;
+	const char *path = f->path;
 	*png = NULL;
-	u8 *file = (u8 *)ts_input_read(&file_bytes, path);
+	u8 *file = (u8 *)ts_input_read_in(&file_bytes, f->dir, f->file, MOST_BYTES);
 	if (file == NULL) return TS_ERROR;
 	bool is = file_bytes > sizeof signature && memcmp(file, signature, sizeof signature) == 0;
 	ts_status status = is ? ts_png_clean(png, bytes, file, file_bytes, path) : ts_fail("%s: no PNG", path);
@@ -105,7 +107,7 @@ static ts_status add_picture(ts_page *page, const found *f, const json_t *report
 	size_t bytes;
 	char from[PATH_BYTES];
 	p.folder = page->n_folders;
-	if (read_png(&png, &bytes, &p, f->path) != TS_OK) return TS_ERROR;
+	if (read_png(&png, &bytes, &p, f) != TS_OK) return TS_ERROR;
 	ts_status status = TS_OK;
 	if (f->method || f->truth) {
 		status = ts_image_decode(&p.rgb, &p.width, &p.height, png, bytes, (u64)MOST_SIDE * MOST_SIDE, f->path);
@@ -130,7 +132,7 @@ static ts_status add_media(ts_page *page, const char *dir, const json_t *report,
 		size_t bytes;
 		if (file == NULL || file[0] == '.' || strchr(file, '/') != NULL || fnmatch(types[i][0], file, 0) != 0) continue;
 		snprintf(path, sizeof path, "%s/%s", dir, file);
-		char *content = ts_input_read(&bytes, path);
+		char *content = ts_input_read_in(&bytes, dir, file, MOST_BYTES);
 		json_t *coded = content != NULL ? ts_page_base64(content, bytes, path) : NULL;
 		free(content);
 		if (coded == NULL) return TS_ERROR;

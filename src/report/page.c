@@ -4,6 +4,7 @@
 #include <unistd.h>
 #include "image/falsecolour.h"
 #include "image/flip.h"
+#include "model/input.h"
 #include "model/json.h"
 #include "output/file.h"
 #include "page.inc"
@@ -87,12 +88,12 @@ ts_status ts_page_read(json_t **root, const char *dir, const char *name, bool ab
 	*root = NULL;
 	snprintf(path, sizeof path, "%s/%s", dir, name);
 	if (absent && access(path, F_OK) != 0) return TS_OK;
-	char *text = ts_text_read(&bytes, path);
+	char *text = ts_input_read_in(&bytes, dir, name, MOST_JSON_BYTES);
 	if (text == NULL) return TS_ERROR;
+	const size_t mark = ts_text_mark(text, bytes);
 	errno = 0;
-	if (bytes <= MOST_JSON_BYTES) *root = json_loadb(text, bytes, 0, &error);
+	*root = json_loadb(text + mark, bytes - mark, 0, &error);
 	free(text);
-	if (bytes > MOST_JSON_BYTES) return ts_fail("%s: %zu bytes; at most %d are read", path, bytes, MOST_JSON_BYTES);
 	if (*root == NULL) return ts_fail("%s: %s", path, ts_json_why(why, &error));
 	if (json_is_object(*root)) return TS_OK;
 	json_decref(*root);

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "model/core.h"
 #include "model/decimal.h"
+#include "model/input.h"
 #include "scene/build_parts.h"
 #include "scene/sources.h"
 #include "scene/view.h"
@@ -195,11 +196,9 @@ const char *ts_path_add(ts_build *build, const char *file, bool own_fov)
 	reader r = {.build = build, .file = file};
 	if (build->failed) return NULL;
 	const ts_kind before = ts_build_about(build, TS_KIND_FORMAT);
-	char *text = ts_text_read(&bytes, file);
+	char *text = ts_text_read(&bytes, file, TS_PATH_MAX_BYTES);
 	if (text == NULL) {
 		ts_build_adopt(build);
-	} else if (bytes > TS_PATH_MAX_BYTES) {
-		ts_build_fail(build, "%s: %zu bytes; a path may have %d", file, bytes, TS_PATH_MAX_BYTES);
 	} else {
 		r.keys = ts_alloc(count_lines(text, bytes), sizeof *r.keys, "keyframes");
 		if (r.keys == NULL) ts_build_adopt(build);

@@ -83,6 +83,8 @@ ts_status ts_render_truths_rest(ts_render *render);
 /* Bits of the truths that the scene does not have, or that are left out because of their work; prints a line for
  * each. */
 u32 ts_render_truths_absent(const ts_render *render);
+enum { TS_MISSING_LINE = 4096 };
+void ts_render_truth_missing(char *line, size_t bytes, const ts_render *render, u32 truth);
 void ts_render_truths_missing(const ts_render *render, ts_report *report);
 /* The method from whose run the truth starts: the first chosen one, otherwise the first of the effect; NULL: none. */
 const ts_pipeline *ts_render_truth_method(const ts_render *render, const ts_truth_kind *kind);

@@ -107,17 +107,24 @@ ts_status ts_render_truths_rest(ts_render *render)
 	return status;
 }
 
+void ts_render_truth_missing(char *line, size_t bytes, const ts_render *render, u32 truth)
+{
+	const ts_truth_kind *kind = ts_truths()[truth];
+	if (!exists(render, kind)) {
+		snprintf(line, bytes, "truth %s: none of %s; %s", kind->name, render->scene->name, kind->why_not);
+	} else {
+		snprintf(line, bytes, "truth %s: left out, as it takes more than truth.rays; --set truth.rays=0 makes it",
+		         kind->name);
+	}
+}
+
 void ts_render_truths_missing(const ts_render *render, ts_report *report)
 {
 	u32 absent = ts_render_truths_absent(render);
+	char line[TS_MISSING_LINE];
 	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
-		const ts_truth_kind *kind = ts_truths()[t];
 		if ((absent >> t & 1) == 0) continue;
-		if (!exists(render, kind)) {
-			ts_report_line(report, "truth %s: none of %s; %s", kind->name, render->scene->name, kind->why_not);
-		} else {
-			ts_report_line(report, "truth %s: left out, as it takes more than truth.rays; --set truth.rays=0 makes it",
-			               kind->name);
-		}
+		ts_render_truth_missing(line, sizeof line, render, t);
+		ts_report_line(report, "%s", line);
 	}
 }

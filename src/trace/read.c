@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
+#include "model/input.h"
 #include "model/json.h"
 #include "trace/describe.h"
 #include "trace/item.h"

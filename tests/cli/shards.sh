@@ -123,60 +123,13 @@ refuses_merge 'ran with "--ulp=1"' 'with other options' s-1 other s-3
 run "${golden[@]}" --shard 2/3 -o other-command
 refuses_merge 'of command golden check, and s-1 of compare' 'of another command' s-1 other-command s-3
 stamp another .
+for i in 1 2; do ./touchstone compare r/trace-epr c --shard $i/2 -o "another-$i" > /dev/null; done
+refuses_merge 'another-1: of commit another, and this program of ' 'of another program' another-1 another-2
 ./touchstone compare r/trace-epr c --shard 2/3 -o other-commit > /dev/null
 refuses_merge 'of commit another, and s-1 of ' 'of another commit' s-1 other-commit s-3
 run compare r/trace-epr c -o no-shard
-refuses_merge 'no SHA256SUMS there' 'of no shard' no-shard s-1
-refuses_merge 'nowhere: no SHA256SUMS there' 'of no folder' nowhere
-bad=0
-for file in s-2/[^t]*; do # times are no results
-	rm -rf hurt && cp -r s-2 hurt
-	python3 - "hurt/${file#s-2/}" <<'PY'
-import sys
-data = bytearray(open(sys.argv[1], "rb").read())
-data[len(data) // 2] ^= 1
-open(sys.argv[1], "wb").write(data)
-PY
-	run merge s-1 hurt s-3
-	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] &&
-		grep -q '^touchstone: hurt: damaged: .*; run that shard again$' stderr || bad=1
-	[ "${file#s-2/}" = SHA256SUMS ] ||
-		{ rm "hurt/${file#s-2/}" && run merge s-1 hurt s-3; [ "$status" -eq 2 ] || bad=1; }
-done
-verdict "$bad" 'a file that is damaged, or missing'
-rm -rf hurt && cp -r s-2 hurt && echo '{}' > hurt/times.json
-run merge s-1 hurt s-3
-[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ]
-verdict $? 'no times'
-# seal FOLDER: as if it was written so.
-seal() { (cd "$1" && rm SHA256SUMS && sha256sum $(find . -type f -printf '%P\n') > ../sums && mv ../sums SHA256SUMS); }
-# forge NAME PYTHON: a shard 2 whose report says something else is refused, and nothing crashes.
-forge() {
-	rm -rf hurt && cp -r s-2 hurt && python3 - hurt/report.json "$2" <<'PY'
-import json, sys
-report = json.load(open(sys.argv[1]))
-shard = report["shard"]
-exec(sys.argv[2])
-json.dump(report, open(sys.argv[1], "w"))
-PY
-	seal hurt
-	rm -rf forged
-	run merge s-1 hurt s-3 -o forged
-	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && [ ! -e forged ]
-	verdict $? "refused: $1"
-}
-forge 'no shard' 'del report["shard"]'
-forge 'a number that is none' 'shard["index"] = "2"'
-forge 'an index beyond' 'shard["index"] = 4'
-forge 'no list of cases' 'shard["cases"] = 7'
-forge 'other cases' 'shard["cases"].append("more")'
-forge 'no rows' 'report["stages"] = {}'
-forge 'a row of another shard' 'report["stages"][0]["stage"] = "scene"'
-forge 'a row without an outcome' 'del report["stages"][0]["outcome"]'
-forge 'lines that are numbers' 'report["stages"][0]["lines"] = [1]'
-forge 'another reference' 'report["reference"] = "elsewhere"'
-forge 'no verdict' 'del report["verdict"]'
-forge 'a status of its own' 'shard["status"] = 3'
+refuses_merge 'no-shard/SHA256SUMS: No such file' 'of no shard' no-shard s-1
+refuses_merge 'nowhere/SHA256SUMS: No such file' 'of no folder' nowhere
 run merge s-1 s-2 s-3 -o s-1
 [ "$status" -eq 2 ] && grep -q 's-1: not empty' stderr
 verdict $? 'a shard is not replaced by what is merged'

@@ -288,6 +288,31 @@ static void wrong_reports_are_refused(void **state)
 	for (u32 i = 0; i < 5; i++) unlink(scratch_path("%s", files[i]));
 }
 
+/* Whatever is a link, of a folder that somebody else wrote, is not read. */
+static void links_are_refused(void **state)
+{
+	(void)state;
+	static const char all[] = "{\"program\": \"touchstone\", \"files\": [\"%s\"]}";
+	static const char *const names[] = {"link.png", "link.svg", "way/one.png", "times.json", "report.json"};
+	put_png("one.png", 3);
+	for (u32 i = 0; i < 5; i++) {
+		char text[128], told[128];
+		ts_page *page = new_page(0);
+		snprintf(text, sizeof text, all, names[i]);
+		put("report.json", text);
+		if (i == 4) assert_int_equal(rename(scratch_path("report.json"), scratch_path("real.json")), 0);
+		const char *to = i == 2 ? "." : i == 4 ? "real.json" : "one.png";
+		assert_int_equal(symlink(to, scratch_path("%s", i == 2 ? "way" : names[i])), 0);
+		snprintf(told, sizeof told, i == 2 ? "%s: Not a directory" : "%s: a link; the file itself would be right",
+		         names[i]);
+		refused(ts_page_add_folder(page, scratch_root), told);
+		unlink(scratch_path("%s", i == 2 ? "way" : names[i]));
+		ts_page_free(page);
+	}
+	unlink(scratch_path("real.json"));
+	unlink(scratch_path("one.png"));
+}
+
 static void damaged_times_are_refused(void **state)
 {
 	(void)state;
@@ -312,6 +337,7 @@ int main(void)
 		cmocka_unit_test(each_folder_gives_its_report),
 		cmocka_unit_test(the_first_folder_judges_the_second),
 		cmocka_unit_test(wrong_reports_are_refused),
+		cmocka_unit_test(links_are_refused),
 		cmocka_unit_test(damaged_times_are_refused),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);

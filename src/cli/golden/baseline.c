@@ -4,8 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include "model/core.h"
+#include "model/input.h"
 #include "study/asked/words.h"
 #include "trace/emitted/emit.h"
+
+enum { MOST_BYTES = 1 << 24 };
 
 const ts_entry *ts_baseline_find(const ts_baseline *b, const char *name, const char *buffer)
 {
@@ -93,7 +96,7 @@ static ts_status read_list(ts_baseline *b, const char *path, const reading *r)
 	size_t bytes;
 	u32 number = 1;
 	*b = (ts_baseline){.path = path};
-	b->text = ts_text_read(&bytes, path);
+	b->text = ts_text_read(&bytes, path, MOST_BYTES);
 	if (b->text == NULL) return TS_ERROR;
 	if (strlen(b->text) != bytes) return ts_fail("%s: a byte that is no text", path);
 	for (char *line = b->text, *end; *line != 0; line = end, number++) {

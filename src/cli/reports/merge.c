@@ -47,6 +47,14 @@ static ts_status check_run(const ts_part *part, const ts_part *first)
 	return ts_fail("%s: has other cases than %s: name shards of one run", part->dir, first->dir);
 }
 
+/* Another program may write other reports. */
+static ts_status check_program(const ts_part *part)
+{
+	if (strcmp(text_of(part, "commit"), ts_commit()) == 0) return TS_OK;
+	return ts_fail("%s: of commit %s, and this program of %s: merge by the program that ran", part->dir,
+	               text_of(part, "commit"), ts_commit());
+}
+
 /* The parts are sorted. */
 static ts_status check_whole(const ts_parts *p)
 {
@@ -97,7 +105,7 @@ static ts_status put_together(ts_cli *cli, ts_parts *p)
 	for (u32 i = 1; i < p->n; i++) {
 		if (check_run(&p->part[i], &p->part[0]) != TS_OK) return TS_ERROR;
 	}
-	if (check_whole(p) != TS_OK) return TS_ERROR;
+	if (check_whole(p) != TS_OK || check_program(&p->part[0]) != TS_OK) return TS_ERROR;
 	const ts_part *worst = worst_of(p);
 	p->command = text_of(&p->part[0], "command");
 	p->class_name = text_of(&p->part[0], "class");

@@ -7,6 +7,7 @@
 /* A shard's folder. */
 typedef struct {
 	const char *dir;
+	json_t *sums;           /* of its SHA256SUMS: digests by names of files */
 	json_t *report, *times; /* its report.json and times.json */
 	json_t *shard;          /* of the report; not owned */
 	u32 index, of;
@@ -23,7 +24,10 @@ typedef struct ts_parts {
 /* Reads and checks one folder. Ended by ts_part_end also on failure. */
 ts_status ts_part_read(ts_part *part, const char *dir);
 void ts_part_end(ts_part *part);
-/* Copies a file of the folder into the output folder. */
+/* Reads a file that SHA256SUMS confirms, of at most so many bytes; to be released by free(). NULL with the message set.
+ * No other file of the folder is read. */
+char *ts_part_file(size_t *bytes, const ts_part *part, const char *name, u64 most);
+/* Copies such a file into the output folder. */
 ts_status ts_part_copy(const ts_part *part, const char *name);
 ts_status ts_part_damaged(const ts_part *part, const char *what);
 

@@ -129,9 +129,32 @@ static json_t *common_of(const merged *m, const char *key, const json_t *value)
 static json_t *value_of(merged *m, const ts_part *first, const char *key, const json_t *value)
 {
 	if (is_one_of(key, m->is->rows)) return interleave(m, key, strcmp(key, m->is->rows[0]) == 0 ? m->seconds : NULL);
-	if (is_one_of(key, m->is->first)) return json_deep_copy(json_object_get(first->report, key));
+	if (is_one_of(key, m->is->first)) {
+		if (first != NULL) return json_deep_copy(json_object_get(first->report, key));
+		ts_part_damaged(&m->parts->part[0], "it has a first difference in no case");
+		return NULL;
+	}
 	if (is_one_of(key, m->is->sums)) return sum_of(m, key);
 	return strcmp(key, "verdict") == 0 ? verdict_of(m) : common_of(m, key, value);
+}
+
+/* A shard whose rows are worse than its exit code says otherwise than it ran. */
+static ts_status check_rows(const merged *m, const ts_part *part)
+{
+	ts_outcomes rows;
+	const json_int_t code = json_integer_value(json_object_get(part->shard, "status"));
+	ts_status status =
+		ts_outcomes_read(&rows, m->is->key, m->parts->class_name, json_object_get(part->report, m->is->rows[0]),
+	                     json_object_get(part->times, "seconds"));
+	if (status != TS_OK) {
+		ts_part_damaged(part, ts_error_message());
+	} else {
+		const bool broken = ts_outcomes_count(&rows, TS_BROKEN) > 0, failed = ts_outcomes_count(&rows, TS_FAILED) > 0;
+		const bool right = code == TS_ERROR || (!broken && (code == TS_DIFFERENT || !failed));
+		if (!right) status = ts_part_damaged(part, "its rows are worse than its exit code");
+	}
+	ts_outcomes_end(&rows);
+	return status;
 }
 
 /* In the order of keys of the report with the first difference, which has all keys. */
@@ -141,6 +164,9 @@ static ts_status merge_reports(merged *m)
 	const ts_part *first = first_of(m);
 	const char *key;
 	json_t *value;
+	for (u32 i = 0; i < m->parts->n; i++) {
+		if (check_rows(m, &m->parts->part[i]) != TS_OK) return TS_ERROR;
+	}
 	json_object_foreach ((first != NULL ? first : &m->parts->part[0])->report, key, value) {
 		if (is_one_of(key, own)) continue;
 		json_t *whole = value_of(m, first, key, value);
@@ -195,6 +221,7 @@ ts_status ts_merge_rows(ts_cli *cli, const ts_parts *parts)
 	while (m.is < end && strcmp(m.is->command, parts->command) != 0) m.is++;
 	ts_status status = m.root != NULL && m.seconds != NULL ? TS_OK : ts_fail("the report: out of memory");
 	if (m.is == end) status = ts_part_damaged(&parts->part[0], "a command that has no shards");
+	if (cli->job.output.report != NULL) status = ts_fail("--report: of shards of render; these judge: leave it out");
 	if (status == TS_OK) status = merge_reports(&m);
 	if (status == TS_OK) {
 		const char *relaxed = json_string_value(json_object_get(m.root, "relaxations"));

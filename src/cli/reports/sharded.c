@@ -2,31 +2,29 @@
 #include "cli/reports/sharded.h"
 #include <stdlib.h>
 #include "model/digest.h"
+#include "model/input.h"
 #include "output/file.h"
 #include "output/json/text.h"
 #include "study/results/folder.h"
 
-/* Whether an option only affects where and how results are written. */
-static bool says_where(u32 option)
+bool ts_sharded_tells(u32 option)
 {
-	static const bool where[TS_N_OPTIONS] = {
-		[TS_OPTION_SHARD] = true, [TS_OPTION_OUTPUT] = true,  [TS_OPTION_FORCE] = true,
-		[TS_OPTION_JSON] = true,  [TS_OPTION_JUNIT] = true,   [TS_OPTION_MARKDOWN] = true,
-		[TS_OPTION_TAP] = true,   [TS_OPTION_THREADS] = true, [TS_OPTION_TIMEOUT] = true,
-		[TS_OPTION_QUIET] = true, [TS_OPTION_MEMORY] = true,  [TS_OPTION_NO_WORKER] = true,
-	};
-	return where[option];
+	static const bool told[TS_N_GROUPS] = {[TS_GROUP_METHODS] = true,
+	                                       [TS_GROUP_EYE] = true,
+	                                       [TS_GROUP_SCENE] = true,
+	                                       [TS_GROUP_JUDGE] = true,
+	                                       [TS_GROUP_GOLDENS] = true};
+	return told[ts_option_table[option].group];
 }
 
-/* The typed options that change results: not those about speed, shards, or output. A new reference, or NULL without
- * memory. */
+/* A new reference, or NULL without memory. */
 static json_t *typed_of(const ts_cli *cli)
 {
 	json_t *words = json_array();
 	int failed = 0;
 	for (u32 i = 0; i < cli->n_typed; i++) {
 		const char *name = ts_option_table[cli->typed[i].option].name, *text = cli->typed[i].text;
-		if (says_where(cli->typed[i].option)) continue;
+		if (!ts_sharded_tells(cli->typed[i].option)) continue;
 		json_t *value = ts_text_json(text != NULL ? text : "");
 		failed |= json_array_append_new(words, json_sprintf("--%s%s%s", name, text != NULL ? "=" : "",
 		                                                    value != NULL ? json_string_value(value) : "")) != 0;
@@ -50,24 +48,24 @@ static json_t *describe(const ts_cli *cli, const ts_sharded *s)
 	return object;
 }
 
-bool ts_sharded_digest(char *hex, const char *path)
+char *ts_sharded_read(size_t *bytes, char *hex, const char *dir, const char *name, u64 most)
 {
 	ts_digest digest;
-	size_t bytes;
-	char *data = ts_input_read(&bytes, path);
-	if (data == NULL) return false;
+	char *data = ts_input_read_in(bytes, dir, name, most);
+	if (data == NULL) return NULL;
 	ts_digest_begin(&digest);
-	ts_digest_add(&digest, data, bytes);
+	ts_digest_add(&digest, data, *bytes);
 	ts_digest_end(&digest, hex);
-	free(data);
-	return true;
+	return data;
 }
 
 static ts_status put_sum(FILE *out, const char *name)
 {
-	char path[TS_FOLDER_PATH + 256], hex[TS_DIGEST_BYTES];
-	snprintf(path, sizeof path, "%s/%s", ts_folder_path(), name);
-	if (!ts_sharded_digest(hex, path)) return TS_ERROR;
+	char hex[TS_DIGEST_BYTES];
+	size_t bytes;
+	char *data = ts_sharded_read(&bytes, hex, ts_folder_path(), name, TS_INPUT_ANY);
+	if (data == NULL) return TS_ERROR;
+	free(data);
 	fprintf(out, "%s  %s\n", hex, name);
 	return TS_OK;
 }
@@ -80,8 +78,7 @@ static ts_status write_sums(const char *path)
 	ts_status status = ts_file_text_begin(&text, path);
 	if (status != TS_OK) return status;
 	for (size_t i = 0; status == TS_OK && (name = ts_folder_name(i)) != NULL; i++) {
-		bool times = strcmp(name, "times.json") == 0; /* only this file differs between equal runs */
-		if (!times && strcmp(name, TS_SHARDED_SUMS) != 0) status = put_sum(text.out, name);
+		if (strcmp(name, TS_SHARDED_SUMS) != 0) status = put_sum(text.out, name);
 	}
 	if (status == TS_OK) return ts_file_text_write(&text, path);
 	ts_file_text_drop(&text);

@@ -1,5 +1,5 @@
 /* The folder of a shard's results, which `merge` reads: report.json has a member "shard", and SHA256SUMS, for
- * sha256sum, names all files except times.json. */
+ * sha256sum, names all other files. */
 #ifndef TS_CLI_REPORTS_SHARDED_H
 #define TS_CLI_REPORTS_SHARDED_H
 #include "cli/line/cli.h"
@@ -16,7 +16,10 @@ typedef struct {
 } ts_sharded;
 /* Writes the report of a shard, otherwise like ts_results_report. */
 ts_status ts_sharded_write(ts_report *report, const ts_cli *cli, const ts_sharded *sharded);
-/* The digest of a file; false: it cannot be read. */
-bool ts_sharded_digest(char *hex, const char *path);
+/* Whether a shard's report says that the option was typed: those of what is computed and how it is judged. The others,
+ * of how it runs and where its output goes, are those of merge. */
+bool ts_sharded_tells(u32 option);
+/* Reads a file of a folder and takes its digest; to be released by free(). NULL with the message set. */
+char *ts_sharded_read(size_t *bytes, char *hex, const char *dir, const char *name, u64 most);
 
 #endif

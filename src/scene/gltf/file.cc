@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "model/core.h"
+#include "model/input.h"
 #include "scene/gltf/gltf.h"
 
 namespace gltf {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 #include "model/core.h"
+#include "model/input.h"
 #include "model/json.h"
 #include "scene/gltf/gltf.h"
 #include "scene/gltf/rules.h"

@@ -1,7 +1,7 @@
 /* Opening a scene: the source that makes it, added reflectors, the checks. */
 #include <errno.h>
 #include <sys/stat.h>
-#include "model/core.h"
+#include "model/input.h"
 #include "scene/sources.h"
 
 static bool has_suffix(const char *text, const char *suffix)

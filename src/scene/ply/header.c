@@ -5,6 +5,7 @@
 #include <string.h>
 #include "kernels/base/num.h"
 #include "model/core.h"
+#include "model/input.h"
 
 const ts_ply_kind ts_ply_kinds[TS_PLY_TYPES] = {
 	[TS_PLY_I8] = {{"char", "int8"}, 1, INT8_MIN, INT8_MAX},

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "model/core.h"
+#include "model/input.h"
 #include "scene/gltf/numbers.h"
 #include "scene/neighbours.h"
 #include "scene/normals.h"
@@ -452,12 +453,22 @@ static char *copied(size_t *n, const ts_scene_file *from)
 	return copy;
 }
 
+/* Of what does not begin as PLY only the head, which the reader of headers refuses. */
+static char *read_file(size_t *n, const char *path)
+{
+	char head[16];
+	if (ts_input_head(n, head, sizeof head, path) != TS_OK) return NULL;
+	const size_t mark = ts_text_mark(head, *n);
+	if (*n >= mark + 3 && memcmp(head + mark, "ply", 3) == 0) return ts_input_read(n, path, TS_INPUT_ANY);
+	return copied(n, &(ts_scene_file){.name = path, .bytes = head, .n_bytes = *n});
+}
+
 void ts_ply_load(ts_build *build, const ts_scene_file *from, u32 neighbours)
 {
 	reader in = {.build = build, .path = from->name};
 	size_t n;
 	ts_build_about(build, TS_KIND_FORMAT);
-	char *file = from->bytes != NULL ? copied(&n, from) : ts_input_read(&n, from->name);
+	char *file = from->bytes != NULL ? copied(&n, from) : read_file(&n, from->name);
 	if (file == NULL) ts_build_adopt(build);
 	if (file != NULL && ts_ply_header_read(&in.header, build, in.path, file, n)) {
 		const ts_ply_element *points = ts_ply_header_points(&in.header);

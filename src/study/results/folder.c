@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "model/core.h"
+#include "model/input.h"
 #include "model/json.h"
 #include "output/file.h"
 
@@ -41,7 +42,7 @@ static ts_status read_list(json_t **files, const char *dir, const char *name)
 	*files = NULL;
 	snprintf(path, sizeof path, "%s/%s", dir, name);
 	if (!is_regular(path, &info) || info.st_size > MAX_REPORT_BYTES) return TS_OK;
-	char *text = ts_text_read(&bytes, path);
+	char *text = ts_text_read(&bytes, path, MAX_REPORT_BYTES);
 	if (text == NULL) return TS_ERROR;
 	errno = 0;
 	json_t *root = json_loadb(text, bytes, 0, &error);

@@ -2,10 +2,11 @@
 #include "study/tables/tables.h"
 #include <stdlib.h>
 #include <string.h>
+#include "model/input.h"
 #include "study/asked/words.h"
 #include "study/tables/text.h"
 
-enum { ROWS = 128, CLAIMS = 256, TEXTS = 32, RUNS = 3 };
+enum { ROWS = 128, CLAIMS = 256, TEXTS = 32, RUNS = 3, MOST_BYTES = 1 << 24 };
 
 struct ts_tables {
 	ts_table_texts *texts[TEXTS];
@@ -79,7 +80,7 @@ ts_status ts_tables_open(ts_tables **tables)
 ts_status ts_tables_open_file(ts_tables **tables, const char *path)
 {
 	size_t bytes;
-	char *text = ts_text_read(&bytes, path);
+	char *text = ts_text_read(&bytes, path, MOST_BYTES);
 	ts_tables *made = *tables = text != NULL ? ts_alloc_zero(1, sizeof *made, "tables") : NULL;
 	ts_status status = made != NULL ? TS_OK : TS_ERROR;
 	if (status == TS_OK && strlen(text) != bytes) status = ts_fail("%s: no text: a byte of it is 0", path);

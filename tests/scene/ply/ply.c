@@ -522,9 +522,24 @@ static void locale_of_the_host_does_not_matter(void **state)
 	ts_build_free(build);
 }
 
+/* However long the file is. */
+static void what_does_not_begin_as_ply_is_not_read(void **state)
+{
+	(void)state;
+	char path[] = "/tmp/touchstone-ply-XXXXXX";
+	int file = mkstemp(path);
+	assert_int_equal(ftruncate(file, (off_t)(ts_memory_total() / 2)), 0);
+	close(file);
+	ts_build *build = ts_build_new("test");
+	ts_ply_load(build, &(ts_scene_file){.name = path}, 2);
+	unlink(path);
+	assert_refused(build, "line 1: a PLY file begins with a line \"ply\"");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(what_does_not_begin_as_ply_is_not_read),
 		cmocka_unit_test(locale_of_the_host_does_not_matter),
 		cmocka_unit_test(a_radius_makes_a_circle),
 		cmocka_unit_test(half_axes_need_no_normal),
