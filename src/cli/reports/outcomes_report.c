@@ -73,7 +73,7 @@ static ts_status write_markdown(const ts_cli *cli, const ts_outcomes_output *t)
 	if (cli->judging.markdown == NULL) return TS_OK;
 	if (ts_file_text_begin(&text, cli->judging.markdown) != TS_OK) return TS_ERROR;
 	ts_outcomes_markdown(t->outcomes, t->command, t->relaxed, text.out);
-	return ts_file_text_write(&text, cli->judging.markdown);
+	return ts_file_text_replace(&text, cli->judging.markdown);
 }
 
 static ts_status write_page(const ts_report *report, const ts_cli *cli, const ts_outcomes_output *t)
