@@ -1,11 +1,12 @@
 /* LDR-FLIP (flip.h). All filters are products of one along rows and one along columns; the border's pixels are repeated
- * beyond it. */
+ * beyond it. An image is seen in bands of rows, each with the rows beside it that the filters reach, so that memory
+ * does not grow with its height. */
 #include "image/flip.h"
 #include <math.h>
 #include <stdlib.h>
 #include "model/core.h"
 
-enum { MOST_REACH = 136, N_PLANES = 13 };
+enum { MOST_REACH = 136, N_PLANES = 13, LEAST_BAND = 64, BAND_BYTES = 1 << 26 };
 
 static const double pi = 3.14159265358979323846;
 /* The paper's constants: exponent and bend of colour differences; width of edges in degrees, and their exponent. */
@@ -28,7 +29,7 @@ typedef struct {
 } filter;
 
 typedef struct {
-	uint32_t width, height;
+	uint32_t width, height; /* of the band, with the rows beside it */
 	filter achromatic, red_green, blue_yellow[2]; /* contrast sensitivity */
 	double share[2];                              /* of the two blue-yellow filters */
 	filter smooth, edge, point;                   /* features */
@@ -251,13 +252,39 @@ static double error_of(const seen *a, const seen *b, size_t i, double most)
 	return pow(colour, 1 - feature);
 }
 
+static uint32_t reach_of(const lens *l)
+{
+	const int reach = l->achromatic.reach > l->smooth.reach ? l->achromatic.reach : l->smooth.reach;
+	return (uint32_t)reach;
+}
+
+/* Adds the errors of the rows from `begin` to `end` to *sum, in their order. */
+static void take_band(lens *l, const seen s[2], float *errors, double *sum, const uint8_t *const image[2],
+                      uint32_t begin, uint32_t end, uint32_t height)
+{
+	const size_t width = l->width, reach = reach_of(l);
+	const double most = most_apart();
+	const size_t low = begin > reach ? begin - reach : 0, high = end + reach < height ? end + reach : height;
+	l->height = (uint32_t)(high - low);
+	for (int k = 0; k < 2; k++) see(l, &s[k], image[k] + 3 * width * low);
+	for (size_t i = begin * width; i < end * width; i++) {
+		const double error = error_of(&s[0], &s[1], i - low * width, most);
+		errors[i] = (float)error;
+		*sum += error;
+	}
+}
+
 ts_status ts_flip(float *errors, double *mean, const uint8_t *reference, const uint8_t *image, uint32_t width,
                   uint32_t height, double ppd)
 {
-	const size_t n = (size_t)width * height;
-	const double most = most_apart();
-	lens l = {.width = width, .height = height};
+	lens l = {.width = width};
 	seen s[2];
+	make_sensitivity(&l, ppd);
+	make_features(&l, ppd);
+	const size_t row_bytes = (size_t)width * N_PLANES * sizeof(double), fit = row_bytes > 0 ? BAND_BYTES / row_bytes : 0;
+	const uint32_t band = fit < LEAST_BAND ? LEAST_BAND : (uint32_t)fit;
+	const uint64_t rows = (uint64_t)band + 2 * reach_of(&l);
+	const size_t n = (size_t)width * (height < rows ? height : (size_t)rows);
 	double sum = 0, *planes = ts_alloc(n, N_PLANES * sizeof *planes, "FLIP");
 	if (planes == NULL) return TS_ERROR;
 	for (int k = 0; k < 3; k++) l.work[k] = planes + (size_t)k * n;
@@ -265,16 +292,12 @@ ts_status ts_flip(float *errors, double *mean, const uint8_t *reference, const u
 		double *own = planes + (size_t)(3 + 5 * k) * n;
 		s[k] = (seen){{own, own + n, own + 2 * n}, own + 3 * n, own + 4 * n};
 	}
-	make_sensitivity(&l, ppd);
-	make_features(&l, ppd);
-	see(&l, &s[0], reference);
-	see(&l, &s[1], image);
-	for (size_t i = 0; i < n; i++) {
-		double error = error_of(&s[0], &s[1], i, most);
-		errors[i] = (float)error;
-		sum += error;
+	for (uint32_t y = 0, end; y < height; y = end) {
+		end = height - y < band ? height : y + band;
+		take_band(&l, s, errors, &sum, (const uint8_t *const[]){reference, image}, y, end, height);
 	}
-	*mean = n > 0 ? sum / (double)n : 0;
+	const size_t pixels = (size_t)width * height;
+	*mean = pixels > 0 ? sum / (double)pixels : 0;
 	free(planes);
 	return TS_OK;
 }

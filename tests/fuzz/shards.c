@@ -10,7 +10,8 @@
 
 static const struct {
 	const char *shard, *file;
-} kinds[] = {{"c", "report.json"}, {"c", "times.json"}, {"c", TS_SHARDED_SUMS}, {"p", "report.json"}, {"p", "times.json"}};
+} kinds[] = {
+	{"c", "report.json"}, {"c", "times.json"}, {"c", TS_SHARDED_SUMS}, {"p", "report.json"}, {"p", "times.json"}};
 static const char *precious;
 static const char held[] = "precious";
 
@@ -50,8 +51,9 @@ static void end(void)
 
 static void begin(void)
 {
-	static const char of[] = "render reflections scenes/triangle.gltf --camera camera --reflectors 0 --size 16x16 --set "
-							 "cube.px=16 --method epr";
+	static const char of[] =
+		"render reflections scenes/triangle.gltf --camera camera --reflectors 0 --size 16x16 --set "
+		"cube.px=16 --method epr";
 	fuzz_begin();
 	atexit(end);
 	precious = fuzz_name("precious");

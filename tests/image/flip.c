@@ -215,6 +215,32 @@ static void threads_change_no_error(void **state)
 	assert_memory_equal(&mean, &p->mean, sizeof mean);
 }
 
+/* What is above and below a pixel, farther than the filters reach, does not show: tall images are seen in bands. */
+static void rows_far_away_do_not_matter(void **state)
+{
+	enum { W = 1000, H = 700, REACH = 2, CUT = 46, PPD = 10 };
+	(void)state;
+	uint8_t *a = malloc(3 * W * H), *b = malloc(3 * W * H);
+	float *whole = malloc(W * H * sizeof *whole), *part = malloc(W * (CUT + 2 * REACH) * sizeof *part);
+	assert_true(a != NULL && b != NULL && whole != NULL && part != NULL);
+	uint32_t seed = 7;
+	for (size_t i = 0; i < 3 * W * H; i++) {
+		a[i] = (uint8_t)(lcg_next(&seed) >> 24);
+		b[i] = (uint8_t)(lcg_next(&seed) >> 24);
+	}
+	double mean;
+	assert_int_equal(ts_flip(whole, &mean, a, b, W, H, PPD), TS_OK);
+	for (size_t y = REACH; y + CUT + REACH <= H; y += CUT) {
+		const size_t low = 3 * W * (y - REACH);
+		assert_int_equal(ts_flip(part, &mean, a + low, b + low, W, CUT + 2 * REACH, PPD), TS_OK);
+		assert_memory_equal(whole + W * y, part + W * REACH, W * CUT * sizeof *part);
+	}
+	free(a);
+	free(b);
+	free(whole);
+	free(part);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -227,6 +253,7 @@ int main(void)
 		cmocka_unit_test_teardown(a_growing_spot_grows_the_error, release),
 		cmocka_unit_test_teardown(a_far_pixel_is_seen_less, release),
 		cmocka_unit_test_teardown(threads_change_no_error, release),
+		cmocka_unit_test(rows_far_away_do_not_matter),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
