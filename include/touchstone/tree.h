@@ -34,7 +34,7 @@ TS_API const ts_tree *ts_tree_get(const ts_tree *node, const char *name);
 TS_API int64_t ts_tree_integer(const ts_tree *node);
 TS_API double ts_tree_real(const ts_tree *node);
 TS_API const char *ts_tree_text(const ts_tree *node);
-/* The whole tree as one line of JSON, to be released by free(); NULL without memory. */
+/* The whole tree as one line of JSON, to be released by free(); NULL, with the message set, without memory. */
 TS_API char *ts_tree_json(const ts_tree *node);
 /* Releases a whole tree, by its root; NULL is allowed. */
 TS_API void ts_tree_free(ts_tree *root);

@@ -1,4 +1,5 @@
 /* Tables to walk. */
+#include <assert.h>
 #include <pthread.h>
 #include <string.h>
 #include <touchstone/tables.h>
@@ -6,24 +7,21 @@
 #include "methods/pipeline.h"
 #include "trace/emitted/emit.h"
 
-static ts_method_info *methods;
-static ts_stage_info *stages;
+enum { MOST_METHODS = 64, MOST_STAGES = 128 };
+static ts_method_info methods[MOST_METHODS];
+static ts_stage_info stages[MOST_STAGES];
 static size_t n_methods, n_stages;
 
 static void make(void)
 {
 	ts_api_ready();
-	while (ts_pipelines()[n_methods] != NULL) n_methods++;
-	while (ts_stages()[n_stages] != NULL) n_stages++;
-	methods = ts_alloc(n_methods, sizeof *methods, "the table of methods");
-	stages = ts_alloc(n_stages, sizeof *stages, "the table of stages");
-	for (size_t i = 0; i < n_methods && methods != NULL; i++) {
-		const ts_pipeline *p = ts_pipelines()[i];
-		methods[i] = (ts_method_info){p->effect->name, p->name, p->paper, p->doc, p->only_named};
+	for (const ts_pipeline *const *at = ts_pipelines(), *p; (p = *at) != NULL; at++) {
+		assert(n_methods < MOST_METHODS);
+		methods[n_methods++] = (ts_method_info){p->effect->name, p->name, p->paper, p->doc, p->only_named};
 	}
-	for (size_t i = 0; i < n_stages && stages != NULL; i++) {
-		const ts_stage *s = ts_stages()[i];
-		stages[i] = (ts_stage_info){s->name, s->kind, s->margin_of, s->paper, s->doc, s->launches != NULL};
+	for (const ts_stage *const *at = ts_stages(), *s; (s = *at) != NULL; at++) {
+		assert(n_stages < MOST_STAGES);
+		stages[n_stages++] = (ts_stage_info){s->name, s->kind, s->margin_of, s->paper, s->doc, s->launches != NULL};
 	}
 }
 
@@ -36,13 +34,13 @@ static void require(void)
 const ts_method_info *ts_method_at(size_t i)
 {
 	require();
-	return methods != NULL && i < n_methods ? &methods[i] : NULL;
+	return i < n_methods ? &methods[i] : NULL;
 }
 
 const ts_stage_info *ts_stage_at(size_t i)
 {
 	require();
-	return stages != NULL && i < n_stages ? &stages[i] : NULL;
+	return i < n_stages ? &stages[i] : NULL;
 }
 
 /* Step i of a method; NULL: there is none. */
@@ -59,7 +57,7 @@ const ts_stage_info *ts_method_stage(const char *effect, const char *method, siz
 	const ts_pipeline *pipeline;
 	require();
 	const ts_step *step = step_at(&pipeline, effect, method, i);
-	for (size_t k = 0; step != NULL && k < n_stages && stages != NULL; k++) {
+	for (size_t k = 0; step != NULL && k < n_stages; k++) {
 		if (strcmp(stages[k].name, step->stage) == 0) return &stages[k];
 	}
 	return NULL;

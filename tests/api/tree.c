@@ -1,4 +1,5 @@
 /* Trees: each kind of node, walked and as JSON. */
+#include <errno.h>
 #include <jansson.h>
 #include "tests/api/api.h"
 
@@ -38,8 +39,40 @@ static void trees_are_walked_by_index_and_name(void **state)
 	ts_tree_free(root);
 }
 
+static long left = -1; /* allocations of jansson until one fails; below 0: none does */
+
+static void *allocate(size_t bytes)
+{
+	if (left < 0 || left-- > 0) return malloc(bytes);
+	errno = ENOMEM;
+	return NULL;
+}
+
+static void without_memory_there_is_no_json(void **state)
+{
+	(void)state;
+	ts_tree *root = (ts_tree *)json_pack("{s:i,s:{s:s}}", "first", 1, "second", "third", "text");
+	char *json = NULL;
+	long n = 0;
+	json_set_alloc_funcs(allocate, free);
+	for (; json == NULL; n++) {
+		left = n;
+		json = ts_tree_json(root);
+		left = -1;
+		if (json == NULL) assert_non_null(strstr(ts_error_message(), "memory"));
+	}
+	json_set_alloc_funcs(malloc, free);
+	assert_string_equal(json, "{\"first\":1,\"second\":{\"third\":\"text\"}}");
+	assert_true(n > 1);
+	free(json);
+	ts_tree_free(root);
+	assert_null(ts_tree_json(NULL));
+	assert_non_null(strstr(ts_error_message(), "node"));
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(trees_are_walked_by_index_and_name)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(trees_are_walked_by_index_and_name),
+	                                   cmocka_unit_test(without_memory_there_is_no_json)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
