@@ -23,7 +23,7 @@ typedef enum {
 	TS_OK = 0,        /* same, or done */
 	TS_DIFFERENT = 1, /* compared and different */
 	TS_ERROR = 2,     /* failed; ts_error_message() says what, where, and what would be right */
-	TS_SKIPPED = 77,  /* an optional backend is absent */
+	TS_SKIPPED = 77,  /* an optional backend is absent, or does not open */
 } ts_status;
 
 /* Kinds of failures. A program that acts on a failure asks for its kind, and not for the words of its message. */

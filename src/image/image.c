@@ -14,29 +14,33 @@
 #include "image/optional.h"
 #include "image/png.h"
 #include "model/input.h"
+#include "model/library.h"
 #include "output/file.h"
 
 enum { MOST_PIXELS = 1 << 28 }; /* for reading and writing */
 
 static const ts_image_codec *codec;
-static char missing[512];
 
-static void load(void)
+static ts_status load(const char *what)
 {
-	void *module = dlopen(TS_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL);
-	if (module != NULL) codec = dlsym(module, "ts_image_codec_module");
-	const char *why = codec == NULL ? dlerror() : NULL;
-	if (why != NULL) strncat(missing, why, sizeof missing - 1);
+	void *module;
+	ts_status status = ts_library_open(&module, TS_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL);
+	if (status == TS_SKIPPED) {
+		return ts_fail("%s: images need a module that did not load, in Debian the package touchstone-image: %s", what,
+		               ts_error_message());
+	}
+	if (status != TS_OK) return ts_fail("%s: the module of images does not open: %s", what, ts_error_message());
+	codec = dlsym(module, "ts_image_codec_module");
+	return codec != NULL ? TS_OK : ts_fail_as(TS_KIND_LIBRARY, "%s: " TS_IMAGE_MODULE ": not ours", what);
 }
 
 static ts_status require_codec(const char *what)
 {
-	static pthread_once_t once = PTHREAD_ONCE_INIT;
-	pthread_once(&once, load);
-	if (codec != NULL) return TS_OK;
-	return ts_fail_as(TS_KIND_LIBRARY,
-	                  "%s: images need a module that did not load, in Debian the package touchstone-image: %s", what,
-	                  missing);
+	static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER;
+	pthread_mutex_lock(&one);
+	ts_status status = codec != NULL ? TS_OK : load(what);
+	pthread_mutex_unlock(&one);
+	return status;
 }
 
 /* Fetches the module's own message. */

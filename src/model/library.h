@@ -4,6 +4,14 @@
 #define TS_MODEL_LIBRARY_H
 #include <stdbool.h>
 #include <stddef.h>
+#include <touchstone/status.h>
+
+/* Whether this process can still map what the largest of them take with theirs: drivers. */
+enum { TS_LIBRARY_MIB = 512 };
+bool ts_library_has_room(void);
+/* Opens a library, as dlopen does. The message of a failure is the system's reason. TS_SKIPPED: it, or one that it
+ * needs, is absent. TS_ERROR: it is there and does not open, as where memory ends. */
+ts_status ts_library_open(void **library, const char *name, int how);
 
 /* A function pointer of a table of calls. */
 typedef void (*ts_call)(void);

@@ -9,29 +9,33 @@
 #define TEXT_OF(number) #number
 #define TEXT(number) TEXT_OF(number)
 #define LIBRARY "libembree" TEXT(TS_EMBREE) ".so." TEXT(TS_EMBREE)
+#define PACKAGE "libembree" TEXT(TS_EMBREE) "-" TEXT(TS_EMBREE)
 #define NAME(name) "rtc" #name,
 
 ts_rtc_calls ts_rtc;
-static bool found;
-static char missing[512];
 
-static void find(void)
+static ts_status find(void)
 {
 	static const char *const names[] = {TS_RTC_CALLS(NAME)};
-	void *library = dlopen(LIBRARY, RTLD_NOW | RTLD_LOCAL);
-	found = library != NULL && ts_library_find(&ts_rtc, names, sizeof names / sizeof *names, library);
-	const char *why = found ? NULL : dlerror();
-	snprintf(missing, sizeof missing, "%s", why != NULL ? why : LIBRARY ": not as it was built for");
+	void *library;
+	ts_status status = ts_library_open(&library, LIBRARY, RTLD_NOW | RTLD_LOCAL);
+	if (status == TS_SKIPPED) {
+		return ts_fail("truth: rays need Embree, in Debian the package " PACKAGE ": %s", ts_error_message());
+	}
+	if (status != TS_OK) return ts_fail("truth: Embree does not open: %s", ts_error_message());
+	if (ts_library_find(&ts_rtc, names, sizeof names / sizeof *names, library)) return TS_OK;
+	return ts_fail_as(TS_KIND_LIBRARY, "truth: " LIBRARY ": not as it was built for");
 }
 
 ts_status ts_rtc_open(void)
 {
-	static pthread_once_t once = PTHREAD_ONCE_INIT;
-	pthread_once(&once, find);
-	if (found) return TS_OK;
-	return ts_fail_as(
-		TS_KIND_LIBRARY,
-		"truth: rays need Embree, in Debian the package libembree" TEXT(TS_EMBREE) "-" TEXT(TS_EMBREE) ": %s", missing);
+	static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER;
+	static bool found;
+	pthread_mutex_lock(&one);
+	ts_status status = found ? TS_OK : find();
+	found = status == TS_OK;
+	pthread_mutex_unlock(&one);
+	return status;
 }
 
 void ts_first_error_begin(ts_first_error *error)

@@ -1,6 +1,7 @@
 /* Embree's devices, scenes and geometries: all that is made is released, also where Embree fails; what is said then;
- * and of the failures of many threads one is kept, whole. */
+ * of the failures of many threads one is kept, whole; and Embree opens when memory is back. */
 #include <assert.h>
+#include <sys/resource.h>
 #include "tests/model/test.h"
 #include "tests/truth/world.h"
 #include "truth/bare.h"
@@ -285,8 +286,32 @@ static void one_error_of_many_is_kept_whole(void **state)
 	}
 }
 
+static void embree_opens_when_memory_is_back(void **state)
+{
+	(void)state;
+	struct rlimit usual, none;
+	if (TS_TEST_SANITIZED) skip();
+	assert_int_equal(getrlimit(RLIMIT_AS, &usual), 0);
+	none = (struct rlimit){1, usual.rlim_max};
+	assert_int_equal(setrlimit(RLIMIT_AS, &none), 0);
+	ts_status status = ts_rtc_open();
+	assert_int_equal(setrlimit(RLIMIT_AS, &usual), 0);
+	assert_int_equal(status, TS_ERROR);
+	assert_int_equal(ts_error_kind(), TS_KIND_MEMORY);
+	assert_non_null(strstr(ts_error_message(), "Embree does not open: out of memory"));
+	assert_int_equal(ts_rtc_open(), TS_OK);
+}
+
+/* Before Embree is open for all. */
+static int open_first(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(embree_opens_when_memory_is_back)};
+	return cmocka_run_group_tests_name("open", tests, NULL, NULL);
+}
+
 int main(void)
 {
+	int failed = open_first();
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup(all_that_is_made_is_released, restart),
 		cmocka_unit_test_setup(a_failure_of_embree_says_why, restart),
@@ -296,5 +321,5 @@ int main(void)
 		cmocka_unit_test(a_long_text_is_cut),
 		cmocka_unit_test(one_error_of_many_is_kept_whole),
 	};
-	return cmocka_run_group_tests(tests, begin, end);
+	return failed + cmocka_run_group_tests(tests, begin, end);
 }
