@@ -48,7 +48,8 @@ typedef struct {
 	uint64_t memory, most; /* bytes in all; of one buffer */
 } ts_device_info;
 
-/* Describes device i of a backend, from 0. TS_SKIPPED: it has no more, or no driver is there. */
+/* Describes device i of a backend, from 0. TS_SKIPPED: it has no more, or no driver is there. TS_ERROR: a driver is
+ * there and fails, as where memory ends. */
 TS_API ts_status ts_device_at(ts_device_info *device, const char *backend, uint32_t i);
 
 /* The version of the library that runs, "0.1.0", which may be newer than these headers. */

@@ -153,8 +153,10 @@ ts_status ts_device_at(ts_device_info *device, const char *backend, uint32_t i)
 	if (ts_api_room(device->bytes, sizeof info, sizeof info, "ts_device_info") != TS_OK) return TS_ERROR;
 	if (ts_backend_find(&kind, ts_backend_kinds, backend) != TS_OK) return TS_ERROR;
 	pthread_mutex_lock(&drivers);
-	const u32 n = kind->devices(devices);
+	u32 n;
+	const ts_status status = kind->devices(devices, &n);
 	pthread_mutex_unlock(&drivers);
+	if (status == TS_ERROR) return ts_blame(status, TS_KIND_DEVICE);
 	if (i >= n) {
 		ts_fail_as(TS_KIND_DEVICE, "%s: has no device %lu", backend, (unsigned long)i);
 		return TS_SKIPPED;

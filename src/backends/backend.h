@@ -66,8 +66,9 @@ typedef struct {
 
 typedef struct {
 	const char *name; /* as in --backend */
-	/* Describes at most TS_MAX_DEVICES and returns their number; 0 where there is no driver. */
-	u32 (*devices)(ts_device devices[TS_MAX_DEVICES]);
+	/* Describes *n devices, at most TS_MAX_DEVICES. TS_SKIPPED: there is none. TS_ERROR: a driver is there and fails.
+	 * *n is 0 then. */
+	ts_status (*devices)(ts_device devices[TS_MAX_DEVICES], u32 *n);
 	/* Opens a device. TS_SKIPPED: there is no device. TS_ERROR: there is not this one, or it lacks what the contract
 	 * needs and inexact is not set, or its compiler fails, whose output goes to standard error. *backend is NULL then.
 	 * The function is NULL for the backend in C, which every run has. */

@@ -248,10 +248,12 @@ static ts_table list_backends(void)
 	ts_table table = ts_table_begin("backends", "", backend_columns);
 	for (size_t b = 0; (name = ts_backend_at(b)) != NULL; b++) {
 		ts_device_info device = {.bytes = sizeof device};
-		for (u32 i = 0; ts_device_at(&device, name, i) == TS_OK; i++) {
+		ts_status status;
+		for (u32 i = 0; (status = ts_device_at(&device, name, i)) == TS_OK; i++) {
 			row_device(&table, name, i, &device);
 			device = (ts_device_info){.bytes = sizeof device};
 		}
+		if (status == TS_ERROR) ts_say("%s", ts_error_message());
 	}
 	return table;
 }

@@ -26,7 +26,8 @@ static ts_bench_column *add(ts_bench_table *table, const ts_backend_kind *kind, 
 static void add_c(ts_bench_table *table, u32 threads)
 {
 	ts_device about[TS_MAX_DEVICES];
-	ts_c_kind.devices(about);
+	u32 n;
+	ts_c_kind.devices(about, &n);
 	table->reference = table->n_columns;
 	ts_bench_column *c = add(table, &ts_c_kind, threads, about[0].name);
 	c->how.backend = NULL;
@@ -36,7 +37,8 @@ static void add_c(ts_bench_table *table, u32 threads)
 static void add_device(ts_bench_table *table, const ts_backend_kind *kind, u32 index, ts_backend *backend, bool own)
 {
 	ts_device about[TS_MAX_DEVICES];
-	u32 n = kind->devices(about);
+	u32 n;
+	kind->devices(about, &n);
 	ts_bench_column *c = add(table, kind, index, backend->device);
 	c->how.backend = backend;
 	c->own = own;
@@ -61,8 +63,8 @@ static ts_status open_device(ts_bench_table *table, const ts_backend_kind *kind,
 static void open_all(ts_bench_table *table, const ts_backend_kind *kind)
 {
 	ts_device about[TS_MAX_DEVICES];
-	u32 n = kind->devices(about);
-	if (n == 0) ts_bench_note(table, "no %s device", kind->name);
+	u32 n;
+	if (kind->devices(about, &n) != TS_OK) ts_bench_note(table, "%s", ts_error_message());
 	for (u32 i = 0; i < n; i++) {
 		if (table->n_columns == TS_BENCH_COLUMNS) {
 			ts_bench_note(table, "%s%u and beyond: no room; choose one with --device", kind->name, (unsigned)i);

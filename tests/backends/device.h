@@ -12,8 +12,9 @@ enum { DEVICE_KINDS = sizeof device_kinds / sizeof *device_kinds };
 static inline bool device_is_there(const ts_backend_kind *kind)
 {
 	ts_device devices[TS_MAX_DEVICES];
+	u32 n;
 	const char *require = getenv("TS_REQUIRE");
-	if (kind->devices(devices) != 0) return true;
+	if (kind->devices(devices, &n) == TS_OK) return true;
 	if (require != NULL && strstr(require, kind->name) != NULL) fail_msg("no device for %s", kind->name);
 	printf("no device for %s\n", kind->name);
 	return false;

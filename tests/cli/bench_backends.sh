@@ -22,7 +22,7 @@ names = [row["column"] for row in report["columns"]]
 devices = names[2:]
 assert names[:2] == ["c1", "c2"]
 assert all(row["device"] and row["compiler"] and row["flags"] for row in report["columns"])
-assert devices or any("no opencl device" in note or "left out" in note for note in report["notes"]), report["notes"]
+assert devices or any("no OpenCL device" in note or "left out" in note for note in report["notes"]), report["notes"]
 times = {row["stage"]: row for row in report["milliseconds"]}
 stages = [row["stage"] for row in report["milliseconds"]]
 assert stages[0] == "eye.view" and stages[-2:] == ["image", "all"] and stage in stages
@@ -58,7 +58,8 @@ verdict $? 'an empty kernel cache leaves nothing behind'
 # Without any driver.
 without_device() { OCL_ICD_VENDORS=/nonexistent VK_ICD_FILENAMES=/nonexistent VK_DRIVER_FILES=/nonexistent "$@"; }
 without_device run bench backends "${frame[@]}" --runs 1 --threads 1
-[ "$status" -eq 0 ] && grep -q '^no opencl device' "$scratch/stdout" && grep -q '^time, ms *c1$' "$scratch/stdout" &&
+[ "$status" -eq 0 ] && grep -q '^backend opencl: no OpenCL device' "$scratch/stdout" &&
+	grep -q '^time, ms *c1$' "$scratch/stdout" &&
 	grep -q '^all  *[0-9.]*$' "$scratch/stdout" && ! grep -q 'Kernel build' "$scratch/stdout" &&
 	awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
 verdict $? 'bench backends without a device: the C columns in 120 columns of text, and a line that says so'

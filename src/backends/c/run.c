@@ -137,8 +137,9 @@ void ts_c_begin(ts_c_backend *backend, u32 threads)
 	};
 }
 
-static u32 devices(ts_device list[TS_MAX_DEVICES])
+static ts_status devices(ts_device list[TS_MAX_DEVICES], u32 *n)
 {
+	*n = 1;
 	list[0] = (ts_device){.name = DEVICE,
 	                      .rounded = true,
 	                      .denormals = true,
@@ -147,7 +148,7 @@ static u32 devices(ts_device list[TS_MAX_DEVICES])
 	                      .little_endian = TS_LITTLE_ENDIAN,
 	                      .memory = ts_memory_total(),
 	                      .most = ts_memory_limit()};
-	return 1;
+	return TS_OK;
 }
 
 const ts_backend_kind ts_c_kind = {"c", devices, NULL};

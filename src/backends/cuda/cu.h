@@ -78,7 +78,7 @@ ts_status ts_cu_failed(const ts_cu *cu, const char *what, CUresult result);
 CUresult ts_cu_enter(const ts_cu *cu);
 
 /* device.c: ts_cuda_kind's devices; the one of an index, TS_SKIPPED without any; opened. */
-u32 ts_cu_devices(ts_device devices[TS_MAX_DEVICES]);
+ts_status ts_cu_devices(ts_device devices[TS_MAX_DEVICES], u32 *n);
 ts_status ts_cu_find(ts_cu *cu, u32 index);
 ts_status ts_cu_open_device(ts_cu *cu);
 

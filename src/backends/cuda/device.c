@@ -3,13 +3,10 @@
 #include <stdio.h>
 #include <string.h>
 #include "backends/cuda/cu.h"
+#include "backends/devices/driver.h"
 #include "model/library.h"
 
-static ts_status no_device(void)
-{
-	ts_fail("backend cuda: no CUDA device; NVIDIA's driver brings libcuda.so.1");
-	return TS_SKIPPED;
-}
+static const char none[] = "no CUDA device; NVIDIA's driver brings libcuda.so.1";
 
 static bool find_calls(void *library, ts_cu_calls *call)
 {
@@ -21,27 +18,32 @@ static bool find_calls(void *library, ts_cu_calls *call)
 
 /* The driver's calls, found once: the driver stays loaded as long as the process lives. */
 static ts_cu_calls calls;
+static const ts_cu driver = {.call = &calls};
 
 static ts_status start(void)
 {
 	static bool begun;
-	static ts_cu about = {.call = &calls};
 	if (begun) return TS_OK;
-	void *library = dlopen("libcuda.so.1", RTLD_NOW | RTLD_LOCAL);
-	if (library == NULL) return no_device();
+	void *library;
+	ts_status status = ts_driver_open(&library, "libcuda.so.1", RTLD_NOW | RTLD_LOCAL, "cuda", none);
+	if (status != TS_OK) return status;
 	if (!find_calls(library, &calls)) return ts_fail("backend cuda: NVIDIA's driver is older than CUDA 11.0");
 	CUresult result = calls.Init(0);
-	if (result == CUDA_ERROR_NO_DEVICE) return no_device();
+	if (result == CUDA_ERROR_NO_DEVICE) return ts_driver_none("cuda", none);
 	begun = result == CUDA_SUCCESS;
-	return begun ? TS_OK : ts_cu_failed(&about, "the driver", result);
+	return begun ? TS_OK : ts_cu_failed(&driver, "the driver", result);
 }
 
-static CUresult count(u32 *n)
+static ts_status count(u32 *n)
 {
 	int all = 0;
+	ts_status status = start();
+	*n = 0;
+	if (status != TS_OK) return status;
 	CUresult result = calls.DeviceGetCount(&all);
-	*n = result != CUDA_SUCCESS || all < 0 ? 0 : all < TS_MAX_DEVICES ? (u32)all : TS_MAX_DEVICES;
-	return result;
+	if (result != CUDA_SUCCESS) return ts_cu_failed(&driver, "the devices", result);
+	*n = all < 0 ? 0 : all < TS_MAX_DEVICES ? (u32)all : TS_MAX_DEVICES;
+	return *n > 0 ? TS_OK : ts_driver_none("cuda", none);
 }
 
 static u32 attribute(CUdevice device, int which)
@@ -69,30 +71,26 @@ static ts_device describe(CUdevice device)
 	return d;
 }
 
-u32 ts_cu_devices(ts_device devices[TS_MAX_DEVICES])
+ts_status ts_cu_devices(ts_device devices[TS_MAX_DEVICES], u32 *n)
 {
-	u32 n = 0, found = 0;
-	if (start() != TS_OK || count(&n) != CUDA_SUCCESS) return 0;
-	for (u32 i = 0; i < n; i++) {
+	u32 all;
+	ts_status status = count(&all);
+	*n = 0;
+	for (u32 i = 0; i < all; i++) {
 		CUdevice device;
-		if (calls.DeviceGet(&device, (int)i) == CUDA_SUCCESS) devices[found++] = describe(device);
+		if (calls.DeviceGet(&device, (int)i) == CUDA_SUCCESS) devices[(*n)++] = describe(device);
 	}
-	return found;
+	return status;
 }
 
 ts_status ts_cu_find(ts_cu *cu, u32 index)
 {
-	ts_status status = start();
-	u32 n = 0;
+	u32 n;
+	ts_status status = count(&n);
 	if (status != TS_OK) return status;
 	cu->call = &calls;
-	CUresult result = count(&n);
-	if (result != CUDA_SUCCESS) return ts_cu_failed(cu, "the devices", result);
-	if (n == 0) return no_device();
-	if (index >= n) {
-		return ts_fail("device %u: there are %u devices, from 0", index, n);
-	}
-	result = calls.DeviceGet(&cu->device, (int)index);
+	if (index >= n) return ts_fail("device %u: there are %u devices, from 0", index, n);
+	CUresult result = calls.DeviceGet(&cu->device, (int)index);
 	if (result != CUDA_SUCCESS) return ts_cu_failed(cu, "the device", result);
 	cu->about = describe(cu->device);
 	cu->most = (ts_cu_limits){.groups = attribute(cu->device, CU_DEVICE_ATTRIBUTE_MAX_GRID_DIM_X),

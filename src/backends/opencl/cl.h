@@ -46,7 +46,7 @@ typedef struct {
 ts_status ts_cl_failed(const char *what, cl_int status);
 
 /* device.c: ts_opencl_kind's devices, and the one of an index. */
-u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES]);
+ts_status ts_cl_devices(ts_device devices[TS_MAX_DEVICES], u32 *n);
 ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index);
 /* entry.c: the entry points of a program's kernels, which the caller frees; NULL without memory. */
 char *ts_cl_entries(const ts_cl *cl, u32 program);

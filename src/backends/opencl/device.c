@@ -5,58 +5,97 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include "backends/devices/driver.h"
 #include "backends/opencl/cl.h"
 #include "model/library.h"
 
-enum { PLATFORMS = 16 };
+static const char none[] = "no OpenCL device; install a driver, such as Debian's pocl-opencl-icd";
+enum { PLATFORMS = 16, NO_PLATFORM = -1001 };
 
 ts_cl_calls ts_cl_call;
 
 /* The program's own OpenCL is preferred. */
-static bool find_calls(void)
+static ts_status find_calls(void)
 {
 #define NAME(name) "cl" #name,
 	static const char *const names[] = {TS_CL_CALLS(NAME)};
 #undef NAME
-	return dlopen("libOpenCL.so.1", RTLD_NOW | RTLD_GLOBAL) != NULL &&
-	       ts_library_find(&ts_cl_call, names, sizeof names / sizeof *names, RTLD_DEFAULT);
+	void *library;
+	ts_status status = ts_driver_open(&library, "libOpenCL.so.1", RTLD_NOW | RTLD_GLOBAL, "opencl", none);
+	if (status != TS_OK) return status;
+	bool found = ts_library_find(&ts_cl_call, names, sizeof names / sizeof *names, RTLD_DEFAULT);
+	return found ? TS_OK : ts_fail("backend opencl: libOpenCL.so.1 is older than OpenCL 1.2");
 }
 
-static u32 all_devices(cl_device_id devices[TS_MAX_DEVICES])
+typedef struct {
+	bool there;
+	u32 n;
+	cl_int status;
+	cl_device_id devices[TS_MAX_DEVICES];
+} answer;
+
+static answer all_devices(void)
 {
 	cl_platform_id platforms[PLATFORMS];
-	cl_uint n_platforms = 0, n = 0;
-	if (ts_cl_call.GetPlatformIDs(PLATFORMS, platforms, &n_platforms) != CL_SUCCESS) return 0;
-	for (cl_uint p = 0; p < n_platforms && p < PLATFORMS; p++) {
-		cl_uint more = 0, room = TS_MAX_DEVICES - n;
-		if (ts_cl_call.GetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, room, devices + n, &more) != CL_SUCCESS) continue;
-		n += more < room ? more : room;
-		if (n == TS_MAX_DEVICES) break;
+	cl_uint n_platforms = 0;
+	answer a = {.there = true, .status = ts_cl_call.GetPlatformIDs(PLATFORMS, platforms, &n_platforms)};
+	for (cl_uint p = 0; a.status == CL_SUCCESS && p < n_platforms && p < PLATFORMS; p++) {
+		cl_uint more = 0, room = TS_MAX_DEVICES - a.n;
+		cl_int status = ts_cl_call.GetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, room, a.devices + a.n, &more);
+		if (status == CL_SUCCESS) a.n += more < room ? more : room;
+		if (a.n == TS_MAX_DEVICES) break;
 	}
-	return n;
+	return a;
+}
+
+static ts_status judge(const answer *a)
+{
+	if (a->n > 0) return TS_OK;
+	if (a->status == CL_SUCCESS || a->status == NO_PLATFORM) return ts_driver_none("opencl", none);
+	return ts_cl_failed("the devices", a->status);
+}
+
+static ts_status ended(int how)
+{
+	int number = WIFSIGNALED(how) ? WTERMSIG(how) : 0;
+	if (number != 0) {
+		return ts_fail("backend opencl: a driver crashed when it was asked for devices: signal %d, %s", number,
+		               strsignal(number));
+	}
+	return ts_fail("backend opencl: a driver ended the process that asked for devices, with exit code %d",
+	               WEXITSTATUS(how));
+}
+
+static ts_status ask_in_child(answer *shared)
+{
+	int how = 0;
+	fflush(NULL);
+	pid_t child = fork();
+	if (child < 0) return ts_fail("backend opencl: no process to ask for devices: %s", strerror(errno));
+	if (child == 0) {
+		if (freopen("/dev/null", "w", stderr) != NULL) *shared = all_devices();
+		_exit(0);
+	}
+	while (waitpid(child, &how, 0) < 0 && errno == EINTR) continue;
+	return shared->there ? judge(shared) : ended(how);
 }
 
 /* A child asks first: a driver may end the process that asks, as PoCL does where there is no /sys. */
 static ts_status ask(void)
 {
-	static bool known, there;
-	if (known) return there ? TS_OK : TS_SKIPPED;
-	known = !find_calls();
-	if (known) return TS_SKIPPED;
-	fflush(NULL);
-	pid_t child = fork();
-	if (child < 0) return ts_fail("backend opencl: no process to ask for devices: %s", strerror(errno));
-	if (child == 0) {
-		cl_device_id devices[TS_MAX_DEVICES];
-		if (freopen("/dev/null", "w", stderr) == NULL) _exit(1);
-		_exit(all_devices(devices) != 0 ? 0 : 1);
-	}
-	int status = 1;
-	there = waitpid(child, &status, 0) == child && status == 0;
-	known = true;
-	return there ? TS_OK : TS_SKIPPED;
+	static bool there;
+	if (there) return TS_OK;
+	ts_status status = find_calls();
+	if (status != TS_OK) return status;
+	answer *shared = mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+	if (shared == MAP_FAILED) return ts_fail_as(TS_KIND_MEMORY, "backend opencl: no memory to ask for devices");
+	status = ask_in_child(shared);
+	munmap(shared, sizeof *shared);
+	there = status == TS_OK;
+	return status;
 }
 
 static void text(char *to, size_t bytes, cl_device_id device, cl_device_info what)
@@ -106,12 +145,14 @@ static ts_device describe(cl_device_id device)
 	return d;
 }
 
-u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES])
+ts_status ts_cl_devices(ts_device devices[TS_MAX_DEVICES], u32 *n)
 {
-	cl_device_id ids[TS_MAX_DEVICES];
-	u32 n = ask() == TS_OK ? all_devices(ids) : 0;
-	for (u32 i = 0; i < n; i++) devices[i] = describe(ids[i]);
-	return n;
+	ts_status status = ask();
+	*n = 0;
+	if (status != TS_OK) return status;
+	const answer a = all_devices();
+	for (; *n < a.n; (*n)++) devices[*n] = describe(a.devices[*n]);
+	return judge(&a);
 }
 
 /* PoCL 6.0 ends the process as it compiles some kernels (its issue 1608), except with another way of making
@@ -127,19 +168,13 @@ static void choose_pocl_method(cl_device_id device)
 
 ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index)
 {
-	cl_device_id ids[TS_MAX_DEVICES];
-	ts_status asked = ask();
-	if (asked == TS_ERROR) return TS_ERROR;
-	u32 n = asked == TS_OK ? all_devices(ids) : 0;
-	if (n == 0) {
-		ts_fail("backend opencl: no OpenCL device; install a driver, such as Debian's pocl-opencl-icd");
-		return TS_SKIPPED;
-	}
-	if (index >= n) {
-		return ts_fail("device %u: there are %u devices, from 0", index, n);
-	}
-	*device = ids[index];
-	*about = describe(ids[index]);
+	ts_status status = ask();
+	if (status != TS_OK) return status;
+	const answer a = all_devices();
+	if (a.n == 0) return judge(&a);
+	if (index >= a.n) return ts_fail("device %u: there are %u devices, from 0", index, a.n);
+	*device = a.devices[index];
+	*about = describe(*device);
 	choose_pocl_method(*device);
 	return TS_OK;
 }

@@ -2,34 +2,33 @@
 #include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
+#include "backends/devices/driver.h"
 #include "backends/vulkan/vk.h"
 
-static PFN_vkGetInstanceProcAddr loader(void)
+static const char none[] = "no Vulkan device; install a driver, such as Debian's mesa-vulkan-drivers";
+
+static ts_status loader(PFN_vkGetInstanceProcAddr *find)
 {
 	static void *library;
-	if (library == NULL) library = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
-	return library != NULL ? (PFN_vkGetInstanceProcAddr)dlsym(library, "vkGetInstanceProcAddr") : NULL;
-}
-
-static ts_status no_device(void)
-{
-	ts_fail("backend vulkan: no Vulkan device; install a driver, such as Debian's mesa-vulkan-drivers");
-	return TS_SKIPPED;
+	ts_status status =
+		library != NULL ? TS_OK : ts_driver_open(&library, "libvulkan.so.1", RTLD_NOW | RTLD_LOCAL, "vulkan", none);
+	if (status != TS_OK) return status;
+	*find = (PFN_vkGetInstanceProcAddr)dlsym(library, "vkGetInstanceProcAddr");
+	return *find != NULL ? TS_OK : ts_fail("backend vulkan: libvulkan.so.1 is no loader of Vulkan");
 }
 
 static ts_status make_instance(const ts_vk_calls *call, VkInstance *instance)
 {
-	u32 version = 0;
-	if (call->EnumerateInstanceVersion == NULL || call->EnumerateInstanceVersion(&version) != VK_SUCCESS)
-		return no_device();
-	if (version < VK_API_VERSION_1_2) return no_device();
+	u32 version = VK_API_VERSION_1_0;
+	if (call->EnumerateInstanceVersion != NULL) call->EnumerateInstanceVersion(&version);
+	if (version < VK_API_VERSION_1_2) return ts_fail("backend vulkan: libvulkan.so.1 is older than Vulkan 1.2");
 	const VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
 	                                       .pApplicationName = "touchstone",
 	                                       .apiVersion = VK_API_VERSION_1_2};
 	const VkInstanceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
 	                                   .pApplicationInfo = &application};
 	VkResult result = call->CreateInstance(&info, NULL, instance);
-	if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return no_device();
+	if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return ts_driver_none("vulkan", none);
 	return result == VK_SUCCESS ? TS_OK : ts_vk_failed("an instance", result);
 }
 
@@ -42,14 +41,15 @@ static struct {
 
 static ts_status start(void)
 {
-	PFN_vkGetInstanceProcAddr find = loader();
+	PFN_vkGetInstanceProcAddr find;
 	ts_vk_calls *call = &vulkan.call;
 	if (vulkan.instance != VK_NULL_HANDLE) return TS_OK;
-	if (find == NULL) return no_device();
+	ts_status status = loader(&find);
+	if (status != TS_OK) return status;
 #define GLOBAL(name) call->name = (PFN_vk##name)find(NULL, "vk" #name);
 	TS_VK_GLOBAL(GLOBAL)
 #undef GLOBAL
-	ts_status status = make_instance(call, &vulkan.instance);
+	status = make_instance(call, &vulkan.instance);
 	if (status != TS_OK) return status;
 #define CALL(name) call->name = (PFN_vk##name)find(vulkan.instance, "vk" #name);
 	TS_VK_CALLS(CALL)
@@ -57,11 +57,18 @@ static ts_status start(void)
 	return TS_OK;
 }
 
-static u32 all_devices(VkPhysicalDevice devices[TS_MAX_DEVICES])
+static ts_status all_devices(VkPhysicalDevice devices[TS_MAX_DEVICES], u32 *n)
 {
-	u32 n = TS_MAX_DEVICES;
-	VkResult result = vulkan.call.EnumeratePhysicalDevices(vulkan.instance, &n, devices);
-	return result == VK_SUCCESS || result == VK_INCOMPLETE ? n : 0;
+	ts_status status = start();
+	*n = 0;
+	if (status != TS_OK) return status;
+	u32 most = TS_MAX_DEVICES;
+	VkResult result = vulkan.call.EnumeratePhysicalDevices(vulkan.instance, &most, devices);
+	/* The loader's word for no device. */
+	if (result == VK_ERROR_INITIALIZATION_FAILED) return ts_driver_none("vulkan", none);
+	if (result != VK_SUCCESS && result != VK_INCOMPLETE) return ts_vk_failed("the devices", result);
+	*n = most;
+	return most > 0 ? TS_OK : ts_driver_none("vulkan", none);
 }
 
 /* A device's features, as the query's structs. */
@@ -126,14 +133,13 @@ static ts_device describe(VkPhysicalDevice device, ts_vk_limits *most)
 	return d;
 }
 
-u32 ts_vk_devices(ts_device devices[TS_MAX_DEVICES])
+ts_status ts_vk_devices(ts_device devices[TS_MAX_DEVICES], u32 *n)
 {
 	VkPhysicalDevice found[TS_MAX_DEVICES];
 	ts_vk_limits most;
-	if (start() != TS_OK) return 0;
-	u32 n = all_devices(found);
-	for (u32 i = 0; i < n; i++) devices[i] = describe(found[i], &most);
-	return n;
+	ts_status status = all_devices(found, n);
+	for (u32 i = 0; i < *n; i++) devices[i] = describe(found[i], &most);
+	return status;
 }
 
 static ts_status queue_family(ts_vk *vk)
@@ -152,13 +158,10 @@ static ts_status queue_family(ts_vk *vk)
 ts_status ts_vk_find(ts_vk *vk, u32 index)
 {
 	VkPhysicalDevice found[TS_MAX_DEVICES];
-	ts_status status = start();
+	u32 n;
+	ts_status status = all_devices(found, &n);
 	if (status != TS_OK) return status;
-	u32 n = all_devices(found);
-	if (n == 0) return no_device();
-	if (index >= n) {
-		return ts_fail("device %u: there are %u devices, from 0", index, n);
-	}
+	if (index >= n) return ts_fail("device %u: there are %u devices, from 0", index, n);
 	vk->physical = found[index];
 	vk->call = vulkan.call;
 	vk->about = describe(vk->physical, &vk->most);

@@ -75,7 +75,7 @@ typedef struct {
 ts_status ts_vk_failed(const char *what, VkResult result);
 
 /* device.c: ts_vulkan_kind's devices; the one of an index, TS_SKIPPED without any; opened, with its queue. */
-u32 ts_vk_devices(ts_device devices[TS_MAX_DEVICES]);
+ts_status ts_vk_devices(ts_device devices[TS_MAX_DEVICES], u32 *n);
 ts_status ts_vk_find(ts_vk *vk, u32 index);
 ts_status ts_vk_open_device(ts_vk *vk);
 
