@@ -1,7 +1,7 @@
 #include "model/decimal.h"
 #include <locale.h>
-#include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct {
 	locale_t c, before;
@@ -35,3 +35,8 @@ static void leave(const visit *v)
 
 READER(float, ts_strtof, strtof)
 READER(double, ts_strtod, strtod)
+
+bool ts_decimal_plain(const char *text, const char *end)
+{
+	return end > text && strspn(text, "+-.0123456789eE") >= (size_t)(end - text);
+}

@@ -57,8 +57,7 @@ static bool read_f32(float *value, const char *text)
 
 static bool parse_f32(float *value, const char *text)
 {
-	size_t length = strspn(text, "+-.0123456789eE");
-	if (length == 0 || text[length] || !read_f32(value, text)) return false;
+	if (!ts_decimal_plain(text, text + strlen(text)) || !read_f32(value, text)) return false;
 	*value = *value == 0 ? 0 : *value; /* not -0 */
 	return true;
 }

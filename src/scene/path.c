@@ -40,7 +40,7 @@ static bool take(const char **at, const char *end, char behind, f32 *value)
 	while (*at < end && is_blank(**at)) ++*at;
 	if (*at == end) return false;
 	*value = ts_strtof(*at, &stop);
-	bool good = stop != *at && stop <= end;
+	bool good = ts_decimal_plain(*at, stop) && stop <= end;
 	if (!good) return false;
 	if (behind != 0) {
 		*at = stop + 1;

@@ -9,7 +9,7 @@ static ts_status take_floats(f32 *to, u32 n, const char *name, const char *text)
 	const char *at = text;
 	for (u32 i = 0; i < n; i++, at = end + 1) {
 		to[i] = ts_strtof(at, &end);
-		if (end == at || *end != (i + 1 < n ? ',' : 0))
+		if (!ts_decimal_plain(at, end) || *end != (i + 1 < n ? ',' : 0))
 			return ts_fail("%s: \"%s\" is not %s", name, text, n == 3 ? "X,Y,Z" : "X,Y,Z,R");
 	}
 	return TS_OK;

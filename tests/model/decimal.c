@@ -28,8 +28,24 @@ static void decimals_have_a_point_in_any_locale(void **state)
 	comma_end();
 }
 
+static void typed_numbers_have_no_blank_and_no_letter_but_e(void **state)
+{
+	(void)state;
+	static const char *const plain[] = {"1", "-1", "+1", "1e9", "1E-9", ".5"}, *const others[] = {
+																				   "",    " 1", "1 ",  "0x10", "inf",
+																				   "nan", "1f", "1,5", "0x1p4"};
+	for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)
+		assert_true(ts_decimal_plain(plain[i], plain[i] + strlen(plain[i])));
+	for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+		assert_false(ts_decimal_plain(others[i], others[i] + strlen(others[i])));
+	assert_true(ts_decimal_plain("1 2", "1 2" + 1));
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(decimals_have_a_point_in_any_locale)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(decimals_have_a_point_in_any_locale),
+		cmocka_unit_test(typed_numbers_have_no_blank_and_no_letter_but_e),
+	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,7 +54,7 @@ static ts_status take_distance(void *to, const ts_option *option, const char *te
 {
 	char *end;
 	double distance = ts_strtod(text, &end);
-	if (text[0] == 0 || *end != 0 || !(distance >= 0) || distance > 1e30) {
+	if (!ts_decimal_plain(text, end) || *end != 0 || !(distance >= 0) || distance > 1e30) {
 		return ts_fail("--%s: \"%s\" is not a number from 0 to 1e30", option->name, text);
 	}
 	*(double *)to = distance;

@@ -64,7 +64,7 @@ static void places_have_three_numbers(void **state)
 			assert_refused(line, why);
 		}
 	}
-	assert_int_equal(typed_parse("render reflections --eye 1,-2.5,3e1 --target 0x1p-3,0,-0 --lamp 7,8,9"), TS_OK);
+	assert_int_equal(typed_parse("render reflections --eye 1,-2.5,3e1 --target 0.125,0,-0 --lamp 7,8,9"), TS_OK);
 	assert_floats(typed_cli.job.scene.eye, (const f32[]){1, -2.5f, 30}, 3);
 	assert_floats(typed_cli.job.scene.target, (const f32[]){0.125f, 0, 0}, 3);
 	assert_floats(typed_cli.job.scene.lamp, (const f32[]){7, 8, 9}, 3);
@@ -108,6 +108,8 @@ static void what_was_not_typed_has_its_default(void **state)
 	assert_refused("compare a b --ulp 4294967296", "--ulp: \"4294967296\" is not a whole number from 0 to 4294967295");
 	assert_refused("compare a b --rel -1", "--rel: \"-1\" is not a number from 0 to 1e30");
 	assert_refused("compare a b --rel 1x", "--rel: \"1x\" is not a number from 0 to 1e30");
+	assert_refused("compare a b --abs 0x10", "--abs: \"0x10\" is not a number from 0 to 1e30");
+	assert_refused("render reflections --eye 0x1,2,3", "--eye: \"0x1,2,3\" is not X,Y,Z");
 }
 
 int main(void)
