@@ -102,19 +102,23 @@ json_int_t checker::check_index(json_t *value, const rule &r, const std::string 
 	return index;
 }
 
-/* A number that a rounding to binary32 put outside its range is the nearest inside, and noted. */
+/* A number that a rounding to binary32 put outside its range is the nearest inside, and noted; as is one beyond what
+ * kernels hold (CONTRACT rule 10). */
 double checker::check_number(const json_t *value, const rule &r, const std::string &where)
 {
 	double x = json_is_number(value) ? json_number_value(value) : HUGE_VAL,
 		   inside = std::min(std::max(x, r.low), r.high);
 	double rounding = 0x1p-22 * std::max(1.0, std::fabs(inside));
 	if (!(std::fabs(x - inside) <= rounding)) refuse(where, value, range_text("a number", r.low, r.high).c_str());
-	if (x != inside) {
+	double held = std::min(std::max(inside, -(double)TS_MOST_INPUT), (double)TS_MOST_INPUT);
+	if (x != held) {
 		char text[40];
-		snprintf(text, sizeof text, "%.10g", inside);
-		doc.notes.insert(where + " is " + shown(value) + ", a rounding outside its range: it is read as " + text);
+		snprintf(text, sizeof text, "%.10g", held);
+		doc.notes.insert(where + " is " + shown(value) +
+		                 (held != inside ? ", beyond all that is held" : ", a rounding outside its range") +
+		                 ": it is read as " + text);
 	}
-	return inside;
+	return held;
 }
 
 void checker::check_numbers(json_t *list, const rule &r, const std::string &where)

@@ -7,8 +7,8 @@
 
 f32 ts_number(double x)
 {
-	if (!(x <= (double)FLT_MAX)) return x == x ? 4611686018427387904.0f : 0.0f;
-	if (x < -(double)FLT_MAX) return -4611686018427387904.0f;
+	if (!(x <= (double)FLT_MAX)) return x == x ? TS_MOST_INPUT : 0.0f;
+	if (x < -(double)FLT_MAX) return -TS_MOST_INPUT;
 	return ts_san((f32)x);
 }
 
