@@ -38,7 +38,8 @@
 
 #define TS_CANDIDATE_DIMS 4
 #define TS_CANDIDATE_PATH 1024
-#define TS_CANDIDATE_NONE 0xffffffffu /* an index that names nothing */
+#define TS_CANDIDATE_MOST ((uint64_t)1 << 56) /* elements of a buffer */
+#define TS_CANDIDATE_NONE 0xffffffffu         /* an index that names nothing */
 
 typedef struct {
 	const char *name; /* of the buffer */
@@ -286,13 +287,13 @@ static inline int ts_candidate_fail(ts_candidate *c, const char *what, const cha
 	return 1;
 }
 
-/* Copies a text that JSON can hold as it is. */
+/* Copies a text of ASCII that JSON can hold as it is. */
 static inline int ts_candidate_text(ts_candidate *c, char *to, size_t room, const char *text)
 {
 	size_t n = strlen(text), i;
 	for (i = 0; i < n; i++) {
-		if ((unsigned char)text[i] < 32 || text[i] == '"' || text[i] == '\\')
-			return ts_candidate_fail(c, "a text with quotes, backslashes or control characters", text);
+		if (text[i] < 32 || text[i] > 126 || text[i] == '"' || text[i] == '\\')
+			return ts_candidate_fail(c, "a text with quotes, backslashes or what is not printable ASCII", text);
 	}
 	if (n >= room) return ts_candidate_fail(c, "a text that is too long", text);
 	memcpy(to, text, n + 1);
@@ -378,20 +379,33 @@ static inline int ts_candidate_header(ts_candidate *c, unsigned n_dims, const ui
 	return ts_candidate_fail(c, "cannot be written; the disk may be full", c->open->name);
 }
 
+/* Elements of an array; beyond TS_CANDIDATE_MOST more than that. */
+static inline uint64_t ts_candidate_count(unsigned n_dims, const uint64_t *shape)
+{
+	uint64_t n = 1;
+	unsigned k;
+	for (k = 0; k < n_dims; k++) {
+		if (shape[k] == 0) return 0;
+		n = n > TS_CANDIDATE_MOST / shape[k] ? TS_CANDIDATE_MOST + 1 : n * shape[k];
+	}
+	return n;
+}
+
 /* Begins a buffer whose elements come in parts, in C order. The next one, or the end, closes it. */
 static inline int ts_candidate_open(ts_candidate *c, const char *name, unsigned n_dims, const uint64_t *shape)
 {
-	unsigned i = 0, k;
+	unsigned i = 0;
 	if (c->message[0] != 0 || ts_candidate_close(c)) return 1;
 	while (i < TS_CANDIDATE_BUFFERS && strcmp(ts_candidate_buffers[i].name, name) != 0) i++;
 	if (i == TS_CANDIDATE_BUFFERS) return ts_candidate_fail(c, "no such buffer; see: touchstone list buffers", name);
 	if (c->added[i]) return ts_candidate_fail(c, "was added before", name);
 	if (n_dims != ts_candidate_buffers[i].n_dims) return ts_candidate_fail(c, "has another number of dimensions", name);
+	if (ts_candidate_count(n_dims, shape) > TS_CANDIDATE_MOST)
+		return ts_candidate_fail(c, "its shape has more elements than a file can hold", name);
 	c->file = ts_candidate_file(c, name, ".npy");
 	if (c->file == NULL) return 1;
 	c->open = &ts_candidate_buffers[i];
-	c->left = 1;
-	for (k = 0; k < n_dims; k++) c->left *= shape[k];
+	c->left = ts_candidate_count(n_dims, shape);
 	return ts_candidate_header(c, n_dims, shape);
 }
 
@@ -424,14 +438,6 @@ static inline const unsigned char *ts_candidate_at(const ts_candidate_view *view
 	unsigned k;
 	for (k = n_dims; k-- > 0; index /= shape[k]) at += (ptrdiff_t)(index % shape[k]) * view->stride[k];
 	return at;
-}
-
-static inline uint64_t ts_candidate_count(unsigned n_dims, const uint64_t *shape)
-{
-	uint64_t n = 1;
-	unsigned k;
-	for (k = 0; k < n_dims; k++) n *= shape[k];
-	return n;
 }
 
 /* Puts the next elements of the open buffer: an array of any shape with strides, a whole image or a face of a cube. */

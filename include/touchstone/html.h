@@ -34,8 +34,8 @@ typedef struct {
  * until then. */
 TS_API ts_status ts_html_open(ts_context *context, ts_html **page, const ts_html_options *options);
 
-/* Adds a picture, whose pixels are copied: 8-bit sRGB, height rows of width pixels of 3 bytes. from: its file, or
- * another source. */
+/* Adds a picture, whose pixels are copied: 8-bit sRGB, height rows of width pixels of 3 bytes, from 1 to 16384 a side.
+ * from: its file, or another source. */
 TS_API ts_status ts_html_add_picture(ts_html *page, const char *name, const char *from, const uint8_t *rgb,
                                      uint32_t width, uint32_t height);
 

@@ -44,9 +44,9 @@ ts_status ts_html_add_picture(ts_html *page, const char *name, const char *from,
                               uint32_t height)
 {
 	if (TS_LACKS(page) || TS_LACKS(name) || TS_LACKS(from) || TS_LACKS(rgb)) return TS_ERROR;
-	if (width == 0 || height == 0) {
-		return ts_fail("%s: %lu x %lu pixels; at least one would be right", name, (unsigned long)width,
-		               (unsigned long)height);
+	if (width == 0 || height == 0 || width > TS_PAGE_SIDE || height > TS_PAGE_SIDE) {
+		return ts_fail("%s: %lu x %lu pixels; 1 to %d a side would be right", name, (unsigned long)width,
+		               (unsigned long)height, TS_PAGE_SIDE);
 	}
 	if (ts_api_enter(page->context) != TS_OK) return TS_ERROR;
 	ts_status status = ts_page_add_picture(page->inner, name, from, rgb, width, height);

@@ -9,7 +9,7 @@
 #include "output/json/text.h"
 #include "report/page.h"
 
-enum { PATH_BYTES = 4608, NAME_BYTES = 256, MOST_SIDE = 1 << 14, MOST_BYTES = 1 << 30 };
+enum { PATH_BYTES = 4608, NAME_BYTES = 256, MOST_BYTES = 1 << 30 };
 
 /* A PNG file of a folder. */
 typedef struct {
@@ -85,10 +85,10 @@ static ts_status read_png(u8 **png, size_t *bytes, ts_page_picture *picture, con
 	if (status != TS_OK) return status;
 	picture->width = big_endian(*png + 16);
 	picture->height = big_endian(*png + 20);
-	if (picture->width <= MOST_SIDE && picture->height <= MOST_SIDE) return TS_OK;
+	if (picture->width <= TS_PAGE_SIDE && picture->height <= TS_PAGE_SIDE) return TS_OK;
 	free(*png);
 	return ts_fail("%s: %u x %u pixels; at most %d a side are shown", path, (unsigned)picture->width,
-	               (unsigned)picture->height, MOST_SIDE);
+	               (unsigned)picture->height, TS_PAGE_SIDE);
 }
 
 /* Its pixels can be probed if the folder holds the trace. */
@@ -110,7 +110,7 @@ static ts_status add_picture(ts_page *page, const found *f, const json_t *report
 	if (read_png(&png, &bytes, &p, f) != TS_OK) return TS_ERROR;
 	ts_status status = TS_OK;
 	if (f->method || f->truth) {
-		status = ts_image_decode(&p.rgb, &p.width, &p.height, png, bytes, (u64)MOST_SIDE * MOST_SIDE, f->path);
+		status = ts_image_decode(&p.rgb, &p.width, &p.height, png, bytes, (u64)TS_PAGE_SIDE * TS_PAGE_SIDE, f->path);
 	}
 	if (status == TS_OK && p.rgb != NULL) drop_alpha(p.rgb, (size_t)p.width * p.height);
 	snprintf(from, sizeof from, "%s%s%s", f->dir, f->group[0] != 0 ? "/" : "", f->group);

@@ -8,7 +8,7 @@
 
 typedef struct ts_page ts_page;
 
-enum { TS_PAGE_PROBES = 64 };
+enum { TS_PAGE_PROBES = 64, TS_PAGE_SIDE = 1 << 14 }; /* of a picture, at most */
 
 /* An empty page. ppd: pixels per degree of the viewer, for FLIP (image/flip.h); n_probes: the greatest number of
  * differing pixels of a comparison of which the page holds probes. NULL with the message set on failure. */

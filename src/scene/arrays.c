@@ -10,14 +10,24 @@ static void check_arrays(ts_build *build, const ts_scene_arrays *a, const ts_sce
 		const char *name;
 		const void *array;
 		u32 n;
-	} given[] = {{"vertices", a->vertices, a->n_vertices},    {"triangles", a->triangles, a->n_triangles},
-	             {"materials", a->materials, a->n_materials}, {"slots", a->slots, a->n_slots},
-	             {"images", a->images, a->n_images},          {"lights", a->lights, a->n_lights},
-	             {"objects", a->objects, a->n_objects},       {"surfels", a->surfels, a->n_surfels},
-	             {"cameras", a->cameras, a->n_cameras}};
+		size_t aligned;
+	} given[] = {{"vertices", a->vertices, a->n_vertices, _Alignof(ts_vertex)},
+	             {"triangles", a->triangles, a->n_triangles, _Alignof(ts_triangle)},
+	             {"materials", a->materials, a->n_materials, _Alignof(ts_material)},
+	             {"slots", a->slots, a->n_slots, _Alignof(ts_slot)},
+	             {"images", a->images, a->n_images, _Alignof(ts_image_array)},
+	             {"lights", a->lights, a->n_lights, _Alignof(ts_light)},
+	             {"objects", a->objects, a->n_objects, _Alignof(ts_object)},
+	             {"surfels", a->surfels, a->n_surfels, _Alignof(ts_surfel)},
+	             {"cameras", a->cameras, a->n_cameras, _Alignof(ts_camera_array)}};
 	for (u32 i = 0; i < sizeof given / sizeof *given; i++) {
-		if (given[i].n == 0 || given[i].array != NULL) continue;
-		ts_build_fail(build, "%s: %s is NULL; %u are said to be there", build->scene->name, given[i].name, given[i].n);
+		if (given[i].n == 0) continue;
+		if (given[i].array == NULL)
+			ts_build_fail(build, "%s: %s is NULL; %u are said to be there", build->scene->name, given[i].name,
+			              given[i].n);
+		else if ((uintptr_t)given[i].array % given[i].aligned != 0)
+			ts_build_fail(build, "%s: %s is not aligned to %zu bytes", build->scene->name, given[i].name,
+			              given[i].aligned);
 	}
 	if (o->reflector != NULL || o->animation != NULL) {
 		ts_build_fail(build, "%s: %s: arrays have no named nodes; NULL would be right", build->scene->name,

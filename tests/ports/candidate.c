@@ -221,6 +221,16 @@ static void a_failure_is_told_once_and_stays(void **state)
 	assert_int_equal(ts_candidate_open(&c, "cull.keep", 1, shape), 0);
 	assert_int_equal(ts_candidate_write(&c, data, 4), 1);
 	assert_failed(&c, folder, "more elements");
+	begin(&c, folder);
+	const uint64_t wraps[] = {(uint64_t)1 << 62, 8};
+	assert_int_equal(ts_candidate_open(&c, "visibility.bits", 2, wraps), 1);
+	assert_failed(&c, folder, "more elements than a file can hold");
+	assert_int_equal(ts_candidate_begin(&c, folder, "epr", "arrival",
+	                                    "a p\xf6"
+	                                    "rt",
+	                                    "1"),
+	                 1);
+	assert_failed(&c, folder, "printable ASCII");
 	assert_int_equal(ts_candidate_begin(&c, folder, "epr", "sorted", "a port", "1"), 1);
 	assert_failed(&c, folder, "sorted: no order");
 	assert_int_equal(ts_candidate_begin(&c, folder, "epr", "arrival", "a \"port\"", "1"), 1);

@@ -158,6 +158,8 @@ static void arrays_that_make_no_scene_are_refused(void **state)
 	memcpy(moved, corners, sizeof moved);
 	bad.vertices = NULL;
 	refuses(&bad, NULL, "vertices is NULL; 4 are said to be there");
+	bad.vertices = (const ts_vertex *)(const void *)((const char *)moved + 2);
+	refuses(&bad, NULL, "vertices is not aligned to 4 bytes");
 	bad = good;
 	bad.n_vertices = 3;
 	refuses(&bad, NULL, "vertex 3 does not exist");
