@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include "model/core.h"
 
-enum { MOST_REACH = 136, N_PLANES = 13, LEAST_BAND = 64, BAND_BYTES = 1 << 26 };
+enum { MOST_REACH = 136, N_PLANES = 13, LEAST_BAND = 64 };
 
 static const double pi = 3.14159265358979323846;
 /* The paper's constants: exponent and bend of colour differences; width of edges in degrees, and their exponent. */
@@ -29,7 +29,7 @@ typedef struct {
 } filter;
 
 typedef struct {
-	uint32_t width, height; /* of the band, with the rows beside it */
+	uint32_t width, height;                       /* of the band, with the rows beside it */
 	filter achromatic, red_green, blue_yellow[2]; /* contrast sensitivity */
 	double share[2];                              /* of the two blue-yellow filters */
 	filter smooth, edge, point;                   /* features */
@@ -281,7 +281,8 @@ ts_status ts_flip(float *errors, double *mean, const uint8_t *reference, const u
 	seen s[2];
 	make_sensitivity(&l, ppd);
 	make_features(&l, ppd);
-	const size_t row_bytes = (size_t)width * N_PLANES * sizeof(double), fit = row_bytes > 0 ? BAND_BYTES / row_bytes : 0;
+	const size_t row_bytes = (size_t)width * N_PLANES * sizeof(double);
+	const size_t fit = row_bytes > 0 ? TS_FLIP_BYTES / row_bytes : 0;
 	const uint32_t band = fit < LEAST_BAND ? LEAST_BAND : (uint32_t)fit;
 	const uint64_t rows = (uint64_t)band + 2 * reach_of(&l);
 	const size_t n = (size_t)width * (height < rows ? height : (size_t)rows);

@@ -15,5 +15,7 @@
  * their mean. The result does not depend on threads. Fails without memory. */
 ts_status ts_flip(float *errors, double *mean, const uint8_t *reference, const uint8_t *image, uint32_t width,
                   uint32_t height, double ppd);
+/* The memory that the comparison takes beside the errors; more where 64 rows do not fit. */
+enum { TS_FLIP_BYTES = 1 << 26 };
 
 #endif

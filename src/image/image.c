@@ -34,7 +34,7 @@ static ts_status load(const char *what)
 	return codec != NULL ? TS_OK : ts_fail_as(TS_KIND_LIBRARY, "%s: " TS_IMAGE_MODULE ": not ours", what);
 }
 
-static ts_status require_codec(const char *what)
+ts_status ts_image_load(const char *what)
 {
 	static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER;
 	pthread_mutex_lock(&one);
@@ -108,7 +108,7 @@ static ts_status decode_file(uint8_t **rgba, uint32_t *width, uint32_t *height, 
 	if (size[0] > max_texels / size[1])
 		return ts_fail("%s: its header says %u by %u; at most %llu texels are justified", what, size[0], size[1],
 		               (unsigned long long)max_texels);
-	if (require_codec(what) != TS_OK) return TS_ERROR;
+	if (ts_image_load(what) != TS_OK) return TS_ERROR;
 	*width = size[0];
 	*height = size[1];
 	if (!png) return decode(rgba, size, "jpeg", file, file_bytes, what);
@@ -130,7 +130,7 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 ts_status ts_image_decode_optional(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file,
                                    size_t file_bytes, uint64_t max_texels, const char *what)
 {
-	if (require_codec(what) != TS_OK) return TS_SKIPPED;
+	if (ts_image_load(what) != TS_OK) return TS_SKIPPED;
 	return ts_image_decode(rgba, width, height, file, file_bytes, max_texels, what);
 }
 
@@ -148,7 +148,7 @@ ts_status ts_image_encode_png(void **file, size_t *file_bytes, const uint8_t *pi
 	if (TS_LACKS(file)) return TS_ERROR;
 	*file = NULL;
 	if (TS_LACKS(file_bytes) || TS_LACKS(pixels) || TS_LACKS(what)) return TS_ERROR;
-	if (check_picture(what, width, height, channels) != TS_OK || require_codec(what) != TS_OK) return TS_ERROR;
+	if (check_picture(what, width, height, channels) != TS_OK || ts_image_load(what) != TS_OK) return TS_ERROR;
 	return with_message(codec->encode_png(file, file_bytes, what, pixels, width, height, channels, texts));
 }
 
@@ -158,7 +158,7 @@ ts_status ts_image_encode_exr(void **file, size_t *file_bytes, const float *pixe
 	if (TS_LACKS(file)) return TS_ERROR;
 	*file = NULL;
 	if (TS_LACKS(file_bytes) || TS_LACKS(pixels) || TS_LACKS(what)) return TS_ERROR;
-	if (check_picture(what, width, height, channels) != TS_OK || require_codec(what) != TS_OK) return TS_ERROR;
+	if (check_picture(what, width, height, channels) != TS_OK || ts_image_load(what) != TS_OK) return TS_ERROR;
 	return with_message(codec->encode_exr(file, file_bytes, what, pixels, width, height, channels, texts));
 }
 
@@ -212,7 +212,7 @@ static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, ui
 	const char *name = "its first bytes are those of no format";
 	ts_image_format is = ts_image_format_find(file, bytes, &name);
 	if (!is_read(is)) return ts_fail(EXPECTED, what, name);
-	if (require_codec(what) != TS_OK) return TS_ERROR;
+	if (ts_image_load(what) != TS_OK) return TS_ERROR;
 	const char *format = is == TS_IMAGE_PNG ? "png" : is == TS_IMAGE_JPEG ? "jpeg" : "openexr";
 	ts_status status = is == TS_IMAGE_PNG ? ts_png_clean(&clean, &bytes, file, bytes, what) : TS_OK;
 	const void *whole = clean != NULL ? clean : file;
@@ -261,7 +261,7 @@ ts_status ts_image_read_framed(float **pixels, uint32_t *width, uint32_t *height
 	if (TS_LACKS(pixels)) return TS_ERROR;
 	*pixels = NULL;
 	if (TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(path)) return TS_ERROR;
-	if (ts_blame(ts_image_format_of(&is, path), TS_KIND_FORMAT) != TS_OK || require_codec(path) != TS_OK)
+	if (ts_blame(ts_image_format_of(&is, path), TS_KIND_FORMAT) != TS_OK || ts_image_load(path) != TS_OK)
 		return TS_ERROR;
 	void *file = ts_input_read(&bytes, path, TS_INPUT_ANY);
 	if (file == NULL) return TS_ERROR;

@@ -4,6 +4,7 @@
 #include "output/file.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -136,9 +137,13 @@ ts_status ts_file_replace(const char *path, const void *data, size_t bytes)
 	char *partial = ts_alloc(n, 1, path);
 	if (partial == NULL) return TS_ERROR;
 	snprintf(partial, n, "%s.partial", path);
+	sigset_t all, before;
+	sigfillset(&all);
+	pthread_sigmask(SIG_BLOCK, &all, &before); /* who ends this process now would leave the file */
 	ts_status status = ts_lock_take(&lock, partial, path);
+	if (status == TS_OK) ts_left_file(partial);
+	pthread_sigmask(SIG_SETMASK, &before, NULL);
 	if (status == TS_OK) {
-		ts_left_file(partial);
 		status = fill(&lock, partial, path, data, bytes);
 		ts_left_file("");
 	}

@@ -97,7 +97,7 @@ ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params
 		if (takes_long && c->hurried) c->methods[v] = NULL;
 		if (c->methods[v] == NULL) continue;
 		status = ts_bench_case_params(&own, c, v);
-		if (status == TS_OK) status = ts_measure_estimate(&estimate, &c->methods[v], 1, truths, c->scene, &own);
+		if (status == TS_OK) status = ts_measure_estimate(&estimate, &c->methods[v], 1, truths, c->scene, &own, NULL);
 	}
 	return status;
 }

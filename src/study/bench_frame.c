@@ -33,7 +33,7 @@ ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_job *job)
 	if (n != 1) return ts_fail("--method %s: this table takes one method", job->method);
 	*frame = (ts_bench_frame){.method = methods[0], .params = params};
 	ts_status status = ts_scene_load(&frame->scene, ts_bench_frame_spec(job), &frame->params, &job->scene.options);
-	return status == TS_OK ? ts_measure_estimate(&estimate, methods, 1, 0, frame->scene, &frame->params) : status;
+	return status == TS_OK ? ts_measure_estimate(&estimate, methods, 1, 0, frame->scene, &frame->params, NULL) : status;
 }
 
 ts_status ts_bench_frame_run(const ts_bench_frame *frame, const ts_how *how, ts_measure *measure)

@@ -234,7 +234,7 @@ static const ts_truth_kind *largest_truth(u64 *bytes, u32 truths, const ts_pipel
 }
 
 ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
-                              const ts_scene *scene, const ts_params *params)
+                              const ts_scene *scene, const ts_params *params, const ts_leaves *leaves)
 {
 	const ts_pipeline *largest = methods[0];
 	u64 run = 0, limit = ts_memory_limit();
@@ -244,6 +244,7 @@ ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *m
 		run = own > run ? own : run;
 	}
 	const ts_truth_kind *truth = largest_truth(&run, truths, methods[0], scene, params);
+	if (leaves != NULL) run = (run > leaves->writing ? run : leaves->writing) + leaves->pictures;
 	*estimate = (ts_estimate){.held = ts_memory_used(), .run = run};
 	if (estimate->held <= limit && run <= limit - estimate->held) return TS_OK;
 	return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "

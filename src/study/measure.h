@@ -79,9 +79,14 @@ i64 ts_measure_shading(const ts_measure *measure);
 typedef struct {
 	u64 held, run;
 } ts_estimate;
-/* Estimates a run of these methods with the truths `truths` (bits of rows of ts_truths), after the scene was opened.
- * Refuses with one line a run beyond three quarters of the machine's memory. */
+/* What a run leaves: bytes of the pictures that stay until its end, and bytes that writing them takes then. */
+typedef struct {
+	u64 pictures, writing;
+} ts_leaves;
+/* Estimates runs of these methods, one after the other, with the truths `truths` (bits of rows of ts_truths), after the
+ * scene was opened. leaves: NULL, nothing. Refuses with one line what is beyond three quarters of the machine's
+ * memory. */
 ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
-                              const ts_scene *scene, const ts_params *params);
+                              const ts_scene *scene, const ts_params *params, const ts_leaves *leaves);
 
 #endif

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "image/flip.h"
+#include "image/optional.h"
 #include "scene/sources.h"
 #include "study/asked/reads.h"
 
@@ -169,15 +171,31 @@ ts_status ts_render_make(ts_render *render)
 	return status;
 }
 
+/* Bytes a pixel of a picture: radiance, colours and marks; of a file of EXR, with a copy that is read back; and of a
+ * picture on a page, decoded, with its PNG as text. */
+enum { PICTURE_BYTES = 17, FILE_BYTES = 36, PAGE_BYTES = 12 };
+
+static ts_leaves leaves_of(const ts_render *render)
+{
+	const ts_output *output = &render->job->output;
+	const ts_params *params = &render->job->params;
+	const u64 pixels = (u64)TS_PARAM(params, width) * TS_PARAM(params, height), n = ts_render_count(render);
+	const u64 page = output->report != NULL ? pixels * PAGE_BYTES * n + (n > 1 ? TS_FLIP_BYTES : 0) : 0;
+	const u64 file = output->no_images ? 0 : pixels * (FILE_BYTES + PICTURE_BYTES);
+	return (ts_leaves){.pictures = pixels * PICTURE_BYTES * n, .writing = file > page ? file : page};
+}
+
 ts_status ts_render_open(ts_render *render)
 {
 	const ts_job *job = render->job;
-	ts_status status = TS_OK;
-	if (render->scene == NULL) status = ts_scene_load(&render->own, job->scenes, &job->params, &job->scene.options);
+	ts_status status = job->output.no_images ? TS_OK : ts_image_load(ts_render_output(job));
+	if (status == TS_OK && render->scene == NULL)
+		status = ts_scene_load(&render->own, job->scenes, &job->params, &job->scene.options);
 	if (status != TS_OK) return status;
 	if (render->scene == NULL) render->scene = render->own;
+	const ts_leaves leaves = leaves_of(render);
 	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, job->truths, render->scene,
-	                           &job->params);
+	                           &job->params, &leaves);
 }
 
 void ts_render_clear(ts_render *render)

@@ -98,7 +98,7 @@ static ts_status open_frames(ts_speed_set *set, const ts_speed_scene *of, const 
 		frame->row.of = frame;
 		status = ts_speed_row_begin(&frame->row, TS_SPEED_VALUES, runs);
 		if (status != TS_OK) return status;
-		bool fits = ts_measure_estimate(&estimate, &frame->method, 1, 0, set->scene, &set->params) == TS_OK;
+		bool fits = ts_measure_estimate(&estimate, &frame->method, 1, 0, set->scene, &set->params, NULL) == TS_OK;
 		if (!fits) return TS_SKIPPED;
 		frame->bytes = estimate.run;
 	}

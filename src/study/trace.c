@@ -103,7 +103,7 @@ ts_status ts_tracing_check(const ts_tracing *tracings, const ts_pipeline *const 
 	}
 	if (need <= room) return TS_OK;
 	return ts_fail(
-		"%s: the traces need about %.1f GB, and the disk has %.1f GB; choose fewer stages, a crop, or a smaller "
+		"%s: the traces need about %.1f MB, and the disk has %.1f MB; choose fewer stages, a crop, or a smaller "
 		"image",
-		dir, (double)need / 1e9, (double)room / 1e9);
+		dir, (double)need / 1e6, (double)room / 1e6);
 }

@@ -75,7 +75,8 @@ static ts_status make_truth(ts_picture *truth, const work *w, const ts_scene *sc
 {
 	ts_estimate estimate;
 	const ts_pipeline *method = ts_pipeline_find(w->judge->effects, filters[0].method);
-	if (ts_measure_estimate(&estimate, &method, 1, ts_truth_bit(w->judge), scene, params) != TS_OK) return TS_ERROR;
+	if (ts_measure_estimate(&estimate, &method, 1, ts_truth_bit(w->judge), scene, params, NULL) != TS_OK)
+		return TS_ERROR;
 	return ts_picture_truth_alone(truth, w->judge, scene, params, w->job->how.threads);
 }
 
