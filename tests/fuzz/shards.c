@@ -49,8 +49,11 @@ static void end(void)
 	}
 }
 
-static void begin(void)
+/* Before the first input, whose time is limited. */
+int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
+	(void)argc;
+	(void)argv;
 	static const char of[] =
 		"render reflections scenes/triangle.gltf --camera camera --reflectors 0 --size 16x16 --set "
 		"cube.px=16 --method epr";
@@ -66,6 +69,7 @@ static void begin(void)
 		good &= run("%s --set seed=1,2 --shard %u/2 -o %s", of, i, below("p", i, "")) == TS_OK;
 	}
 	assert(good);
+	return 0;
 }
 
 /* SHA256SUMS of the shard, by its own names, or by those of `listed`. */
@@ -90,7 +94,6 @@ static void confirm(const char *shard, const char *listed)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 {
 	size_t bytes, kept_bytes;
-	if (precious == NULL) begin();
 	if (n == 0 || data[0] >= sizeof kinds / sizeof *kinds) return 0;
 	const char *shard = kinds[data[0]].shard, *file = kinds[data[0]].file;
 	char *sums = ts_text_read(&bytes, below(shard, 2, TS_SHARDED_SUMS), TS_INPUT_ANY);
