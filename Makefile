@@ -70,7 +70,7 @@ THREADED := -fopenmp
 CORE_LIBS = $(if $(REPORTS),-ljansson) -lcrypto -lm
 endif
 # The folders of what touchstone-core reports beside text, by jansson; without by REPORTS=
-REPORTS ?= cli/reports study/results output/json
+REPORTS ?= cli/reports study/results output/json model/json
 # Where includes begin: the public headers; src, and for tests/... the root, in quotes alone.
 ROOTS := -Iinclude -iquote src -iquote .
 COMMON = $(OPT) $(EXACT) -fPIC -fvisibility=hidden $(THREADED) $(WARN) $(ROOTS) -MMD -MP

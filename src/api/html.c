@@ -4,7 +4,7 @@
 #include "api/verdicts.h"
 #include "compare/compare.h"
 #include "image/flip.h"
-#include "model/json.h"
+#include "model/json/read.h"
 #include "report/report.h"
 
 struct ts_html {
@@ -73,10 +73,9 @@ ts_status ts_html_add_trace(ts_html *page, const ts_trace *trace)
 /* Parses the caller's JSON, which must be an object. */
 static json_t *parse_object(const char *text)
 {
-	json_error_t error;
-	json_t *tree = json_loads(text, 0, &error);
-	if (json_is_object(tree)) return tree;
-	ts_fail("json: %s", tree != NULL ? "an object would be right" : error.text);
+	json_t *tree = ts_json_read(text, strlen(text), false, "json");
+	if (tree == NULL || json_is_object(tree)) return tree;
+	ts_fail("json: an object would be right");
 	json_decref(tree);
 	return NULL;
 }

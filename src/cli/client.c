@@ -1,6 +1,8 @@
 /* The command as a client of the library. */
 #include "cli/client.h"
 #include <stdlib.h>
+#include <string.h>
+#include "model/json/read.h"
 
 ts_status ts_client_open(ts_context **context, const ts_cli *cli)
 {
@@ -17,9 +19,8 @@ json_t *ts_client_json(ts_tree *tree)
 	if (tree == NULL) return NULL;
 	char *text = ts_tree_json(tree);
 	ts_tree_free(tree); /* before the next is made */
-	json_t *json = text != NULL ? json_loads(text, JSON_DECODE_ANY, NULL) : NULL;
+	json_t *json = text != NULL ? ts_json_read(text, strlen(text), false, "an answer") : NULL;
 	free(text);
-	if (json == NULL) ts_fail("an answer: out of memory");
 	return json;
 }
 

@@ -7,7 +7,7 @@
 #include "cli/series.h"
 #include "model/decimal.h"
 #include "model/input.h"
-#include "model/json.h"
+#include "model/json/read.h"
 
 /* The shard that has this render. */
 static const ts_part *part_of(const ts_series *series)

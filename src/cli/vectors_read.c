@@ -1,5 +1,6 @@
 /* A port's folder of outputs. Its files are untrusted. */
 #include <dirent.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -7,7 +8,7 @@
 #include <unistd.h>
 #include "cli/vectors.h"
 #include "model/input.h"
-#include "model/json.h"
+#include "model/json/read.h"
 #include "output/npy.h"
 
 enum { PATH_BYTES = 4096 + 300, MAX_INDEX_BYTES = 1 << 24 };
@@ -89,17 +90,15 @@ ts_status ts_vectors_read_contract(const char *dir)
 {
 	char path[PATH_BYTES];
 	struct stat info;
-	json_error_t error;
 	snprintf(path, sizeof path, "%s/vectors.json", dir);
 	if (stat(path, &info) != 0) return TS_OK;
 	size_t bytes = 0;
 	bool readable = S_ISREG(info.st_mode) && info.st_size <= MAX_INDEX_BYTES;
 	char *text = readable ? ts_text_read(&bytes, path, MAX_INDEX_BYTES) : NULL;
 	if (readable && text == NULL) return TS_ERROR;
-	errno = 0;
-	json_t *root = text != NULL ? json_loadb(text, bytes, 0, &error) : NULL;
+	json_t *root = text != NULL ? ts_json_read(text, bytes, false, path) : NULL;
 	free(text);
-	if (readable && root == NULL && ts_json_no_memory(&error)) return ts_fail("%s: out of memory", path);
+	if (readable && root == NULL && ts_error_kind() == TS_KIND_MEMORY) return TS_ERROR;
 	json_t *contract = json_object_get(root, "contract");
 	json_int_t version = json_integer_value(contract);
 	bool known = json_is_integer(contract);

@@ -5,7 +5,7 @@
 #include "image/falsecolour.h"
 #include "image/flip.h"
 #include "model/input.h"
-#include "model/json.h"
+#include "model/json/read.h"
 #include "output/file.h"
 #include "page.inc"
 
@@ -82,19 +82,17 @@ void ts_page_free(ts_page *page)
 
 ts_status ts_page_read(json_t **root, const char *dir, const char *name, bool absent)
 {
-	char path[PATH_BYTES], why[TS_JSON_WHY];
+	char path[PATH_BYTES];
 	size_t bytes;
-	json_error_t error;
 	*root = NULL;
 	snprintf(path, sizeof path, "%s/%s", dir, name);
 	if (absent && access(path, F_OK) != 0) return TS_OK;
 	char *text = ts_input_read_in(&bytes, dir, name, MOST_JSON_BYTES);
 	if (text == NULL) return TS_ERROR;
 	const size_t mark = ts_text_mark(text, bytes);
-	errno = 0;
-	*root = json_loadb(text + mark, bytes - mark, 0, &error);
+	*root = ts_json_read(text + mark, bytes - mark, false, path);
 	free(text);
-	if (*root == NULL) return ts_fail("%s: %s", path, ts_json_why(why, &error));
+	if (*root == NULL) return TS_ERROR;
 	if (json_is_object(*root)) return TS_OK;
 	json_decref(*root);
 	*root = NULL;

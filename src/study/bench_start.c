@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "model/json.h"
+#include "model/json/read.h"
 #include "study/bench.h"
 
 extern char **environ;
@@ -100,11 +100,10 @@ static ts_status run_child(char **arguments, char **environment, FILE *out)
 
 static ts_status read_times(ts_bench_started *started, FILE *out)
 {
-	json_error_t error;
+	char text[1 << 16];
 	rewind(out);
-	errno = 0;
-	json_t *root = json_loadf(out, 0, &error);
-	if (root == NULL && ts_json_no_memory(&error)) return ts_fail("bench start: out of memory");
+	json_t *root = ts_json_read(text, fread(text, 1, sizeof text, out), false, "bench start");
+	if (root == NULL && ts_error_kind() == TS_KIND_MEMORY) return TS_ERROR;
 	json_t *row = json_array_get(json_object_get(root, "start"), 0);
 	started->open = json_number_value(json_object_get(row, "open_s"));
 	started->first = json_number_value(json_object_get(row, "first_s"));

@@ -1,16 +1,14 @@
 /* The head of every report of measurements: the program, and how it was run. */
 #include <string.h>
-#include "model/json.h"
+#include "model/json/read.h"
 #include "study/results/table.h"
 
 /* A number as such, a word as a string; NULL without memory. */
 static json_t *value_json(const char *text, bool is_number)
 {
-	json_error_t error;
-	errno = 0;
-	json_t *value = is_number ? json_loads(text, JSON_DECODE_ANY, &error) : NULL;
-	if (value != NULL || (is_number && ts_json_no_memory(&error))) return value;
-	return json_string(text);
+	json_t *value = is_number ? ts_json_read(text, strlen(text), false, "a number") : NULL;
+	bool starved = is_number && value == NULL && ts_error_kind() == TS_KIND_MEMORY;
+	return value != NULL || starved ? value : json_string(text);
 }
 
 /* NULL without memory. */

@@ -1,11 +1,12 @@
 /* trace.json and the headers of the files that it names. */
 #include "trace/read.h"
+#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 #include "model/input.h"
-#include "model/json.h"
+#include "model/json/read.h"
 #include "trace/describe.h"
 #include "trace/item.h"
 #include "trace/packed.h"
@@ -195,16 +196,13 @@ static ts_status read_json(ts_trace *trace)
 	if (ts_item_path(path, trace->dir, "trace.json", TS_IN_FOLDER) != TS_OK) return TS_ERROR;
 	char *text = read_text(path, &n);
 	if (text == NULL) return TS_ERROR;
-	json_error_t error;
-	char why[TS_JSON_WHY];
 	size_t mark = ts_text_mark(text, n);
-	errno = 0;
-	json_t *root = json_loadb(text + mark, n - mark, JSON_REJECT_DUPLICATES, &error);
-	if (root == NULL) ts_json_why(why, &error);
+	json_t *root = ts_json_read(text + mark, n - mark, false, path);
 	free(text);
+	if (root == NULL) return TS_ERROR;
 	if (!json_is_object(root)) {
 		json_decref(root);
-		return ts_fail("%s: %s", path, root != NULL ? "line 1: not an object" : why);
+		return ts_fail("%s: line 1: not an object", path);
 	}
 	ts_status status = read_root(trace, path, root);
 	json_decref(root);

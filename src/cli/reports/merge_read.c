@@ -5,7 +5,7 @@
 #include "cli/reports/sharded.h"
 #include "model/digest.h"
 #include "model/input.h"
-#include "model/json.h"
+#include "model/json/read.h"
 #include "output/file.h"
 #include "output/folder.h"
 #include "study/results/folder.h"
@@ -63,14 +63,12 @@ char *ts_part_file(size_t *bytes, const ts_part *part, const char *name, u64 mos
 
 static json_t *read_json(const ts_part *part, const char *name)
 {
-	char why[TS_JSON_WHY];
+	char path[WHY_BYTES];
 	size_t bytes;
-	json_error_t error;
+	snprintf(path, sizeof path, "%s/%s", part->dir, name);
 	char *text = ts_part_file(&bytes, part, name, MOST_TEXT_BYTES);
 	if (text == NULL) return NULL;
-	errno = 0;
-	json_t *root = json_loadb(text, bytes, JSON_REJECT_DUPLICATES, &error);
-	if (root == NULL) ts_fail("%s/%s: %s", part->dir, name, ts_json_why(why, &error));
+	json_t *root = ts_json_read(text, bytes, false, path);
 	free(text);
 	if (root == NULL || json_is_object(root)) return root;
 	json_decref(root);

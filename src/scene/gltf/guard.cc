@@ -7,13 +7,11 @@
 #include <new>
 #include "model/core.h"
 #include "model/input.h"
-#include "model/json.h"
+#include "model/json/read.h"
 #include "scene/gltf/gltf.h"
 #include "scene/gltf/rules.h"
 
 namespace gltf {
-
-static constexpr int most_depth = 64;
 
 struct checker {
 	document doc;
@@ -35,22 +33,6 @@ struct checker {
 
 using owned = std::unique_ptr<json_t, void (*)(json_t *)>;
 
-static void check_depth(const char *text, size_t n)
-{
-	int depth = 0;
-	bool in_string = false;
-	for (size_t i = 0; i < n; i++) {
-		if (in_string && text[i] == '\\')
-			i++;
-		else if (text[i] == '"')
-			in_string = !in_string;
-		else if (!in_string && (text[i] == '{' || text[i] == '[') && ++depth > most_depth)
-			fail("JSON nested more than %d deep", most_depth);
-		else if (!in_string && (text[i] == '}' || text[i] == ']'))
-			depth--;
-	}
-}
-
 /* Stores a value that was just made. */
 static void put(json_t *object, const char *key, json_t *value)
 {
@@ -59,13 +41,10 @@ static void put(json_t *object, const char *key, json_t *value)
 
 static owned parse(const char *text, size_t n)
 {
-	json_error_t problem;
-	char why[TS_JSON_WHY];
-	check_depth(text, n);
-	errno = 0;
 	size_t mark = ts_text_mark(text, n);
-	owned root(json_loadb(text + mark, n - mark, JSON_REJECT_DUPLICATES | JSON_ALLOW_NUL, &problem), json_decref);
-	if (!root) fail("%s", ts_json_why(why, &problem));
+	owned root(ts_json_read(text + mark, n - mark, true, ""), json_decref);
+	if (!root && ts_error_kind() == TS_KIND_MEMORY) throw std::bad_alloc();
+	if (!root) fail("%s", ts_error_message());
 	if (!json_is_object(root.get())) fail("the JSON is not an object");
 	return root;
 }

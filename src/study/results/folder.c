@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include "model/core.h"
 #include "model/input.h"
-#include "model/json.h"
+#include "model/json/read.h"
 #include "output/file.h"
 
 enum { MAX_REPORT_BYTES = 1 << 24, PATH_BYTES = 4096 + 300 };
@@ -38,17 +38,14 @@ static ts_status read_list(json_t **files, const char *dir, const char *name)
 	char path[PATH_BYTES];
 	struct stat info;
 	size_t bytes;
-	json_error_t error;
 	*files = NULL;
 	snprintf(path, sizeof path, "%s/%s", dir, name);
 	if (!is_regular(path, &info) || info.st_size > MAX_REPORT_BYTES) return TS_OK;
 	char *text = ts_text_read(&bytes, path, MAX_REPORT_BYTES);
 	if (text == NULL) return TS_ERROR;
-	errno = 0;
-	json_t *root = json_loadb(text, bytes, 0, &error);
-	bool starved = root == NULL && ts_json_no_memory(&error);
+	json_t *root = ts_json_read(text, bytes, false, path);
 	free(text);
-	if (starved) return ts_fail("%s: out of memory", path);
+	if (root == NULL && ts_error_kind() == TS_KIND_MEMORY) return TS_ERROR;
 	const char *program = json_string_value(json_object_get(root, "program"));
 	json_t *listed = json_object_get(root, "files");
 	bool ours = program != NULL && strncmp(program, "touchstone", strlen("touchstone")) == 0;
