@@ -84,8 +84,8 @@ FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN'
 EMBREE := $(shell for v in 4 3; do \
 		printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
 packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
-CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf zlib libzstd)
-LIBS := $(call packages,--libs,jansson libcrypto zlib libzstd tinygltf) -ldl -lm
+CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto libpng tinygltf zlib libzstd)
+LIBS := $(call packages,--libs,jansson libcrypto libpng zlib libzstd tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 # These do without, or install it first.
 WITHOUT := core %/touchstone-core golden demo test check test-% dist fuzz matrix% distros% mutants% faults% release% \

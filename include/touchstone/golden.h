@@ -15,12 +15,11 @@ typedef struct {
 	size_t bytes; /* sizeof(ts_golden_judged) */
 	char effect[64], method[64], scene[200];
 	char stage[64], buffer[64]; /* the first that differs; both "" if none does, or only the picture */
-	char text[512];             /* what differs: file, element, both values; or what could not be compared */
+	char text[512];             /* what differs: file, element, both values */
 } ts_golden_judged;
 
 /* Runs the method of a golden again, by its params.txt, and compares the results with its files, which are untrusted. A
  * scene's file is found by its path from the folder that the golden's folder stands in.
- * The preview is not compared where images cannot be read; `text` says so.
  * Returns: TS_OK if all are the same; TS_DIFFERENT; TS_ERROR if a file is missing, or is no file of a golden. */
 TS_API ts_status ts_golden_check(ts_context *context, ts_golden_judged *judged, const char *folder);
 

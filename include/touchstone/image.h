@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Image files and image metrics. The first image that is read or written loads libtouchstone-image.so. This file must
- * stand beside the shared library; for a program that is linked with the static library, where the program looks for
- * libraries. */
+/* Image files and image metrics. The first image that is read or written, but for PNG, loads libtouchstone-image.so.
+ * This file must stand beside the shared library; for a program that is linked with the static library, where the
+ * program looks for libraries. */
 #ifndef TOUCHSTONE_IMAGE_H
 #define TOUCHSTONE_IMAGE_H
 #include <stddef.h>

@@ -2,10 +2,10 @@
 #include <stdio.h>
 #include <string.h>
 #include <touchstone/golden.h>
+#include <touchstone/image.h>
 #include "api/api.h"
 #include "golden/beside.h"
 #include "golden/params.h"
-#include "image/optional.h"
 #include "scene/sources.h"
 #include "trace/emitted/emit.h"
 
@@ -33,7 +33,7 @@ static ts_status compare(char text[TS_GOLDEN_TEXT], const ts_golden_dir *dir, co
 {
 	const bool small = ts_golden_has(dir, "small");
 	ts_status status = ts_golden_compare(text, TS_GOLDEN_TEXT, stored, computed, pipeline, small);
-	return status == TS_OK ? ts_golden_check_preview(text, dir, computed, ts_image_decode_optional) : status;
+	return status == TS_OK ? ts_golden_check_preview(text, dir, computed, ts_image_decode) : status;
 }
 
 static ts_status check(ts_golden_judged *judged, const ts_golden_dir *dir, const ts_how *how)

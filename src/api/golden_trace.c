@@ -2,9 +2,9 @@
 #include "api/golden_trace.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include <touchstone/image.h>
 #include "golden/beside.h"
 #include "golden/params.h"
-#include "image/optional.h"
 #include "trace/item.h"
 
 static ts_status keep_files(ts_trace *trace, const ts_golden *golden, const char *folder)
@@ -47,11 +47,11 @@ static ts_status add_picture(ts_trace *trace, const ts_golden_dir *dir)
 	const ts_trace_item *item = &trace->item[TS_B_image_srgb];
 	if (item->path != NULL || item->sha256[0] == 0 || !ts_golden_has(dir, TS_GOLDEN_PREVIEW)) return TS_OK;
 	if (ts_golden_read_file(&file, &bytes, dir, TS_GOLDEN_PREVIEW, TS_GOLDEN_FILE_BYTES) != TS_OK) return TS_ERROR;
-	ts_status status = ts_image_decode_optional(&rgba, &width, &height, file, bytes, TS_GOLDEN_PIXELS, dir->path);
+	ts_status status = ts_image_decode(&rgba, &width, &height, file, bytes, TS_GOLDEN_PIXELS, dir->path);
 	if (status == TS_OK) status = put_picture(trace, rgba, width, height);
 	free(rgba);
 	free(file);
-	return status == TS_SKIPPED ? TS_OK : status;
+	return status;
 }
 
 static ts_status read_all(ts_trace *trace, const ts_golden_dir *dir)

@@ -1,7 +1,6 @@
 /* The command `touchstone`: its table of commands. */
 #include "cli/golden/golden.h"
 #include "cli/series.h"
-#include "image/optional.h"
 
 #define WHERE \
 	TS_OPT(SIZE), TS_OPT(FRAME), TS_OPT(REFLECTORS), TS_OPT(REFLECTOR), TS_OPT(ANIMATION), TS_OPT(FROM_MESH), \
@@ -13,7 +12,7 @@
 const char *const ts_program = "touchstone";
 ts_golden_reporter *const ts_golden_report = ts_golden_report_checks;
 ts_merger *const ts_merge_renders = ts_merge_series;
-const ts_golden_files ts_golden_by = {ts_image_write_png, ts_image_decode_optional, ts_scene_load};
+const ts_golden_files ts_golden_by = {ts_image_write_png, ts_image_decode, ts_scene_load};
 
 const ts_command ts_command_table[] = {
 	{"render",

@@ -11,12 +11,10 @@ ts_status ts_reason_check(const char *reason);
 /* Fails unless CHANGES of a folder consists of lines of reasons. */
 ts_status ts_golden_check_changes(const ts_golden_dir *dir);
 
-/* Decodes a PNG file in memory, like ts_image_decode, which the core does not have. TS_SKIPPED, with the message set,
- * where it cannot. */
+/* Decodes a PNG file in memory, like ts_image_decode, which the core does not have. */
 typedef ts_status ts_golden_decoder(u8 **rgba, u32 *width, u32 *height, const void *file, size_t bytes, u64 most_pixels,
                                     const char *what);
-/* Compares the preview with the picture that was computed, if there is one. TS_DIFFERENT: `text` says where. TS_OK: a
- * `text` says why nothing was compared. */
+/* Compares the preview with the picture that was computed, if there is one. TS_DIFFERENT: `text` says where. */
 ts_status ts_golden_check_preview(char text[TS_GOLDEN_TEXT], const ts_golden_dir *dir, const ts_golden *computed,
                                   ts_golden_decoder *decode);
 

@@ -1,5 +1,5 @@
-/* Image files. Input is untrusted: the header's size is checked here before the module sees the file, and of a PNG it
- * sees a checked copy. */
+/* Image files: PNG by libpng, the others by the module. Input is untrusted: the header's size is checked here before
+ * the module sees a file, and of a PNG libpng sees a checked copy. */
 #include <dlfcn.h>
 #include <errno.h>
 #include <pthread.h>
@@ -11,13 +11,14 @@
 #include <touchstone/image.h>
 #include "image/codec.h"
 #include "image/format.h"
-#include "image/optional.h"
 #include "image/png.h"
 #include "model/input.h"
 #include "model/library.h"
 #include "output/file.h"
 
 enum { MOST_PIXELS = 1 << 28 }; /* for reading and writing */
+/* Of a PNG: a page whatever its bytes, and what deflate can make of these. */
+enum { FREE_PIXELS = 1 << 24, PIXELS_A_BYTE = 1032 };
 
 static const ts_image_codec *codec;
 
@@ -82,16 +83,47 @@ static void jpeg_size(uint32_t size[2], const uint8_t *p, size_t n)
 	}
 }
 
-static ts_status decode(uint8_t **rgba, const uint32_t size[2], const char *format, const void *file, size_t file_bytes,
-                        const char *what)
+static ts_status read_png(ts_png *image, const void *file, size_t file_bytes, const char *what)
 {
-	*rgba = ts_alloc((size_t)size[0] * size[1], 4, what);
-	if (*rgba == NULL) return TS_ERROR;
-	ts_status status = with_message(codec->decode(*rgba, size[0], size[1], format, file, file_bytes, what));
-	if (status == TS_OK) return TS_OK;
-	free(*rgba);
-	*rgba = NULL;
+	uint8_t *clean = NULL;
+	size_t clean_bytes = 0;
+	image->codes = NULL;
+	ts_status status = ts_png_clean(&clean, &clean_bytes, file, file_bytes, what);
+	if (status == TS_OK) status = ts_png_read(image, clean, clean_bytes, what);
+	free(clean);
 	return status;
+}
+
+static uint8_t code_at(const ts_png *image, size_t i)
+{
+	if (image->bits == 8) return ((const uint8_t *)image->codes)[i];
+	return (uint8_t)((((const uint16_t *)image->codes)[i] * 255u + 32767u) / 65535u);
+}
+
+/* Grey is replicated, missing alpha is 255. */
+static void to_rgba(uint8_t *rgba, const ts_png *image)
+{
+	const size_t n = image->channels, green = n < 3 ? 0 : 1;
+	for (size_t i = 0; i < (size_t)image->width * image->height; i++) {
+		for (size_t c = 0; c < 3; c++) rgba[4 * i + c] = code_at(image, n * i + c * green);
+		rgba[4 * i + 3] = n % 2 == 0 ? code_at(image, n * i + n - 1) : 255;
+	}
+}
+
+static ts_status decode_png(uint8_t *rgba, const void *file, size_t file_bytes, const char *what)
+{
+	ts_png image;
+	ts_status status = read_png(&image, file, file_bytes, what);
+	if (status == TS_OK) to_rgba(rgba, &image);
+	free(image.codes);
+	return status;
+}
+
+static ts_status decode_jpeg(uint8_t *rgba, const uint32_t size[2], const void *file, size_t file_bytes,
+                             const char *what)
+{
+	if (ts_image_load(what) != TS_OK) return TS_ERROR;
+	return with_message(codec->decode(rgba, size[0], size[1], "jpeg", file, file_bytes, what));
 }
 
 static ts_status decode_file(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
@@ -108,16 +140,17 @@ static ts_status decode_file(uint8_t **rgba, uint32_t *width, uint32_t *height, 
 	if (size[0] > max_texels / size[1])
 		return ts_fail("%s: its header says %u by %u; at most %llu texels are justified", what, size[0], size[1],
 		               (unsigned long long)max_texels);
-	if (ts_image_load(what) != TS_OK) return TS_ERROR;
+	uint8_t *made = ts_alloc((size_t)size[0] * size[1], 4, what);
+	if (made == NULL) return TS_ERROR;
+	ts_status status = png ? decode_png(made, file, file_bytes, what) : decode_jpeg(made, size, file, file_bytes, what);
+	if (status != TS_OK) {
+		free(made);
+		return status;
+	}
+	*rgba = made;
 	*width = size[0];
 	*height = size[1];
-	if (!png) return decode(rgba, size, "jpeg", file, file_bytes, what);
-	uint8_t *clean = NULL;
-	size_t clean_bytes = 0;
-	ts_status status = ts_png_clean(&clean, &clean_bytes, file, file_bytes, what);
-	if (status == TS_OK) status = decode(rgba, size, "png", clean, clean_bytes, what);
-	free(clean);
-	return status;
+	return TS_OK;
 }
 
 ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
@@ -125,13 +158,6 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 {
 	if (TS_LACKS(rgba) || TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(file) || TS_LACKS(what)) return TS_ERROR;
 	return ts_blame(decode_file(rgba, width, height, file, file_bytes, max_texels, what), TS_KIND_FORMAT);
-}
-
-ts_status ts_image_decode_optional(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file,
-                                   size_t file_bytes, uint64_t max_texels, const char *what)
-{
-	if (ts_image_load(what) != TS_OK) return TS_SKIPPED;
-	return ts_image_decode(rgba, width, height, file, file_bytes, max_texels, what);
 }
 
 static ts_status check_picture(const char *what, uint32_t width, uint32_t height, uint32_t channels)
@@ -148,8 +174,8 @@ ts_status ts_image_encode_png(void **file, size_t *file_bytes, const uint8_t *pi
 	if (TS_LACKS(file)) return TS_ERROR;
 	*file = NULL;
 	if (TS_LACKS(file_bytes) || TS_LACKS(pixels) || TS_LACKS(what)) return TS_ERROR;
-	if (check_picture(what, width, height, channels) != TS_OK || ts_image_load(what) != TS_OK) return TS_ERROR;
-	return with_message(codec->encode_png(file, file_bytes, what, pixels, width, height, channels, texts));
+	if (check_picture(what, width, height, channels) != TS_OK) return TS_ERROR;
+	return ts_png_write(file, file_bytes, pixels, width, height, channels, texts, what);
 }
 
 ts_status ts_image_encode_exr(void **file, size_t *file_bytes, const float *pixels, uint32_t width, uint32_t height,
@@ -205,21 +231,49 @@ ts_status ts_image_format_of(ts_image_format *format, const char *path)
 	return is_read(*format) ? TS_OK : ts_fail(EXPECTED, path, name);
 }
 
+static ts_status floats_of(float **pixels, const ts_png *image, const char *what)
+{
+	const size_t n = (size_t)image->width * image->height * image->channels;
+	*pixels = ts_alloc(n, sizeof **pixels, what);
+	for (size_t i = 0; i < n && *pixels != NULL; i++) {
+		(*pixels)[i] = image->bits == 16 ? (float)((uint16_t *)image->codes)[i] / 65535.0f
+		                                 : (float)((uint8_t *)image->codes)[i] / 255.0f;
+	}
+	return *pixels != NULL ? TS_OK : TS_ERROR;
+}
+
+static ts_status read_png_floats(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels,
+                                 ts_image_frame *frame, const void *file, size_t bytes, const char *what)
+{
+	uint32_t size[2] = {0, 0};
+	const uint64_t justified = FREE_PIXELS + (uint64_t)bytes * PIXELS_A_BYTE;
+	const uint64_t most = justified < MOST_PIXELS ? justified : MOST_PIXELS;
+	ts_png image;
+	png_size(size, file, bytes);
+	if ((uint64_t)size[0] * size[1] > most)
+		return ts_fail("%s: its header says %u by %u; 1 to %llu pixels are justified", what, size[0], size[1],
+		               (unsigned long long)most);
+	ts_status status = read_png(&image, file, bytes, what);
+	if (status == TS_OK) status = floats_of(pixels, &image, what);
+	free(image.codes);
+	if (status != TS_OK) return status;
+	*width = image.width;
+	*height = image.height;
+	*channels = image.channels;
+	*frame = (ts_image_frame){.display = {0, 0, (int32_t)image.width, (int32_t)image.height}, .parts = 1};
+	return TS_OK;
+}
+
 static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, ts_image_frame *frame,
                            const void *file, size_t bytes, const char *what)
 {
-	uint8_t *clean = NULL;
 	const char *name = "its first bytes are those of no format";
 	ts_image_format is = ts_image_format_find(file, bytes, &name);
 	if (!is_read(is)) return ts_fail(EXPECTED, what, name);
+	if (is == TS_IMAGE_PNG) return read_png_floats(pixels, width, height, channels, frame, file, bytes, what);
 	if (ts_image_load(what) != TS_OK) return TS_ERROR;
-	const char *format = is == TS_IMAGE_PNG ? "png" : is == TS_IMAGE_JPEG ? "jpeg" : "openexr";
-	ts_status status = is == TS_IMAGE_PNG ? ts_png_clean(&clean, &bytes, file, bytes, what) : TS_OK;
-	const void *whole = clean != NULL ? clean : file;
-	if (status == TS_OK)
-		status = with_message(codec->read(pixels, width, height, channels, frame, format, whole, bytes, what));
-	free(clean);
-	return status;
+	const char *format = is == TS_IMAGE_JPEG ? "jpeg" : "openexr";
+	return with_message(codec->read(pixels, width, height, channels, frame, format, file, bytes, what));
 }
 
 /* Whole numbers, of which there are the bits, as floats. */
@@ -261,8 +315,8 @@ ts_status ts_image_read_framed(float **pixels, uint32_t *width, uint32_t *height
 	if (TS_LACKS(pixels)) return TS_ERROR;
 	*pixels = NULL;
 	if (TS_LACKS(width) || TS_LACKS(height) || TS_LACKS(channels) || TS_LACKS(path)) return TS_ERROR;
-	if (ts_blame(ts_image_format_of(&is, path), TS_KIND_FORMAT) != TS_OK || ts_image_load(path) != TS_OK)
-		return TS_ERROR;
+	if (ts_blame(ts_image_format_of(&is, path), TS_KIND_FORMAT) != TS_OK) return TS_ERROR;
+	if (is != TS_IMAGE_PNG && ts_image_load(path) != TS_OK) return TS_ERROR;
 	void *file = ts_input_read(&bytes, path, TS_INPUT_ANY);
 	if (file == NULL) return TS_ERROR;
 	ts_status status = ts_blame(read_file(pixels, width, height, channels, frame, file, bytes, path), TS_KIND_FORMAT);

@@ -1,4 +1,4 @@
-/* The module libtouchstone-image.so: image files through OpenImageIO, which is named nowhere else. */
+/* The module libtouchstone-image.so: JPEG and EXR files through OpenImageIO, which is named nowhere else. */
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
@@ -63,15 +63,8 @@ static ts_status read_8bit(std::vector<uint8_t> &pixels, ImageInput &in, const c
 	const ImageSpec &spec = in.spec();
 	uint64_t n = (uint64_t)spec.width * (uint64_t)spec.height * (uint64_t)spec.nchannels;
 	pixels.resize(n);
-	if (spec.format == TypeDesc::UINT16) {
-		std::vector<uint16_t> wide(n);
-		if (!in.read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT16, wide.data()))
-			return ts_fail("%s: %s; a whole PNG or JPEG is expected", what, reason(in.geterror()).c_str());
-		for (uint64_t i = 0; i < n; i++) pixels[i] = (uint8_t)((wide[i] * 255u + 32767u) / 65535u);
-		return TS_OK;
-	}
 	if (!in.read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT8, pixels.data()))
-		return ts_fail("%s: %s; a whole PNG or JPEG is expected", what, reason(in.geterror()).c_str());
+		return ts_fail("%s: %s; a whole JPEG is expected", what, reason(in.geterror()).c_str());
 	return TS_OK;
 }
 
@@ -143,24 +136,11 @@ static void add_texts(ImageSpec &spec, const ts_image_text *texts)
 	for (; texts != nullptr && texts->name != nullptr; texts++) spec.attribute(texts->name, texts->text);
 }
 
-static ts_status encode_png(void **file, size_t *bytes, const char *path, const uint8_t *pixels, uint32_t width,
-                            uint32_t height, uint32_t channels, const ts_image_text *texts)
+static bool read_codes(float *pixels, ImageInput &in, uint64_t n)
 {
-	*file = nullptr;
-	return guarded(path, [&] {
-		ImageSpec spec((int)width, (int)height, (int)channels, TypeDesc::UINT8);
-		spec.attribute("oiio:UnassociatedAlpha", 1);
-		spec.attribute("oiio:ColorSpace", "sRGB");
-		add_texts(spec, texts);
-		return encoded{file, bytes, path}.write("png", spec, TypeDesc::UINT8, pixels);
-	});
-}
-
-template <typename Code> static bool read_codes(float *pixels, ImageInput &in, uint64_t n, TypeDesc type, float full)
-{
-	std::vector<Code> codes(n);
-	if (!in.read_image(0, 0, 0, in.spec().nchannels, type, codes.data())) return false;
-	for (uint64_t i = 0; i < n; i++) pixels[i] = (float)codes[i] / full;
+	std::vector<uint8_t> codes(n);
+	if (!in.read_image(0, 0, 0, in.spec().nchannels, TypeDesc::UINT8, codes.data())) return false;
+	for (uint64_t i = 0; i < n; i++) pixels[i] = (float)codes[i] / 255.0f;
 	return true;
 }
 
@@ -210,9 +190,8 @@ static ts_status read_floats(float **pixels, uint32_t *width, uint32_t *height, 
 	float *out = (float *)ts_alloc(n, sizeof *out, path);
 	if (!out) return TS_ERROR;
 	std::unique_ptr<float, void (*)(void *)> owner(out, free);
-	bool good = spec.format == TypeDesc::UINT8    ? read_codes<uint8_t>(out, *in, n, TypeDesc::UINT8, 255.0f)
-	            : spec.format == TypeDesc::UINT16 ? read_codes<uint16_t>(out, *in, n, TypeDesc::UINT16, 65535.0f)
-	                                              : in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, out);
+	bool good = spec.format == TypeDesc::UINT8 ? read_codes(out, *in, n)
+	                                           : in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, out);
 	*frame = frame_of(*in);
 	if (good && frame->whole != 0) good = read_whole(out, *in, (uint64_t)spec.width * (uint64_t)spec.height);
 	if (!good) return ts_fail("%s: %s; a whole image is expected", path, reason(in->geterror()).c_str());
@@ -274,4 +253,4 @@ static ts_status read(float **pixels, uint32_t *width, uint32_t *height, uint32_
 	               [&] { return read_floats(pixels, width, height, channels, frame, format, file, file_bytes, what); });
 }
 
-const ts_image_codec ts_image_codec_module = {decode, encode_png, encode_exr, read, ts_error_message, ts_error_kind};
+const ts_image_codec ts_image_codec_module = {decode, encode_exr, read, ts_error_message, ts_error_kind};

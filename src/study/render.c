@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "image/flip.h"
-#include "image/optional.h"
+#include "image/codec.h"
 #include "scene/sources.h"
 #include "study/asked/reads.h"
 

@@ -63,7 +63,6 @@ done > goldens/cases.txt
 run golden new --goldens goldens
 accepts goldens case-{1,2,3,4,5}
 golden=(golden check --goldens goldens)
-without_images # nor previews
 whole_and_shards 0 3 'goldens that are the same' "${golden[@]}"
 change goldens/case-2/small/*-image.radiance.npy 4 7 0 0000803f
 change goldens/case-5/small/*-image.srgb.npy 1 7 0 aa
@@ -86,7 +85,6 @@ whole_and_shards 1 7 'more shards than cases' "${golden[@]}"
 rm -r goldens/case-4/small
 whole_and_shards 2 2 'a shard that ends with an error' "${golden[@]}"
 
-with_images
 # A comparison, whose inputs are judged by other shards.
 run "${frame[@]}" --method epr --trace -o r
 cp -r r/trace-epr c

@@ -40,16 +40,6 @@ refuses() {
 	verdict $? "refused: $*"
 }
 
-# without_images, with_images: $touchstone is from here on a copy that finds no module of images, which takes five times
-# as long to load as a small frame takes; of a golden's preview it says that it was not compared. And the other way
-# round.
-without_images() {
-	mkdir -p "$scratch/without-images"
-	[ -e "$scratch/without-images/touchstone" ] || cp "$touchstone" "$scratch/without-images/"
-	touchstone=$scratch/without-images/touchstone
-}
-with_images() { touchstone=$(realpath -m "${BUILD:-build/release}/touchstone"); }
-
 # prints PATTERN ARGUMENT...: exit code 0, and a line on stdout that matches.
 prints() {
 	local pattern=$1

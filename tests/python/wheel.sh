@@ -40,15 +40,17 @@ port["image.srgb"] = ~reference["image.srgb"]
 print(context.compare(reference, port, stages="image", ignore="image.radiance").first.line)
 touchstone.write_png("picture.png", port["image.srgb"])
 print(touchstone.read_image("picture.png").shape)
+touchstone.write_exr("picture.exr", reference["image.radiance"])
+print("an EXR")
 END
-own/bin/python picture.py > printed && [ "$(wc -l < printed)" -eq 2 ] &&
+own/bin/python picture.py > printed && [ "$(wc -l < printed)" -eq 3 ] &&
 	grep -q 'buffer image.srgb, pixel (0, 0)' printed &&
 	grep -qFx '(36, 64, 3)' printed
 verdict $? 'a picture and a comparison'
 sed 's/^/# /' printed
 
 mv "$inside/libtouchstone-image.so" images && own/bin/python picture.py > printed 2> said
-[ $? -eq 1 ] && [ "$(wc -l < printed)" -eq 1 ] && tail -n 1 said | grep -q '^touchstone.Error: .*libtouchstone-image.so'
+[ $? -eq 1 ] && [ "$(wc -l < printed)" -eq 2 ] && tail -n 1 said | grep -q '^touchstone.Error: .*libtouchstone-image.so'
 verdict $? 'without the module of images one line says so, and the rest works'
 mv images "$inside/libtouchstone-image.so"
 needed=$(sed -n 's/^Requires-External: \(.*jansson.*\)/\1/p' "$inside"-*/METADATA)

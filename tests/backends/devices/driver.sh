@@ -2,7 +2,6 @@
 # A driver that is absent is skipped; one that crashes, ends the process that asks, or has no memory is an error that
 # says so, and leaves the list of backends whole. The drivers are of OpenCL, made here.
 . "$(dirname "$0")/../../cli/tap.bash"
-without_images
 export OCL_ICD_VENDORS
 
 # vendor NAME TEXT: a driver that does so when it is loaded; without TEXT it is not there.
