@@ -30,20 +30,29 @@ typedef struct {
 	const ts_selftest_of *first;
 } answer;
 
-static answer ask(uint32_t threads)
+static void ask_here(answer *r)
 {
-	answer r = {0};
-#pragma omp parallel num_threads((int)threads)
 	for (const ts_selftest_of *of = __start_ts_selftests; of < __stop_ts_selftests; of++) {
 		unsigned bad = of->bad();
 		if (bad == 0) continue;
 #pragma omp critical
 		{
-			r.here |= of->bad == ts_selftest_all ? bad : 0;
-			if (r.first == NULL || of < r.first) r = (answer){.here = r.here, .first = of};
-			r.there |= of == r.first ? bad : 0;
+			r->here |= of->bad == ts_selftest_all ? bad : 0;
+			if (r->first == NULL || of < r->first) *r = (answer){.here = r->here, .first = of};
+			r->there |= of == r->first ? bad : 0;
 		}
 	}
+}
+
+static answer ask(uint32_t threads)
+{
+	answer r = {0};
+	if (threads <= 1) {
+		ask_here(&r);
+		return r;
+	}
+#pragma omp parallel num_threads((int)threads)
+	ask_here(&r);
 	return r;
 }
 

@@ -3,6 +3,7 @@
  *   TOUCHSTONE_FAULT=KIND:N        that call fails; with KIND+ so do all after it; with 0 all are counted only; of the
  *                                  kind `kill`, the calls that change the disk, the process dies instead
  *   TOUCHSTONE_FAULT_MOVES=yes     and the file system cannot exchange folders
+ *   TOUCHSTONE_FAULT_WAITS=yes     calls count between ts_fault_begin and ts_fault_end alone
  *   TOUCHSTONE_FAULT_COUNT=FILE    how many there were, written at the end
  *   TOUCHSTONE_FAULTS=KIND:N:STEP:LAST  runs the command for N, N + STEP, ... until none is left, or LAST (serve.c) */
 #ifndef TS_TESTS_FAULTS_FAULT_H
@@ -43,6 +44,9 @@ extern const ts_fault_row ts_fault_rows[TS_N_KINDS];
 const char *ts_fault_parse(const char *text, ts_fault_kind *kind, bool *on);
 /* From here on calls count. */
 void ts_fault_arm(ts_fault_kind kind, bool on, long at);
+/* With TOUCHSTONE_FAULT_WAITS the command itself says from where to where they count. */
+void ts_fault_begin(void);
+void ts_fault_end(void);
 /* Whether calls of the kind count. */
 bool ts_fault_watches(ts_fault_kind kind);
 /* Counts a call of the kind; whether it is to fail, with errno set. */

@@ -48,6 +48,14 @@ enum { CHUNKS_A_THREAD = 64, CHUNKS_TO_ASK = 1024, LEAST_ITEMS = 16 };
 
 void ts_c_items(ts_kernel kernel, const void *args, u64 begin, u64 end) { kernels[kernel](args, begin, end); }
 
+/* Without a team of threads, which would take memory, and end the process where there is none. */
+static void launch_alone(kernel_items *items, const void *args, u64 n, u64 size, ts_stop *stop)
+{
+	for (u64 begin = 0; begin < n && !ts_stopped(stop); begin += size) {
+		items(args, begin, begin + size < n ? begin + size : n);
+	}
+}
+
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads)
 {
 	kernel_items *items = kernels[kernel];
@@ -55,7 +63,11 @@ void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads)
 	u64 size = n / ((u64)threads * (stop != NULL ? CHUNKS_TO_ASK : CHUNKS_A_THREAD));
 	size = size < LEAST_ITEMS ? LEAST_ITEMS : size;
 	i64 chunks = (i64)((n + size - 1) / size);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (chunks > 1)
+	if (threads == 1 || chunks <= 1) {
+		launch_alone(items, args, n, size, stop);
+		return;
+	}
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 	for (i64 chunk = 0; chunk < chunks; chunk++) {
 		u64 begin = (u64)chunk * size;
 		if (ts_stopped(stop)) continue;
@@ -100,6 +112,10 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 
 	u8 *data = ts_frame_handle(frame, id);
 	i64 bytes = (i64)frame->buffer[id].bytes;
 	ts_memory_large_pages(data, (size_t)bytes);
+	if (c->threads == 1) {
+		memset(data, byte, (size_t)bytes);
+		return TS_OK;
+	}
 #pragma omp parallel for schedule(static) num_threads(c->threads)
 	for (i64 i = 0; i < bytes; i += PART) memset(data + i, byte, (size_t)(bytes - i < PART ? bytes - i : PART));
 	return TS_OK;
