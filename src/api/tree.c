@@ -1,9 +1,8 @@
 /* Answers as trees: a node is a value of jansson. */
 #include <jansson.h>
-#include <stdlib.h>
-#include <string.h>
 #include <touchstone/tree.h>
 #include "model/core.h"
+#include "output/json/text.h"
 
 static const json_t *json(const ts_tree *node) { return (const json_t *)node; }
 static const ts_tree *tree(const json_t *value) { return (const ts_tree *)value; }
@@ -65,33 +64,10 @@ double ts_tree_real(const ts_tree *node)
 
 const char *ts_tree_text(const ts_tree *node) { return json_string_value(json(node)); }
 
-typedef struct {
-	void *bytes;
-	size_t n, capacity;
-	bool cut;
-} text;
-
-static int add(const char *bytes, size_t n, void *user)
-{
-	text *t = user;
-	t->cut |= ts_grow(&t->bytes, &t->capacity, t->n + n + 1, 1, "an answer as JSON") != TS_OK;
-	if (t->cut) return -1;
-	memcpy((char *)t->bytes + t->n, bytes, n);
-	t->n += n;
-	((char *)t->bytes)[t->n] = 0;
-	return 0;
-}
-
 char *ts_tree_json(const ts_tree *node)
 {
-	text t = {.bytes = NULL};
 	if (TS_LACKS(node)) return NULL;
-	/* Jansson does not ask how the name of a member was written. */
-	int failed = json_dump_callback(json(node), add, &t, JSON_COMPACT | JSON_ENCODE_ANY);
-	if (failed == 0 && !t.cut) return t.bytes;
-	free(t.bytes);
-	ts_fail_as(TS_KIND_MEMORY, "an answer as JSON: out of memory");
-	return NULL;
+	return ts_json_text(json(node), JSON_COMPACT | JSON_ENCODE_ANY, "an answer as JSON");
 }
 
 void ts_tree_free(ts_tree *root) { json_decref((json_t *)root); }

@@ -221,14 +221,6 @@ static json_t *scalar_json(const ts_told_leaf *leaf, const u8 *at)
 	                 json_sprintf("%08" PRIx32, word));
 }
 
-/* The value, unless a part of it failed; then NULL, and the value is released. */
-static json_t *whole(json_t *value, int failed)
-{
-	if (failed == 0) return value;
-	json_decref(value);
-	return NULL;
-}
-
 static json_t *value_json(const ts_explanation *e, const ts_told_line *line)
 {
 	char text[TS_VALUE_TEXT];
@@ -241,7 +233,7 @@ static json_t *value_json(const ts_explanation *e, const ts_told_line *line)
 		failed |= json_object_set_new(value, leaf->path,
 		                              leaf->scalar == TS_TOLD_pointer ? json_string(text) : scalar_json(leaf, at));
 	}
-	return whole(value, failed);
+	return ts_json_made(value, failed);
 }
 
 static json_t *line_json(const ts_explanation *e, const ts_told_line *line)
@@ -255,10 +247,10 @@ static json_t *line_json(const ts_explanation *e, const ts_told_line *line)
 	ts_explain_place(place, e, line);
 	if (site->how == TS_TOLD_STORE) failed |= json_object_set_new(o, "to", json_string(place));
 	if (site->how == TS_TOLD_TEST) failed |= json_object_set_new(o, "value", json_boolean(line->yes));
-	if (!ts_explain_has_value(e, line)) return whole(o, failed);
+	if (!ts_explain_has_value(e, line)) return ts_json_made(o, failed);
 	failed |= json_object_set_new(o, "type", json_string(site->type->name));
 	failed |= json_object_set_new(o, "value", value_json(e, line));
-	return whole(o, failed);
+	return ts_json_made(o, failed);
 }
 
 /* Adds what stands under an entry of an outline, in the order of its text. */
@@ -301,7 +293,7 @@ static json_t *launches_json(const ts_explanation *e, const ts_outline *outline)
 		                      (json_int_t)launch->n, "item", item, "lines", lines);
 		failed |= json_array_append_new(launches, o);
 	}
-	return whole(launches, failed);
+	return ts_json_made(launches, failed);
 }
 
 static json_t *first_json(const ts_told_what *what, bool differ, size_t number)
@@ -335,7 +327,7 @@ static json_t *objects(const ts_told_what *what, const ts_outline outline[2])
 		failed |= json_object_set_new(root, "first_difference", first_json(what, differ, number));
 	}
 	failed |= json_object_set_new(root, "more_lines", json_integer((json_int_t)more));
-	return whole(root, failed);
+	return ts_json_made(root, failed);
 }
 
 static json_t *lines(const ts_told_what *what, const ts_outline outline[2])
@@ -357,7 +349,7 @@ static json_t *lines(const ts_told_what *what, const ts_outline outline[2])
 		print_one(to, what->a);
 	}
 	if (more > 0) say(to, "%" PRIu64 " more lines; a larger number of lines keeps them", more);
-	return whole(text.lines, text.failed);
+	return ts_json_made(text.lines, text.failed);
 }
 
 /* An answer, with outlines if it takes them; without memory NULL. */

@@ -43,34 +43,37 @@ json_t *ts_trace_params(const ts_params *params)
 {
 	json_t *object = json_object();
 	size_t n;
+	int failed = 0;
 	const ts_param_info *table = ts_param_table(&n);
 	for (size_t row = 0; row < n; row++) {
 		char text[64];
 		ts_params_format(params, row, text, sizeof text);
-		json_object_set_new(object, table[row].name, json_string(text));
+		failed |= json_object_set_new(object, table[row].name, json_string(text));
 	}
-	return object;
+	return ts_json_made(object, failed);
 }
 
 static json_t *plan_of(const ts_plan *plan)
 {
 	json_t *object = json_object();
+	int failed = 0;
 	for (u32 i = 0; i < TS_PLAN_ROWS; i++) {
 		const ts_plan_row *row = &ts_plan_table[i];
 		char name[64];
 		snprintf(name, sizeof name, "%s%s%s", row->part, row->part[0] != 0 ? "." : "", row->name);
-		json_object_set_new(object, name, json_integer(ts_plan_value(plan, row)));
+		failed |= json_object_set_new(object, name, json_integer(ts_plan_value(plan, row)));
 	}
-	return object;
+	return ts_json_made(object, failed);
 }
 
 static json_t *names_of(const ts_trace_description *about, const ts_buffer_id *ids)
 {
 	json_t *names = json_array();
+	int failed = 0;
 	for (; *ids != TS_N_BUFFERS; ids++) {
-		if (about->files[*ids].made) json_array_append_new(names, json_string(ts_buffer_table[*ids].name));
+		if (about->files[*ids].made) failed |= json_array_append_new(names, json_string(ts_buffer_table[*ids].name));
 	}
-	return names;
+	return ts_json_made(names, failed);
 }
 
 /* SHA-256 of the lines "sha256  name" of these buffers. */
@@ -100,13 +103,14 @@ static json_t *stage_of(const ts_trace_description *about, const ts_stage *stage
 static json_t *stages_of(const ts_trace_description *about)
 {
 	json_t *stages = json_array();
+	int failed = 0;
 	for (const ts_step *step = ts_pipeline_steps(about->pipeline); step->stage != NULL; step++) {
 		const ts_stage *stage = ts_stage_find(step->stage);
 		ts_buffer_id first = ts_stage_outputs(stage)[0];
 		if (!ts_pipeline_takes(step, &about->run->params, true) || !about->files[first].made) continue;
-		json_array_append_new(stages, stage_of(about, stage, ts_emit_number(about->pipeline, first)));
+		failed |= json_array_append_new(stages, stage_of(about, stage, ts_emit_number(about->pipeline, first)));
 	}
-	return stages;
+	return ts_json_made(stages, failed);
 }
 
 static json_t *buffer_of(const ts_trace_description *about, ts_buffer_id id)
@@ -114,50 +118,57 @@ static json_t *buffer_of(const ts_trace_description *about, ts_buffer_id id)
 	const ts_buffer_info *info = &ts_buffer_table[id];
 	const ts_trace_file *file = &about->files[id];
 	json_t *shape = json_array(), *sizes = json_array();
-	for (u32 i = 0; i < file->n_dims; i++) json_array_append_new(shape, json_integer((json_int_t)file->shape[i]));
+	int failed = 0;
+	for (u32 i = 0; i < file->n_dims; i++)
+		failed |= json_array_append_new(shape, json_integer((json_int_t)file->shape[i]));
 	json_t *root = json_pack("{s:s, s:o, s:s, s:s, s:o, s:s, s:s, s:s, s:s, s:s}", "name", info->name, "file",
 	                         file->has_file ? json_string(file->name) : json_null(), "element", info->element, "dtype",
 	                         file->descr, "shape", shape, "sizes", info->shape, "order", info->order, "key", info->key,
 	                         "doc", info->doc, "sha256", file->sha256);
-	for (u32 i = 0; file->cropped && i < 4; i++) json_array_append_new(sizes, json_integer(about->crop[i]));
-	if (file->cropped) json_object_set(root, "crop", sizes);
+	for (u32 i = 0; file->cropped && i < 4; i++) failed |= json_array_append_new(sizes, json_integer(about->crop[i]));
+	if (file->cropped) failed |= json_object_set(root, "crop", sizes);
 	json_decref(sizes);
-	return root;
+	return ts_json_made(root, failed);
 }
 
 static json_t *buffers_of(const ts_trace_description *about)
 {
 	json_t *buffers = json_array();
+	int failed = 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		if (about->files[id].made) json_array_append_new(buffers, buffer_of(about, (ts_buffer_id)id));
+		if (about->files[id].made) failed |= json_array_append_new(buffers, buffer_of(about, (ts_buffer_id)id));
 	}
-	return buffers;
+	return ts_json_made(buffers, failed);
 }
 
 static json_t *records(void)
 {
 	json_t *root = json_object();
 	size_t n;
+	int failed = 0;
 	const ts_field_info *fields = ts_field_table(&n);
 	for (size_t i = 0; i < n; i++) {
 		json_t *list = json_object_get(root, fields[i].record);
 		if (list == NULL) {
 			list = json_array();
-			json_object_set_new(root, fields[i].record, list);
+			failed |= json_object_set_new(root, fields[i].record, list);
 		}
-		json_array_append_new(list, json_pack("{s:s, s:s, s:i, s:s}", "name", fields[i].name, "type", fields[i].type,
-		                                      "count", (int)fields[i].count, "doc", fields[i].doc));
+		if (failed != 0) break;
+		failed |=
+			json_array_append_new(list, json_pack("{s:s, s:s, s:i, s:s}", "name", fields[i].name, "type",
+		                                          fields[i].type, "count", (int)fields[i].count, "doc", fields[i].doc));
 	}
-	return root;
+	return ts_json_made(root, failed);
 }
 
 static json_t *counters_of(const ts_run *run)
 {
 	json_t *counters = json_object();
+	int failed = 0;
 	for (u32 i = 0; i < run->n_counters; i++) {
-		json_object_set_new(counters, run->counters[i].name, json_integer(run->counters[i].value));
+		failed |= json_object_set_new(counters, run->counters[i].name, json_integer(run->counters[i].value));
 	}
-	return counters;
+	return ts_json_made(counters, failed);
 }
 
 static json_t *conventions(void)

@@ -45,15 +45,18 @@ static ts_status add_buffer(json_t *list, const ts_trace *trace, ts_buffer_id id
 	const char *path = place(user, name);
 	if (path == NULL || save_buffer(item, id, path, sha256) != TS_OK) return TS_ERROR;
 	json_t *shape = json_array();
+	int failed = 0;
 	for (u32 i = 0; i < item->npy.n_dims; i++)
-		json_array_append_new(shape, json_integer((json_int_t)item->npy.shape[i]));
+		failed |= json_array_append_new(shape, json_integer((json_int_t)item->npy.shape[i]));
 	json_t *entry = json_pack("{s:s, s:s, s:s, s:o, s:s}", "name", ts_buffer_table[id].name, "file", name, "element",
 	                          ts_buffer_table[id].element, "shape", shape, "sha256", sha256);
 	const u32 *c = item->crop;
 	if (item->cropped) {
-		json_object_set_new(entry, "crop", json_pack("[i,i,i,i]", (int)c[0], (int)c[1], (int)c[2], (int)c[3]));
+		json_t *crop = json_pack("[i,i,i,i]", (int)c[0], (int)c[1], (int)c[2], (int)c[3]);
+		failed |= json_object_set_new(entry, "crop", crop);
 	}
-	return json_array_append_new(list, entry) == 0 ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
+	failed |= json_array_append_new(list, entry);
+	return failed == 0 ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 }
 
 /* The members of trace.json; takes the list over. NULL without memory. */

@@ -61,14 +61,40 @@ static void a_backend_tells_what_was_measured(void **state)
 
 /* ---- a whole description ---- */
 
-static json_t *describe(const ts_run *run, const ts_trace_file *files)
+static json_t *describe_if(const ts_run *run, const ts_trace_file *files)
 {
 	static const u32 crop[4] = {3, 2, 20, 10};
 	const ts_trace_description about = {
 		.pipeline = run->pipeline, .run = run, .files = files, .crop = crop, .version = TS_TRACE_VERSION};
-	json_t *root = ts_trace_describe(&about);
+	return ts_trace_describe(&about);
+}
+
+static json_t *describe(const ts_run *run, const ts_trace_file *files)
+{
+	json_t *root = describe_if(run, files);
 	assert_non_null(root);
 	return root;
+}
+
+static long left; /* allocations of jansson until one fails */
+
+static void *scarce(size_t bytes) { return left-- == 0 ? NULL : malloc(bytes); }
+
+/* One allocation of some hundred fails: nothing is left out. */
+static void judge_without_memory(const json_t *whole, const ts_run *run, const ts_trace_file *files)
+{
+	u32 n_failed = 0;
+	json_set_alloc_funcs(scarce, free);
+	for (long n = 0;; n += 1 + n / 8) {
+		left = n;
+		json_t *root = describe_if(run, files);
+		assert_true(root == NULL || json_equal(root, whole));
+		json_decref(root);
+		n_failed += root == NULL;
+		if (left >= 0) break;
+	}
+	assert_true(n_failed > 20);
+	json_set_alloc_funcs(malloc, free);
 }
 
 /* Files as a writer would note them; every fifth has none, every seventh of the eye's is a crop. */
@@ -211,6 +237,7 @@ static void a_trace_is_described_as_its_run(void **state)
 		assert_true(n > 10 && json_array_size(buffers) == n);
 		assert_true(judge_stages(json_object_get(root, "stages"), &run, files) > 5);
 		judge_run(root, &run);
+		judge_without_memory(root, &run, files);
 		json_decref(root);
 		ts_run_end(&run);
 	}

@@ -8,6 +8,7 @@
 #include "model/core.h"
 #include "model/input.h"
 #include "model/json/read.h"
+#include "output/json/text.h"
 #include "scene/gltf/gltf.h"
 #include "scene/gltf/rules.h"
 
@@ -51,8 +52,9 @@ static owned parse(const char *text, size_t n)
 
 static std::string shown(const json_t *value)
 {
-	std::unique_ptr<char, void (*)(void *)> text(json_dumps(value, JSON_ENCODE_ANY | JSON_COMPACT), free);
-	std::string line = text ? text.get() : "unreadable";
+	std::unique_ptr<char, void (*)(void *)> text(ts_json_text(value, JSON_ENCODE_ANY | JSON_COMPACT, "JSON"), free);
+	if (!text) throw std::bad_alloc();
+	std::string line = text.get();
 	return line.size() > 40 ? line.substr(0, 37) + "..." : line;
 }
 
@@ -540,7 +542,8 @@ document guard(const char *text, size_t n, const container &parts)
 	json_object_del(root.get(), "animations");
 	check_views(root.get(), lengths);
 	back_accessors(check, root.get());
-	std::unique_ptr<char, void (*)(void *)> json(json_dumps(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17)), free);
+	std::unique_ptr<char, void (*)(void *)> json(
+		ts_json_text(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17), "JSON"), free);
 	if (!json) throw std::bad_alloc();
 	check.doc.json = json.get();
 	return std::move(check.doc);

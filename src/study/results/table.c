@@ -232,15 +232,16 @@ json_t *ts_table_json(const ts_table *table)
 {
 	json_t *rows = json_array();
 	json_t *row = NULL;
+	int failed = 0;
 	for (size_t i = 0; i < table->n_cells && rows != NULL; i++) {
 		u32 c = (u32)(i % table->n_columns);
 		if (c == 0) {
 			row = json_object();
-			json_array_append_new(rows, row);
+			failed |= json_array_append_new(rows, row);
 		}
-		json_object_set(row, table->columns[c].key, table->cells[i].value);
+		if (failed == 0) failed |= json_object_set(row, table->columns[c].key, table->cells[i].value);
 	}
-	return rows;
+	return ts_json_made(rows, failed);
 }
 
 void ts_table_end(ts_table *table)
