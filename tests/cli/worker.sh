@@ -75,6 +75,47 @@ run "${tiny[@]}" -o a/b --timeout 100
 [ "$status" -eq 0 ] && [ -s a/b/mvr.png ]
 verdict $? 'a run within its time'
 rm -rf a
+
+# What the worker starts: an encoder that waits for programs of its own, one of them in a session of its own.
+mkdir bin
+cat > bin/ffmpeg <<'SH'
+#!/bin/bash
+sleep 301 & setsid sleep 302 &
+echo $$ $! $(pgrep -P $$ sleep) > "$STARTED.new" && mv "$STARTED.new" "$STARTED"
+wait
+SH
+chmod +x bin/ffmpeg
+# encoding COMMAND...: the command at that encoder, from $process and with $started; then how it ends is $status.
+encoding() {
+	rm -f started
+	STARTED=$scratch/started PATH=$scratch/bin:$PATH "${heeding[@]}" "$touchstone" "${tiny[@]}" --frames 0..1 -o a/b \
+		"$@" > stdout 2> stderr &
+	process=$!
+	for ((i = 0; i < 600; i++)); do [ -e started ] && break; sleep 0.05; done
+	started=$(cat started)
+}
+# none_left: nothing of what was started still runs.
+none_left() {
+	for ((i = 0; i < 100; i++)); do
+		# shellcheck disable=SC2086 # numbers
+		ps -o pid= -p ${started// /,} > /dev/null || return 0
+		sleep 0.05
+	done
+	return 1
+}
+encoding --timeout 5
+wait $process
+[ $? -eq 2 ] && grep -q 'stopped after 5 s, as --timeout asks; no result$' stderr &&
+	[ "$(wc -w <<< "$started")" -ge 3 ] &&
+	none_left && leaves 'bin started '
+verdict $? '--timeout ends what the command has started'
+for signal in INT TERM; do
+	encoding
+	{ kill -$signal $process; wait $process; } 2> /dev/null
+	[ $? -eq $((128 + $(kill -l $signal))) ] && none_left && leaves 'bin started '
+	verdict $? "$signal ends what the command has started"
+done
+rm -r bin started
 case ${BUILD:-} in
 *san) echo "ok $((tests += 1)) - limits of memory # SKIP a sanitizer takes address space of its own" ;;
 *)

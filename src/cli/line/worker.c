@@ -1,4 +1,4 @@
-/* Two processes: the worker, and its parent, which waits. */
+/* Two processes: the worker, and its parent, which waits; and those that the worker starts. */
 #define _GNU_SOURCE
 #include "cli/line/worker.h"
 #include <errno.h>
@@ -59,6 +59,31 @@ static end wait_for(pid_t worker, const sigset_t *set, const ts_steps *steps, ui
 		if (e.late) kill(worker, SIGKILL);
 	}
 	return e;
+}
+
+/* Where the kernel lists this process's children. */
+static const char *const children = "/proc/thread-self/children";
+
+/* What the worker starts comes to this process when the worker ends. Not where there are children that somebody else
+ * started before this program: theirs would come, too. */
+static bool adopt(void)
+{
+	FILE *list = fopen(children, "r");
+	bool none = list != NULL && fgetc(list) == EOF;
+	if (list != NULL) fclose(list);
+	return none && prctl(PR_SET_CHILD_SUBREAPER, 1) == 0;
+}
+
+/* Ends what a lost worker has started, and what that has. */
+static void end_adopted(void)
+{
+	do {
+		long child;
+		FILE *list = fopen(children, "r");
+		if (list == NULL) return;
+		while (fscanf(list, "%ld", &child) == 1) kill((pid_t)child, SIGKILL);
+		fclose(list);
+	} while (waitpid(-1, NULL, 0) > 0);
 }
 
 static int say(const char *format, ...) __attribute__((format(printf, 1, 2)));
@@ -130,6 +155,7 @@ int ts_worker_run(int (*work)(void *user), void *user, ts_steps *steps, uint32_t
 	if (ending == NULL || steps == NULL || ts_left_share() != TS_OK)
 		return say("no memory for what two processes share");
 	sigset_t before, set = awaited();
+	const bool adopts = adopt();
 	pid_t parent = getpid(), worker;
 	sigprocmask(SIG_BLOCK, &set, &before);
 	do {
@@ -140,6 +166,7 @@ int ts_worker_run(int (*work)(void *user), void *user, ts_steps *steps, uint32_t
 		worker = fork();
 		if (worker <= 0) break;
 		end e = wait_for(worker, &set, steps, seconds);
+		if (adopts && !ending->ended) end_adopted();
 		ts_left_clear();
 		find_why(why, sizeof why, e, ending, seconds);
 		if (why[0] == 0) return conclude(e, ending);
