@@ -21,8 +21,9 @@ typedef struct {
 	void *user;          /* passed to the functions below, which may be NULL and must not call the library */
 	void (*say)(void *user, const char *line); /* a line without its end, beside results and failures */
 	void (*progress)(void *user, const char *label, uint64_t done, uint64_t total); /* ends with done == total */
-	int (*cancelled)(void *user); /* asked by the thread that called: between stages and groups of rays, and while the
-	                               * backend "c" runs a stage every few ms; not 0: the call fails soon */
+	int (*cancelled)(void *user); /* asked by the thread that called, every few ms while the backend "c" or the
+	                               * processor works, and between stages of the others; not 0: the call fails soon,
+	                               * by TS_KIND_CANCELLED */
 } ts_context_options;
 
 /* Opens a context. The options are copied, strings too.

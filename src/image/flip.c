@@ -111,8 +111,10 @@ static void apply(const lens *l, double *to, const double *from, const filter *a
 {
 	const int64_t width = l->width, height = l->height;
 	double *between = l->work[0];
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for num_threads((int)ts_threads_all()) schedule(static)
 	for (int64_t y = 0; y < height; y++) {
+		if (ts_stopped(stop)) continue;
 		double *row = between + y * width;
 		for (int64_t x = 0; x < width; x++) row[x] = 0;
 		for (int i = -along->reach; i <= along->reach; i++) {
@@ -121,6 +123,7 @@ static void apply(const lens *l, double *to, const double *from, const filter *a
 	}
 #pragma omp parallel for num_threads((int)ts_threads_all()) schedule(static)
 	for (int64_t y = 0; y < height; y++) {
+		if (ts_stopped(stop)) continue;
 		double *row = to + y * width;
 		for (int64_t x = 0; x < width; x++) row[x] = 0;
 		for (int i = -across->reach; i <= across->reach; i++) {
@@ -215,11 +218,13 @@ static void take_strength(const lens *l, double *to, const double *from, const f
 
 static void take_colour(const lens *l, const seen *s)
 {
+	ts_stop *stop = ts_stop_here();
 	apply(l, s->colour[0], s->colour[0], &l->achromatic, &l->achromatic);
 	apply(l, s->colour[1], s->colour[1], &l->red_green, &l->red_green);
 	for (int k = 0; k < 2; k++) apply(l, l->work[1 + k], s->colour[2], &l->blue_yellow[k], &l->blue_yellow[k]);
 #pragma omp parallel for num_threads((int)ts_threads_all()) schedule(static)
 	for (int64_t i = 0; i < (int64_t)l->width * l->height; i++) {
+		if (ts_stopped(stop)) continue;
 		double blue_yellow = l->share[0] * l->work[1][i] + l->share[1] * l->work[2][i], rgb[3], lab[3];
 		linear_of_opponent(rgb, (const double[3]){s->colour[0][i], s->colour[1][i], blue_yellow});
 		lab_of_linear(lab, rgb);
@@ -267,7 +272,8 @@ static void take_band(lens *l, const seen s[2], float *errors, double *sum, cons
 	const size_t low = begin > reach ? begin - reach : 0, high = end + reach < height ? end + reach : height;
 	l->height = (uint32_t)(high - low);
 	for (int k = 0; k < 2; k++) see(l, &s[k], image[k] + 3 * width * low);
-	for (size_t i = begin * width; i < end * width; i++) {
+	ts_stop *stop = ts_stop_here();
+	for (size_t i = begin * width; i < end * width && !ts_stopped(stop); i++) {
 		const double error = error_of(&s[0], &s[1], i - low * width, most);
 		errors[i] = (float)error;
 		*sum += error;
@@ -300,5 +306,5 @@ ts_status ts_flip(float *errors, double *mean, const uint8_t *reference, const u
 	const size_t pixels = (size_t)width * height;
 	*mean = pixels > 0 ? sum / (double)pixels : 0;
 	free(planes);
-	return TS_OK;
+	return ts_go_on();
 }

@@ -14,6 +14,15 @@ void ts_digest_add(ts_digest *digest, const void *data, size_t data_bytes)
 	SHA256_Update(&digest->context, data, data_bytes);
 }
 
+ts_status ts_digest_all(ts_digest *digest, const void *data, size_t data_bytes)
+{
+	enum { PART = 1 << 20 };
+	ts_stop *stop = ts_stop_here();
+	for (size_t at = 0; at < data_bytes && !ts_stopped(stop); at += PART)
+		ts_digest_add(digest, (const char *)data + at, data_bytes - at < PART ? data_bytes - at : PART);
+	return ts_go_on();
+}
+
 void ts_digest_end(ts_digest *digest, char hex[TS_DIGEST_BYTES])
 {
 	unsigned char raw[SHA256_DIGEST_LENGTH];

@@ -13,7 +13,7 @@
 #include "output/lock.h"
 #include "output/tree.h"
 
-enum { HELD = 1 << 16 };
+enum { HELD = 1 << 16, PART = 1 << 24 };
 
 static ts_status fail(ts_file *file, int error)
 {
@@ -39,8 +39,10 @@ ts_status ts_file_begin(ts_file *file, const char *path)
 static ts_status write_out(ts_file *file, const uint8_t *data, size_t bytes)
 {
 	if (file->error != 0) return fail(file, 0);
+	ts_stop *stop = ts_stop_here();
 	while (bytes > 0) {
-		ssize_t n = write(file->descriptor, data, bytes);
+		if (bytes >= PART && ts_stopped(stop)) return ts_go_on();
+		ssize_t n = write(file->descriptor, data, bytes < PART ? bytes : PART);
 		if (n < 0 && errno == EINTR) continue;
 		if (n <= 0) return fail(file, n < 0 ? errno : EIO);
 		data += n;

@@ -37,7 +37,13 @@ void ts_build_fail(ts_build *build, const char *format, ...)
 	va_end(arguments);
 }
 
-bool ts_build_failed(const ts_build *build) { return build->failed; }
+bool ts_build_failed(ts_build *build)
+{
+	if (build->failed || !ts_stopped(build->stop)) return build->failed;
+	build->kind = TS_KIND_CANCELLED;
+	ts_build_fail(build, "%s: cancelled", build->scene->name);
+	return true;
+}
 
 void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capacity, size_t size, const char *what)
 {
@@ -51,7 +57,7 @@ void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capac
 static bool countable(ts_build *build, u32 n, const char *what)
 {
 	if (n >= TS_NONE - 1) ts_build_fail(build, "%s: more than %u %s", build->scene->name, TS_NONE - 1, what);
-	return !build->failed;
+	return !ts_build_failed(build);
 }
 
 static char *text_copy(ts_build *build, const char *text)
@@ -76,6 +82,7 @@ ts_build *ts_build_new(const char *name)
 	ts_build *build = ts_alloc_zero(1, sizeof *build, "a scene under construction");
 	if (!build) return NULL;
 	build->kind = TS_KIND_ARGUMENT;
+	build->stop = ts_stop_here();
 	build->scene = ts_alloc_zero(1, sizeof *build->scene, "a scene");
 	if (build->scene) {
 		build->scene->camera = TS_NONE;

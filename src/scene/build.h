@@ -73,8 +73,8 @@ void ts_build_fail(ts_build *build, const char *format, ...) __attribute__((form
 ts_kind ts_build_about(ts_build *build, ts_kind kind);
 /* Fails with this thread's message, and its kind. */
 void ts_build_adopt(ts_build *build);
-/* Whether the build has failed, so that a long loop can end. */
-bool ts_build_failed(const ts_build *build);
+/* Whether the build has failed, so that a long loop can end; it fails here once its work is cancelled. */
+bool ts_build_failed(ts_build *build);
 
 /* Whether the object belongs to the scene itself, at rest or moved by the file, and is no reflector. */
 static inline bool ts_build_is_own(const ts_scene *scene, u32 object)

@@ -13,7 +13,7 @@ static void give_material(ts_build *build)
 {
 	ts_scene *scene = build->scene;
 	u32 fallback = TS_NONE;
-	for (u32 i = 0; i < scene->n_triangles && !build->failed; i++) {
+	for (u32 i = 0; i < scene->n_triangles && !ts_build_failed(build); i++) {
 		if (scene->triangles[i].material != TS_NONE) continue;
 		ts_material plain = ts_material_default();
 		if (fallback == TS_NONE) fallback = ts_build_material(build, &plain);
@@ -36,7 +36,7 @@ static void give_light(ts_build *build, const ts_params *params)
 static void check_triangles(ts_build *build)
 {
 	const ts_scene *scene = build->scene;
-	for (u32 i = 0; i < scene->n_triangles && !build->failed; i++) {
+	for (u32 i = 0; i < scene->n_triangles && !ts_build_failed(build); i++) {
 		const ts_triangle *t = &scene->triangles[i];
 		for (u32 k = 0; k < 3; k++)
 			if (t->vertex[k] >= scene->n_vertices)
@@ -65,7 +65,7 @@ static f32 reach(const ts_scene *scene, const ts_vertex *vertex)
 static void check_vertices(ts_build *build)
 {
 	const ts_scene *scene = build->scene;
-	for (u32 i = 0; i < scene->n_vertices && !build->failed; i++) {
+	for (u32 i = 0; i < scene->n_vertices && !ts_build_failed(build); i++) {
 		f32 far = reach(scene, &scene->vertices[i]);
 		if (far > TS_COORDINATE_LIMIT)
 			ts_build_fail(build, "%s: vertex %u: coordinate %g; the limit is 16777216 after all transforms",
@@ -192,7 +192,7 @@ static void choose_camera(ts_build *build, const char *name)
 static void check_surfels(ts_build *build)
 {
 	const ts_scene *scene = build->scene;
-	for (u32 i = 0; i < scene->n_surfels && !build->failed; i++) {
+	for (u32 i = 0; i < scene->n_surfels && !ts_build_failed(build); i++) {
 		ts_surfel s = scene->surfels[i];
 		f32 far = ts_max(ts_max(ts_abs(s.centre[0]), ts_abs(s.centre[1])), ts_abs(s.centre[2]));
 		const char *fault = ts_surfel_ellipse(&s, NULL);
@@ -269,7 +269,7 @@ ts_status ts_build_finish(ts_build *build, const ts_params *params, const char *
 	if (!build) return TS_ERROR;
 	complete(build, params, camera);
 	ts_status status = TS_OK;
-	if (build->failed) {
+	if (ts_build_failed(build)) {
 		status = ts_fail_as(build->kind, "%s", build->message);
 	} else {
 		*scene = build->scene;

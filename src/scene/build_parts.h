@@ -1,6 +1,7 @@
 /* The inside of a build, for the files build*.c only. */
 #ifndef TS_SCENE_BUILD_PARTS_H
 #define TS_SCENE_BUILD_PARTS_H
+#include "model/core.h"
 #include "scene/build.h"
 
 struct ts_build {
@@ -19,6 +20,7 @@ struct ts_build {
 	u64 n_outside; /* vertices and surfels with a colour outside 0 to 1 */
 	ts_kind kind;  /* of failures that name no other; after the first, its kind */
 	bool failed;
+	ts_stop *stop; /* of the work that builds */
 	char message[512];
 	struct {
 		size_t vertices, triangles, materials, slots, images, texels, lights, objects, surfels, cameras, nodes, notes;

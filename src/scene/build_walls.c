@@ -59,7 +59,7 @@ static const ts_triangle *wall_at(const ts_scene *scene, u32 i, u32 *flags)
 static bool slice_make(ts_build *build, slice *s, const f32 levels[N_HEIGHTS])
 {
 	const ts_scene *scene = build->scene;
-	for (u32 i = 0; i < scene->n_triangles; i++) {
+	for (u32 i = 0; i < scene->n_triangles && !ts_build_failed(build); i++) {
 		u32 flags;
 		const ts_triangle *t = wall_at(scene, i, &flags);
 		if (!t) continue;

@@ -3,7 +3,7 @@
 #include "scene/neighbours.h"
 #include <stdlib.h>
 
-enum { LEAF = 8 };
+enum { LEAF = 8, RUN = 1 << 16 };
 
 typedef struct {
 	ts_v3 low, high;
@@ -15,6 +15,7 @@ struct ts_neighbours {
 	u32 n, n_nodes;
 	u32 *order;
 	box *nodes; /* node i has the children 2 i + 1 and 2 i + 2 */
+	ts_stop *stop;
 };
 
 static f32 along(ts_v3 p, u32 axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
@@ -75,7 +76,7 @@ static void grow(ts_neighbours *tree, u32 node, u32 first, u32 n)
 {
 	u32 *order = tree->order + first;
 	tree->nodes[node] = box_of(tree->points, order, n);
-	if (n <= LEAF) return;
+	if (n <= LEAF || ts_stopped(tree->stop)) return;
 	part(tree->points, order, n, n / 2, widest(&tree->nodes[node]));
 	grow(tree, 2 * node + 1, first, n / 2);
 	grow(tree, 2 * node + 2, first + n / 2, n - n / 2);
@@ -93,7 +94,7 @@ ts_neighbours *ts_neighbours_new(const ts_v3 *points, u32 n)
 {
 	ts_neighbours *tree = ts_alloc_zero(1, sizeof *tree, "a tree of points");
 	if (tree == NULL) return NULL;
-	*tree = (ts_neighbours){.points = points, .n = n, .n_nodes = nodes_for(n)};
+	*tree = (ts_neighbours){.points = points, .n = n, .n_nodes = nodes_for(n), .stop = ts_stop_here()};
 	tree->order = ts_alloc(n, sizeof *tree->order, "the order of points");
 	tree->nodes = ts_alloc(tree->n_nodes, sizeof *tree->nodes, "nodes of a tree of points");
 	if (tree->order == NULL || tree->nodes == NULL) {
@@ -102,7 +103,9 @@ ts_neighbours *ts_neighbours_new(const ts_v3 *points, u32 n)
 	}
 	for (u32 i = 0; i < n; i++) tree->order[i] = i;
 	if (n > 0) grow(tree, 0, 0, n);
-	return tree;
+	if (ts_go_on() == TS_OK) return tree;
+	ts_neighbours_free(tree);
+	return NULL;
 }
 
 void ts_neighbours_free(ts_neighbours *tree)
@@ -186,32 +189,63 @@ static int by_place(const void *a, const void *b)
 	return p->index < q->index ? -1 : 1;
 }
 
-ts_status ts_neighbours_places(ts_places_of *of, const ts_v3 *points, u32 n)
+static void merge(placed *to, const placed *from, u64 middle, u64 n, ts_stop *stop)
 {
-	placed *sorted = ts_alloc(n, sizeof *sorted, "places of points");
-	*of = (ts_places_of){.at = ts_alloc(n, sizeof *of->at, "places of points"),
-	                     .place = ts_alloc(n, sizeof *of->place, "places of points")};
-	if (sorted == NULL || of->at == NULL || of->place == NULL) {
-		free(sorted);
-		ts_neighbours_places_free(of);
-		return TS_ERROR;
+	u64 i = 0, j = middle;
+	for (u64 k = 0; k < n && !ts_stopped(stop); k++) {
+		bool first = j == n || (i < middle && by_place(&from[i], &from[j]) < 0);
+		to[k] = from[first ? i++ : j++];
 	}
-	for (u32 i = 0; i < n; i++) sorted[i] = (placed){points[i], i};
-	qsort(sorted, n, sizeof *sorted, by_place);
-	/* The first point of each place, then the places by these. */
-	for (u32 k = 0, first = 0; k < n; k++) {
+}
+
+/* Sorts so that it can be stopped. Returns the array of both that has the result. */
+static placed *sort(placed *from, placed *to, u64 n, ts_stop *stop)
+{
+	for (u64 first = 0; first < n && !ts_stopped(stop); first += RUN)
+		qsort(from + first, n - first < RUN ? n - first : RUN, sizeof *from, by_place);
+	for (u64 run = RUN; run < n; run *= 2) {
+		for (u64 first = 0; first < n; first += 2 * run) {
+			u64 left = n - first;
+			merge(to + first, from + first, left < run ? left : run, left < 2 * run ? left : 2 * run, stop);
+		}
+		placed *sorted = to;
+		to = from;
+		from = sorted;
+	}
+	return from;
+}
+
+/* The first point of each place, then the places by these. */
+static void find_places(ts_places_of *of, const placed *sorted, const ts_v3 *points, u32 n, ts_stop *stop)
+{
+	for (u32 k = 0, first = 0; k < n && !ts_stopped(stop); k++) {
 		if (sorted[k].at.x != sorted[first].at.x || sorted[k].at.y != sorted[first].at.y ||
 		    sorted[k].at.z != sorted[first].at.z)
 			first = k;
 		of->place[sorted[k].index] = sorted[first].index;
 	}
-	free(sorted);
-	for (u32 i = 0; i < n; i++) {
+	for (u32 i = 0; i < n && !ts_stopped(stop); i++) {
 		bool is_first = of->place[i] == i;
 		if (is_first) of->at[of->n] = points[i];
 		of->place[i] = is_first ? of->n++ : of->place[of->place[i]];
 	}
-	return TS_OK;
+}
+
+ts_status ts_neighbours_places(ts_places_of *of, const ts_v3 *points, u32 n)
+{
+	ts_stop *stop = ts_stop_here();
+	placed *sorted = ts_alloc(2 * (size_t)n, sizeof *sorted, "places of points");
+	*of = (ts_places_of){.at = ts_alloc(n, sizeof *of->at, "places of points"),
+	                     .place = ts_alloc(n, sizeof *of->place, "places of points")};
+	ts_status status = sorted != NULL && of->at != NULL && of->place != NULL ? TS_OK : TS_ERROR;
+	if (status == TS_OK) {
+		for (u32 i = 0; i < n; i++) sorted[i] = (placed){points[i], i};
+		find_places(of, sort(sorted, sorted + n, n, stop), points, n, stop);
+		status = ts_go_on();
+	}
+	free(sorted);
+	if (status != TS_OK) ts_neighbours_places_free(of);
+	return status;
 }
 
 void ts_neighbours_places_free(ts_places_of *of)
@@ -226,6 +260,7 @@ static ts_status distances(f32 *distance, const ts_v3 *points, u32 n, u32 k)
 	if (tree == NULL) return TS_ERROR;
 #pragma omp parallel for num_threads((int)ts_threads_all()) schedule(dynamic, 1024)
 	for (u32 i = 0; i < n; i++) {
+		if (ts_stopped(tree->stop)) continue;
 		ts_neighbour found[TS_MAX_NEIGHBOURS];
 		u32 m = ts_neighbours_find(tree, i, k, found);
 		f32 sum = 0.0f;
@@ -233,7 +268,7 @@ static ts_status distances(f32 *distance, const ts_v3 *points, u32 n, u32 k)
 		distance[i] = m > 0 ? sum / (f32)m : 0.0f;
 	}
 	ts_neighbours_free(tree);
-	return TS_OK;
+	return ts_go_on();
 }
 
 ts_status ts_neighbours_distance(f32 *distance, const ts_v3 *points, u32 n, u32 k)

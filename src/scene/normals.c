@@ -17,7 +17,8 @@ typedef struct {
 	u32 *first; /* edge of each weight, in `order` */
 	u32 *near;
 	u32 *order; /* edges by weight */
-	u32 *link;  /* from a point towards the root of its tree: index << 1 | whether the point is turned against it */
+	ts_stop *stop;
+	u32 *link; /* from a point towards the root of its tree: index << 1 | whether the point is turned against it */
 } cloud;
 
 /* Columns of the covariance of the neighbours and the point itself, in units of `size`. */
@@ -63,13 +64,14 @@ static ts_status fit_planes(cloud *c)
 	if (tree == NULL) return TS_ERROR;
 #pragma omp parallel for num_threads((int)ts_threads_all()) schedule(dynamic, 1024)
 	for (u32 i = 0; i < c->n; i++) {
+		if (ts_stopped(c->stop)) continue;
 		ts_neighbour found[K];
 		u32 m = ts_neighbours_find(tree, i, K, found);
 		c->normals[i] = normal_of(c, i, found, m);
 		for (u32 j = 0; j < K; j++) c->near[i * K + j] = j < m ? found[j].index : TS_NONE;
 	}
 	ts_neighbours_free(tree);
-	return TS_OK;
+	return ts_go_on();
 }
 
 static bool is_none(ts_v3 normal) { return normal.x == 0.0f && normal.y == 0.0f && normal.z == 0.0f; }
@@ -88,10 +90,11 @@ static u32 sort_edges(cloud *c)
 {
 	u32 *first = c->first;
 	memset(first, 0, (WEIGHTS + 2) * sizeof *first);
-	for (u32 e = 0; e < c->n * K; e++) first[weight_of(c, e) + 1]++;
+	for (u32 e = 0; e < c->n * K && !ts_stopped(c->stop); e++) first[weight_of(c, e) + 1]++;
+	if (ts_stopped(c->stop)) return 0;
 	for (u32 w = 0; w < WEIGHTS; w++) first[w + 1] += first[w];
 	u32 n = first[WEIGHTS];
-	for (u32 e = 0; e < c->n * K; e++) {
+	for (u32 e = 0; e < c->n * K && !ts_stopped(c->stop); e++) {
 		u32 w = weight_of(c, e);
 		if (w < WEIGHTS) c->order[first[w]++] = e;
 	}
@@ -115,7 +118,7 @@ static void grow_forest(cloud *c)
 {
 	for (u32 i = 0; i < c->n; i++) c->link[i] = i << 1;
 	u32 n_edges = sort_edges(c);
-	for (u32 k = 0; k < n_edges; k++) {
+	for (u32 k = 0; k < n_edges && !ts_stopped(c->stop); k++) {
 		u32 e = c->order[k], i = e / K, j = c->near[e];
 		u32 a = root_of(c->link, i), b = root_of(c->link, j);
 		u32 turned = (ts_dot(c->normals[i], c->normals[j]) < 0.0f) ^ (a & 1) ^ (b & 1);
@@ -131,13 +134,13 @@ static void choose_sides(cloud *c)
 {
 	u32 *top = c->order; /* the highest point of each root's tree, then whether the root is to be turned */
 	for (u32 i = 0; i < c->n; i++) top[i] = TS_NONE;
-	for (u32 i = 0; i < c->n; i++) {
+	for (u32 i = 0; i < c->n && !ts_stopped(c->stop); i++) {
 		u32 root = root_of(c->link, i) >> 1;
 		if (top[root] == TS_NONE || c->points[i].y > c->points[top[root]].y) top[root] = i;
 	}
-	for (u32 i = 0; i < c->n; i++)
+	for (u32 i = 0; i < c->n && !ts_stopped(c->stop); i++)
 		if (top[i] != TS_NONE) top[i] = is_down(c->normals[top[i]]) ^ (root_of(c->link, top[i]) & 1);
-	for (u32 i = 0; i < c->n; i++) {
+	for (u32 i = 0; i < c->n && !ts_stopped(c->stop); i++) {
 		u32 root = root_of(c->link, i);
 		if ((root & 1) != top[root >> 1]) c->normals[i] = ts_sub(ts_v3_make(0.0f, 0.0f, 0.0f), c->normals[i]);
 	}
@@ -148,12 +151,12 @@ static ts_status find_open(u8 *guessed, cloud *c)
 {
 	ts_v3 *sum = ts_alloc_zero(c->n, sizeof *sum, "sums of normals");
 	u32 *count = ts_alloc_zero(c->n, sizeof *count, "sums of normals");
-	for (u32 i = 0; i < c->n && sum != NULL && count != NULL; i++) {
+	for (u32 i = 0; i < c->n && sum != NULL && count != NULL && !ts_stopped(c->stop); i++) {
 		u32 root = root_of(c->link, i) >> 1;
 		sum[root] = ts_add(sum[root], c->normals[i]);
 		count[root]++;
 	}
-	for (u32 i = 0; i < c->n && sum != NULL && count != NULL; i++) {
+	for (u32 i = 0; i < c->n && sum != NULL && count != NULL && !ts_stopped(c->stop); i++) {
 		u32 root = root_of(c->link, i) >> 1;
 		guessed[i] = ts_length(sum[root]) * 8.0f > (f32)count[root];
 	}
@@ -167,7 +170,7 @@ static ts_status estimate(ts_v3 *normals, u8 *guessed, const ts_v3 *points, u32 
 {
 	u32 *memory = ts_alloc((u64)n * (2 * K + 1) + WEIGHTS + 2, sizeof *memory, "normals of points");
 	if (memory == NULL) return TS_ERROR;
-	cloud c = {.points = points, .normals = normals, .n = n, .first = memory};
+	cloud c = {.points = points, .normals = normals, .n = n, .first = memory, .stop = ts_stop_here()};
 	c.near = c.first + WEIGHTS + 2;
 	c.order = c.near + (size_t)n * K;
 	c.link = c.order + (size_t)n * K;
@@ -176,6 +179,7 @@ static ts_status estimate(ts_v3 *normals, u8 *guessed, const ts_v3 *points, u32 
 		grow_forest(&c);
 		choose_sides(&c);
 		status = find_open(guessed, &c);
+		if (status == TS_OK) status = ts_go_on();
 	}
 	free(memory);
 	return status;

@@ -19,6 +19,7 @@ struct ts_rays {
 	u32 *order;
 	node *nodes;
 	u32 n_nodes;
+	ts_stop *stop;
 };
 
 static ts_v3 corner(const ts_scene *scene, u32 triangle, u32 k)
@@ -91,7 +92,7 @@ static void split(ts_rays *rays, u32 index, u32 depth)
 	ts_v3 low = ts_v3_make(0.0f, 0.0f, 0.0f), high = low;
 	node *of = &rays->nodes[index];
 	bound(of, &low, &high, rays);
-	if (of->n <= LEAF) return;
+	if (of->n <= LEAF || ts_stopped(rays->stop)) return;
 	u32 n = depth < DEEPEST / 2 ? part(rays, of, low, high) : of->n / 2, child = rays->n_nodes;
 	rays->nodes[child] = (node){.first = of->first, .n = n};
 	rays->nodes[child + 1] = (node){.first = of->first + n, .n = of->n - n};
@@ -108,6 +109,7 @@ ts_rays *ts_rays_new(const ts_scene *scene)
 	if (rays == NULL) return NULL;
 	u32 n = scene->n_triangles, n_standing = 0;
 	rays->scene = scene;
+	rays->stop = ts_stop_here();
 	rays->order = ts_alloc((size_t)n + 1, sizeof *rays->order, "a tree of triangles");
 	rays->nodes = ts_alloc((size_t)n * 2 + 1, sizeof *rays->nodes, "a tree of triangles");
 	if (rays->order == NULL || rays->nodes == NULL) {
@@ -120,7 +122,9 @@ ts_rays *ts_rays_new(const ts_scene *scene)
 	rays->nodes[0] = (node){.n = n_standing};
 	rays->n_nodes = n_standing > 0 ? 1 : 0;
 	if (n_standing > 0) split(rays, 0, 0);
-	return rays;
+	if (ts_go_on() == TS_OK) return rays;
+	ts_rays_free(rays);
+	return NULL;
 }
 
 void ts_rays_free(ts_rays *rays)
@@ -178,7 +182,7 @@ static u32 cast(f32 *distance, const ts_rays *rays, ts_v3 from, ts_v3 way, f32 m
 	u32 stack[DEEPEST * 2], n = 0, hit = TS_NONE;
 	ts_v3 slope = ts_v3_make(inverse(way.x), inverse(way.y), inverse(way.z));
 	*distance = most;
-	if (rays->n_nodes > 0) stack[n++] = 0;
+	if (rays->n_nodes > 0 && !ts_stopped(rays->stop)) stack[n++] = 0;
 	while (n > 0) {
 		const node *at = &rays->nodes[stack[--n]];
 		if (!meets(at, from, slope, *distance)) continue;

@@ -12,7 +12,7 @@ typedef struct ts_rays ts_rays;
 
 /* Builds a tree over the triangles of objects with period 0, without those whose corners do not exist or lie beyond
  * 2^24.
- * Returns: the tree, to be released with ts_rays_free; NULL without memory, with the message set.
+ * Returns: the tree, to be released with ts_rays_free; NULL without memory, or cancelled, with the message set.
  * Args:    scene may be under construction; it must outlive the tree and not change. */
 ts_rays *ts_rays_new(const ts_scene *scene);
 /* NULL is allowed. */

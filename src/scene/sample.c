@@ -131,16 +131,20 @@ static void sample_all(ts_build *build, const sampler *from, u64 *first)
 {
 	ts_scene *scene = build->scene;
 	u32 n = scene->n_triangles, old = scene->n_surfels;
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for num_threads((int)ts_threads_all()) schedule(dynamic, 256)
-	for (u32 i = 0; i < n; i++) first[i + 1] = sample_triangle(from, i, NULL);
+	for (u32 i = 0; i < n; i++) first[i + 1] = ts_stopped(stop) ? 0 : sample_triangle(from, i, NULL);
+	if (ts_build_failed(build)) return;
 	first[0] = old;
 	for (u32 i = 0; i < n; i++) first[i + 1] += first[i];
 	scene->surfels = ts_build_room(build, scene->surfels, old, first[n] - old, &build->capacity.surfels,
 	                               sizeof *scene->surfels, "surfels");
 	if (build->failed) return;
 #pragma omp parallel for num_threads((int)ts_threads_all()) schedule(dynamic, 256)
-	for (u32 i = 0; i < n; i++) sample_triangle(from, i, scene->surfels + first[i]);
-	scene->n_surfels = (u32)first[n];
+	for (u32 i = 0; i < n; i++) {
+		if (!ts_stopped(stop)) sample_triangle(from, i, scene->surfels + first[i]);
+	}
+	if (!ts_build_failed(build)) scene->n_surfels = (u32)first[n];
 }
 
 static sampler sampler_of(const ts_scene *scene, const ts_params *params)

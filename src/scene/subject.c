@@ -1,6 +1,7 @@
 /* Rooms and things. A point is in a room if most rays that do not fall end at the front of a wall, and falling ones at
  * a floor; the room is the subject if about as much of the scene is visible in it as from outside. */
 #include "kernels/base/scene.h"
+#include "model/core.h"
 #include "scene/build.h"
 #include "scene/sources.h"
 #include "scene/view.h"
@@ -44,11 +45,12 @@ static u32 column_at(f32 x, f32 low, f32 high)
 static void fill_columns(columns *c, const ts_info *info, const ts_scene *scene)
 {
 	const f32 *low = info->box_min, *high = info->box_max;
+	ts_stop *stop = ts_stop_here();
 	for (u32 i = 0; i < N_COLUMNS * N_COLUMNS; i++) {
 		c->low[i] = high[1];
 		c->high[i] = low[1];
 	}
-	for (u32 i = 0; i < scene->n_triangles; i++) {
+	for (u32 i = 0; i < scene->n_triangles && !ts_stopped(stop); i++) {
 		ts_v3 a, b;
 		if (!box_of(&a, &b, scene, i)) continue;
 		if (b.x < low[0] || a.x > high[0] || b.z < low[2] || a.z > high[2]) continue;
@@ -149,13 +151,14 @@ static void make_marks(finder *f, const ts_info *info)
 	f32 whole = 0.0f, size, sum = 0.0f, next = 0.5f;
 	u32 n = 0, seen = 0;
 	mark m;
+	ts_stop *stop = ts_stop_here();
 	f->n_marks = 0;
-	for (u32 i = 0; i < f->scene->n_triangles; i++) {
+	for (u32 i = 0; i < f->scene->n_triangles && !ts_stopped(stop); i++) {
 		if (!mark_of(&m, &size, f, info, i)) continue;
 		whole = whole + size;
 		n++;
 	}
-	for (u32 i = 0; i < f->scene->n_triangles && n > 0; i++) {
+	for (u32 i = 0; i < f->scene->n_triangles && n > 0 && !ts_stopped(stop); i++) {
 		if (!mark_of(&m, &size, f, info, i)) continue;
 		u64 before = (u64)seen * N_MARKS / n, after = (u64)(seen + 1) * N_MARKS / n;
 		seen++;

@@ -157,9 +157,18 @@ const void *ts_item_unpack(const ts_trace_item *item, ts_buffer_id id)
 {
 	static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER; /* threads may share a trace */
 	pthread_mutex_lock(&one);
-	if (item->unpacked->data == NULL) item->unpacked->data = unpack(item, id);
-	const void *data = item->unpacked->data;
+	void *data = item->unpacked->data;
 	pthread_mutex_unlock(&one);
+	if (data != NULL) return data;
+	void *made = unpack(item, id); /* without the lock, for a host is asked meanwhile whether it cancels */
+	pthread_mutex_lock(&one);
+	if (item->unpacked->data == NULL) {
+		item->unpacked->data = made;
+		made = NULL;
+	}
+	data = item->unpacked->data;
+	pthread_mutex_unlock(&one);
+	free(made);
 	return data;
 }
 

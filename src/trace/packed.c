@@ -50,7 +50,9 @@ ts_status ts_packer_put(ts_packer *packer, ts_file *file, const void *data, size
 	u8 block[BLOCK];
 	size_t left = 1;
 	ZSTD_inBuffer in = {data, bytes, 0};
+	ts_stop *stop = ts_stop_here();
 	while (in.pos < in.size || (last && left > 0)) {
+		if (ts_stopped(stop)) return ts_go_on();
 		ZSTD_outBuffer out = {block, sizeof block, 0};
 		left = ZSTD_compressStream2(packer, &out, &in, last ? ZSTD_e_end : ZSTD_e_continue);
 		if (ZSTD_isError(left)) return fail(file->path, left);
@@ -75,6 +77,7 @@ typedef struct {
 static ts_status refill(unpacker *u)
 {
 	ssize_t n;
+	if (ts_stopped(ts_stop_here())) return ts_go_on();
 	do n = read(u->file, u->block, sizeof u->block);
 	while (n < 0 && errno == EINTR);
 	if (n < 0) return ts_fail_as(TS_KIND_FILE, "%s: %s", u->path, strerror(errno));

@@ -10,7 +10,7 @@
 
 _Static_assert(TS_LITTLE_ENDIAN, "on a big-endian machine make core alone: traces are read as they are");
 
-enum { BLOCK_BYTES = 1 << 16, N_BLOCKS = 64 };
+enum { BLOCK_BYTES = 1 << 16, N_BLOCKS = 64, MOST_HELD = 1 << 16 };
 
 struct ts_reader {
 	char *path;
@@ -71,8 +71,12 @@ static bool read_all(const ts_reader *r, u8 *to, size_t bytes, u64 at)
 const void *ts_reader_at(ts_reader *r, u64 first, u64 *n)
 {
 	assert(first < r->n);
+	if (ts_stopped(ts_stop_here())) {
+		ts_go_on();
+		return NULL;
+	}
 	if (r->memory != NULL) {
-		*n = r->n - first;
+		*n = r->n - first < MOST_HELD ? r->n - first : MOST_HELD;
 		return r->memory + first * r->element_bytes;
 	}
 	u64 block = first / r->per_block, inside = first % r->per_block;

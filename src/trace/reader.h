@@ -11,7 +11,8 @@ ts_reader *ts_reader_open(const char *path, u64 data_at, u64 n, size_t element_b
 /* As ts_reader_open, for n elements in memory, which must outlive the reader. */
 ts_reader *ts_reader_memory(const void *data, u64 n, size_t element_bytes);
 /* The elements from `first` to the end of a block; sets *n to their number, at least 1. Valid until the next call with
- * this reader. NULL with the message set if the file cannot be read. `first` must be below the number of elements. */
+ * this reader. NULL with the message set if the file cannot be read, or the
+ * work is cancelled. `first` must be below the number of elements. */
 const void *ts_reader_at(ts_reader *reader, u64 first, u64 *n);
 /* NULL is allowed. */
 void ts_reader_close(ts_reader *reader);

@@ -21,7 +21,7 @@ struct ts_trace_writer {
 static ts_status put(ts_trace_writer *w, ts_buffer_id id, const void *data, u64 bytes, u64 left)
 {
 	if (bytes == 0) return TS_OK;
-	ts_digest_add(&w->sums.digest[id], data, (size_t)bytes);
+	if (ts_digest_all(&w->sums.digest[id], data, (size_t)bytes) != TS_OK) return TS_ERROR;
 	w->left[id] = left;
 	if (!w->files[id].has_file) return TS_OK;
 	if (w->packer[id] == NULL) return ts_file_put(&w->open[id], data, (size_t)bytes);

@@ -77,12 +77,13 @@ static u64 count(const ts_truth_asked *asked, const ts_sampling *sampling)
 	return n;
 }
 
-/* Keeps those of [first, end) that are to be traced; returns their number. */
-static u32 ask_group(const ts_truth_asked *asked, const ts_sampling *s, u64 first, u64 end, u64 share)
+/* Keeps those of [first, end) that are to be traced; returns their number, 0 where the work is cancelled. */
+static u32 ask_group(const ts_truth_asked *asked, const ts_sampling *s, u64 first, u64 end, u64 share, ts_stop *stop)
 {
 	u64 place[TS_ASKED];
 	ts_share shares[TS_ASKED];
 	u32 n = 0;
+	if (ts_stopped(stop)) return 0;
 	for (u64 i = first; i < end; i++) {
 		if (!is_asked(asked, s, i)) continue;
 		place[n] = i;
@@ -92,7 +93,7 @@ static u32 ask_group(const ts_truth_asked *asked, const ts_sampling *s, u64 firs
 		if (n > 0) asked->ask_all(asked->user, place, shares, n);
 		return n;
 	}
-	for (u32 k = 0; k < n; k++) asked->ask(asked->user, place[k], &shares[k]);
+	for (u32 k = 0; k < n && !ts_stopped(stop); k++) asked->ask(asked->user, place[k], &shares[k]);
 	return n;
 }
 
@@ -103,11 +104,12 @@ void ts_truth_ask(const ts_truth_asked *asked, ts_sampling *sampling)
 	u64 n = count(asked, s), share = s->chosen ? s->items : s->some, done = 0;
 	u64 chunk = CHUNK_RAYS / (share * asked->each + 1);
 	chunk = chunk < LEAST_CHUNK ? LEAST_CHUNK : min(chunk, CHUNK);
+	ts_stop *stop = ts_stop_here();
 	ts_work work = ts_work_begin(asked->label, n * share * asked->each);
 	for (u64 first = 0; first < asked->n && !ts_cancelled(); first += chunk) {
 		u64 end = min(first + chunk, asked->n);
 #pragma omp parallel for num_threads((int)asked->threads) schedule(dynamic, 1) reduction(+ : done)
-		for (u64 i = first; i < end; i += TS_ASKED) done += ask_group(asked, s, i, min(i + TS_ASKED, end), share);
+		for (u64 i = first; i < end; i += TS_ASKED) done += ask_group(asked, s, i, min(i + TS_ASKED, end), share, stop);
 		ts_work_at(&work, done, n);
 	}
 	ts_work_end(&work);

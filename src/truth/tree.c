@@ -122,9 +122,17 @@ ts_status ts_tree_begin(ts_tree *tree, u32 threads)
 	return TS_OK;
 }
 
+static bool goes_on(void *stop, double share)
+{
+	(void)share;
+	return !ts_stopped(stop);
+}
+
 ts_status ts_tree_build(ts_tree *tree)
 {
+	ts_rtc.SetSceneProgressMonitorFunction(tree->scene, goes_on, ts_stop_here());
 	ts_rtc.CommitScene(tree->scene);
+	if (ts_go_on() != TS_OK) return TS_ERROR;
 	return ts_tree_check(tree, "building its tree") == TS_OK ? ts_selftest_require() : TS_ERROR;
 }
 

@@ -19,10 +19,10 @@
 #define TS_RTC_CALLS(CALL) \
 	CALL(NewDevice) CALL(ReleaseDevice) CALL(GetDeviceError) CALL(SetDeviceErrorFunction) \
 	CALL(SetDeviceMemoryMonitorFunction) CALL(NewScene) CALL(ReleaseScene) CALL(SetSceneFlags) CALL(CommitScene) \
-	CALL(NewGeometry) CALL(ReleaseGeometry) CALL(CommitGeometry) CALL(AttachGeometry) CALL(AttachGeometryByID) \
-	CALL(SetSharedGeometryBuffer) CALL(SetNewGeometryBuffer) CALL(SetGeometryUserData) \
-	CALL(SetGeometryUserPrimitiveCount) CALL(SetGeometryBoundsFunction) CALL(SetGeometryIntersectFunction) \
-	CALL(SetGeometryIntersectFilterFunction) CALL(Intersect1) CALL(Intersect16)
+	CALL(SetSceneProgressMonitorFunction) CALL(NewGeometry) CALL(ReleaseGeometry) CALL(CommitGeometry) \
+	CALL(AttachGeometry) CALL(AttachGeometryByID) CALL(SetSharedGeometryBuffer) CALL(SetNewGeometryBuffer) \
+	CALL(SetGeometryUserData) CALL(SetGeometryUserPrimitiveCount) CALL(SetGeometryBoundsFunction) \
+	CALL(SetGeometryIntersectFunction) CALL(SetGeometryIntersectFilterFunction) CALL(Intersect1) CALL(Intersect16)
 /* clang-format on */
 #define TS_RTC_CALL(name) __typeof__(&rtc##name) name;
 typedef struct {

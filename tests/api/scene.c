@@ -1,4 +1,4 @@
-/* Scenes from bytes in memory: the same as from the file that holds these bytes. */
+/* Scenes from bytes in memory: the same as from the file that holds these bytes. And how a host ends their opening. */
 #include "tests/api/run.h"
 
 typedef struct {
@@ -105,11 +105,107 @@ static void bytes_that_are_no_scene_are_refused(void **state)
 	}
 }
 
+typedef struct {
+	int asked, end_at; /* at which time it says yes, 0: never */
+} host;
+
+static int cancelled(void *user)
+{
+	host *h = user;
+	return ++h->asked == h->end_at;
+}
+
+/* Points on a wavy sheet, without normals or sizes. */
+static file cloud(int side)
+{
+	file f = {.bytes = malloc((size_t)side * (size_t)side * 24 + 256)};
+	assert_non_null(f.bytes);
+	int at = sprintf(f.bytes,
+	                 "ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
+	                 "property float z\nend_header\n",
+	                 side * side);
+	for (int i = 0; i < side * side; i++)
+		at += sprintf(f.bytes + at, "%d %d %d\n", i % side, i % 7 * (i / side % 5), i / side);
+	f.n = (size_t)at;
+	return f;
+}
+
+/* A .glb of that many triangles side by side. */
+static file mesh(int triangles)
+{
+	const size_t n = (size_t)triangles * 36;
+	char text[512];
+	float *corners = malloc(n);
+	file json = {.bytes = text}, f = {.n = 0};
+	assert_non_null(corners);
+	for (int i = 0; i < triangles * 3; i++) {
+		corners[3 * i] = (float)(i / 3 % 500) + (i % 3 == 1 ? 1.0f : 0.0f);
+		corners[3 * i + 1] = (float)(i / 3 % 11);
+		corners[3 * i + 2] = (float)(i / 1500) + (i % 3 == 2 ? 1.0f : 0.0f);
+	}
+	json.n = (size_t)sprintf(text,
+	                         "{\"asset\": {\"version\": \"2.0\"}, \"buffers\": [{\"byteLength\": %zu}], "
+	                         "\"bufferViews\": [{\"buffer\": 0, \"byteLength\": %zu}], \"accessors\": "
+	                         "[{\"bufferView\": 0, \"componentType\": 5126, \"type\": \"VEC3\", \"count\": %d}], "
+	                         "\"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}], "
+	                         "\"scenes\": [{\"nodes\": [0]}], \"nodes\": [{\"mesh\": 0}]}",
+	                         n, n, triangles * 3);
+	f = packed(&json);
+	f.bytes = realloc(f.bytes, f.n + 8 + n);
+	assert_non_null(f.bytes);
+	put_word(f.bytes + f.n, n);
+	memcpy(f.bytes + f.n + 4, "BIN", 4);
+	memcpy(f.bytes + f.n + 8, corners, n);
+	f.n += 8 + n;
+	put_word(f.bytes + 8, f.n);
+	free(corners);
+	return f;
+}
+
+/* Asked all the while; at whatever time it says yes the scene is none, and that was the last time. */
+static void ends(host *h, ts_context *own, const file *f, const char *spec)
+{
+	ts_scene *made;
+	*h = (host){.end_at = 0};
+	done(f != NULL ? ts_scene_open_bytes(own, &made, f->bytes, f->n, spec, params, NULL)
+	               : ts_scene_open(own, &made, spec, params, NULL));
+	ts_scene_free(made);
+	const int n = h->asked;
+	if (n < 5) fail_msg("%s: asked %d times", spec, n);
+	for (int k = 0; k < 4; k++) {
+		*h = (host){.end_at = 1 + k * n / 6};
+		refused(f != NULL ? ts_scene_open_bytes(own, &made, f->bytes, f->n, spec, params, NULL)
+		                  : ts_scene_open(own, &made, spec, params, NULL),
+		        "cancelled");
+		assert_int_equal(ts_error_kind(), TS_KIND_CANCELLED);
+		assert_null(made);
+		assert_int_equal(h->asked, h->end_at);
+	}
+}
+
+static void a_scene_ends_as_it_opens(void **state)
+{
+	(void)state;
+	host h;
+	ts_context *own;
+	file points = cloud(130), triangles = mesh(100000);
+	const ts_context_options options = {.bytes = sizeof options, .threads = 2, .user = &h, .cancelled = cancelled};
+	h = (host){.end_at = 0};
+	done(ts_context_open(&own, &options));
+	ends(&h, own, &points, "points");
+	ends(&h, own, &triangles, "triangles");
+	ends(&h, own, NULL, "gallery:triangles=300k:texels=16");
+	ts_context_close(own);
+	free(points.bytes);
+	free(triangles.bytes);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(bytes_make_the_scene_of_their_file),
 		cmocka_unit_test(bytes_that_are_no_scene_are_refused),
+		cmocka_unit_test(a_scene_ends_as_it_opens),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

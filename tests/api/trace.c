@@ -300,6 +300,60 @@ static void a_written_trace_is_that_in_memory(void **state)
 	remove_folder(folder);
 }
 
+typedef struct {
+	int asked, end_at; /* at which time it says yes, 0: never */
+} host;
+
+static int cancelled(void *user)
+{
+	host *h = user;
+	return ++h->asked == h->end_at;
+}
+
+/* The call is asked, and ends where it hears yes. */
+#define ENDS(h, call, release) \
+	do { \
+		h = (host){.end_at = 0}; \
+		done(call); \
+		release; \
+		if (h.asked < 1) fail_msg("%s: not asked", #call); \
+		h = (host){.end_at = 1}; \
+		refused(call, "cancelled"); \
+		assert_int_equal(h.asked, 1); \
+	} while (0)
+
+static void what_is_written_and_judged_can_be_ended(void **state)
+{
+	(void)state;
+	host h = {.end_at = 0};
+	char folder[FOLDER], path[PATH];
+	ts_context *own;
+	ts_scene *room;
+	ts_trace *trace, *stored;
+	ts_verdicts *verdicts;
+	ts_params *large;
+	const ts_context_options options = {.bytes = sizeof options, .threads = 2, .user = &h, .cancelled = cancelled};
+	make_folder(folder);
+	snprintf(path, sizeof path, "%s/saved", folder);
+	done(ts_params_copy(&large, params));
+	done(ts_params_set(large, "width", "960"));
+	done(ts_params_set(large, "height", "540"));
+	done(ts_context_open(&own, &options));
+	done(ts_scene_open(own, &room, SMALL, large, NULL));
+	done(ts_trace_run(own, &trace, room, large, "reflections", "mvr", NULL));
+	ENDS(h, ts_trace_save(own, trace, path, NULL), remove_folder(path));
+	h.end_at = 0;
+	done(ts_trace_save(own, trace, path, NULL));
+	done(ts_trace_open(own, &stored, path));
+	ENDS(h, ts_compare(own, &verdicts, trace, stored, NULL), ts_verdicts_free(verdicts));
+	ts_trace_close(stored);
+	ts_trace_close(trace);
+	ts_scene_free(room);
+	ts_context_close(own);
+	ts_params_free(large);
+	remove_folder(folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -310,6 +364,7 @@ int main(void)
 		cmocka_unit_test(a_part_has_the_bits_of_all),
 		cmocka_unit_test(an_image_has_its_shape_and_pixels),
 		cmocka_unit_test(only_what_fits_is_put),
+		cmocka_unit_test(what_is_written_and_judged_can_be_ended),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

@@ -44,7 +44,7 @@ static ts_at_once *const shortcuts[TS_N_KERNELS] = {
 #undef EDITED
 #undef FAST
 
-enum { CHUNKS_A_THREAD = 64, CHUNKS_TO_ASK = 1024, LEAST_ITEMS = 16 };
+enum { CHUNKS_A_THREAD = 64, LEAST_ITEMS = 16, ITEMS_TO_ASK = 8 };
 
 void ts_c_items(ts_kernel kernel, const void *args, u64 begin, u64 end) { kernels[kernel](args, begin, end); }
 
@@ -60,8 +60,9 @@ void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads)
 {
 	kernel_items *items = kernels[kernel];
 	ts_stop *stop = ts_stop_here();
-	u64 size = n / ((u64)threads * (stop != NULL ? CHUNKS_TO_ASK : CHUNKS_A_THREAD));
+	u64 size = n / ((u64)threads * CHUNKS_A_THREAD);
 	size = size < LEAST_ITEMS ? LEAST_ITEMS : size;
+	const u64 piece = stop != NULL ? ITEMS_TO_ASK : size;
 	i64 chunks = (i64)((n + size - 1) / size);
 	if (threads == 1 || chunks <= 1) {
 		launch_alone(items, args, n, size, stop);
@@ -69,9 +70,8 @@ void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads)
 	}
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 	for (i64 chunk = 0; chunk < chunks; chunk++) {
-		u64 begin = (u64)chunk * size;
-		if (ts_stopped(stop)) continue;
-		items(args, begin, begin + size < n ? begin + size : n);
+		u64 begin = (u64)chunk * size, end = begin + size < n ? begin + size : n;
+		for (u64 i = begin; i < end && !ts_stopped(stop); i += piece) items(args, i, i + piece < end ? i + piece : end);
 	}
 }
 

@@ -159,6 +159,12 @@ struct loader {
 	std::map<std::pair<int, bool>, u32> images; /* (image, sRGB) to index in the scene */
 };
 
+/* Ends a long loop once the build has failed, as it does where the work is cancelled. */
+inline void go_on(loader &in)
+{
+	if (ts_build_failed(in.build)) throw error{"", TS_KIND_NONE};
+}
+
 /* What KHR_mesh_quantization adds: AS_SNORM signed bytes and shorts, normalized; AS_SMALL all bytes and shorts.
  * AS_NORM: all bytes and shorts, normalized, whatever the file requires. AS_JOINT: unsigned bytes and shorts. */
 enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4, AS_SNORM = 8, AS_SMALL = 16, AS_NORM = 32, AS_JOINT = 64 };

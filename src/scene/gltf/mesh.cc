@@ -88,12 +88,13 @@ static void note_missing_uv(loader &in, const tinygltf::Primitive &primitive, co
 }
 
 /* Keeps the vertices that triangles use. `place` is the index that an accessor's item received. */
-static void collect(piece &out, const attributes &a, const std::vector<uint32_t> &corners)
+static void collect(loader &in, piece &out, const attributes &a, const std::vector<uint32_t> &corners)
 {
 	std::map<uint32_t, u32> spread;
 	bool is_small = a.count <= corners.size() * 4, has_joints = a.has("JOINTS_0") && a.has("WEIGHTS_0");
 	std::vector<u32> dense(is_small ? a.count : 0, TS_NONE);
 	for (uint32_t corner : corners) {
+		go_on(in);
 		u32 &place = is_small ? dense[corner] : spread.emplace(corner, TS_NONE).first->second;
 		if (place == TS_NONE) {
 			place = (u32)out.vertices.size();
@@ -115,6 +116,7 @@ static std::vector<uint32_t> read_corners(loader &in, const tinygltf::Primitive 
 	std::vector<uint32_t> corners;
 	corners.reserve(3 * n);
 	for (size_t i = 0; i < n; i++) {
+		go_on(in);
 		size_t at[3];
 		triangle_corners(mode, i, at);
 		for (size_t k : at) corners.push_back(primitive.indices >= 0 ? list.index(k) : (uint32_t)k);
@@ -148,7 +150,7 @@ piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::
 	std::vector<uint32_t> corners = read_corners(in, primitive, mode, a.count, where);
 	if (corners.empty()) return out;
 	out.corners.reserve(corners.size());
-	collect(out, a, corners);
+	collect(in, out, a, corners);
 	out.material = material_build(in, primitive.material);
 	note_missing_uv(in, primitive, a);
 	return out;

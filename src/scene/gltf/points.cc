@@ -190,6 +190,7 @@ std::vector<ts_surfel> points_decode(loader &in, const tinygltf::Primitive &prim
 	ts_v3 factor = factor_of(in, primitive);
 	std::vector<uint32_t> items = read_items(in, primitive, a.count, where);
 	for (uint32_t item : items) {
+		go_on(in);
 		try {
 			read_point(in, c, a, item, factor);
 		} catch (const error &e) {

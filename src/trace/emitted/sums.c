@@ -10,8 +10,7 @@ ts_status ts_sums_take(void *user, const ts_chunk *chunk)
 		ts_digest_begin(digest);
 		ts_digest_add(digest, header, ts_npy_header(header, descr, chunk->n_dims, chunk->shape));
 	}
-	ts_digest_add(digest, chunk->data, (size_t)chunk->bytes);
-	return TS_OK;
+	return ts_digest_all(digest, chunk->data, (size_t)chunk->bytes);
 }
 
 void ts_sums_end(ts_sums *sums)

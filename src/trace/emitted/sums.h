@@ -11,7 +11,7 @@ typedef struct {
 	ts_digest digest[TS_N_BUFFERS];
 } ts_sums;
 
-/* A ts_take_chunk whose user is a ts_sums, which must be zero before. */
+/* A ts_take_chunk whose user is a ts_sums, which must be zero before. Fails only where the work is cancelled. */
 ts_status ts_sums_take(void *sums, const ts_chunk *chunk);
 /* Ends all digests; call it once, also after a failure. */
 void ts_sums_end(ts_sums *sums);

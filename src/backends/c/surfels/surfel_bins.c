@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "kernels/surfels/surfel_setup.h"
+#include "model/core.h"
 
 enum { TILE = TS_SURFEL_TILE, MOST_TILES_A_SURFEL = 16, FEW_TILES = 4 };
 
@@ -102,11 +103,11 @@ static void bin(const ts_surfel_bins *b, u64 *place, u32 surfel)
 	}
 }
 
-static void bin_lot(ts_surfel_bins *b, u32 lot)
+static void bin_lot(ts_surfel_bins *b, u32 lot, ts_stop *stop)
 {
 	u64 *place = b->place + (u64)lot * b->n_tiles;
 	i64 pixels = 0;
-	for (u64 i = b->n * lot / b->n_lots; i < b->n * (lot + 1) / b->n_lots; i++) {
+	for (u64 i = b->n * lot / b->n_lots; i < b->n * (lot + 1) / b->n_lots && !ts_stopped(stop); i++) {
 		if (b->surfel == NULL) {
 			b->spans[i] = span_of(&b->discs[i]);
 			pixels += box_pixels(&b->discs[i]);
@@ -132,8 +133,9 @@ static u64 scan_lots(ts_surfel_bins *b)
 
 static void bin_lots(ts_surfel_bins *b)
 {
+	ts_stop *stop = ts_stop_here();
 #pragma omp parallel for schedule(static, 1) num_threads(b->n_lots)
-	for (i64 lot = 0; lot < (i64)b->n_lots; lot++) bin_lot(b, (u32)lot);
+	for (i64 lot = 0; lot < (i64)b->n_lots; lot++) bin_lot(b, (u32)lot, stop);
 }
 
 void ts_surfel_bins_free(ts_surfel_bins *b)

@@ -3,6 +3,7 @@
 #include "backends/fast.h"
 #include "backends/wide.h"
 #include "kernels/surfels/surfel_setup.h"
+#include "model/core.h"
 
 enum { LOT = 64, VECTOR = 16, FATES = TS_DISC_BESIDE + 1 };
 
@@ -132,12 +133,16 @@ bool ts_c_fast_surfel_setup(const void *of, u64 n, u32 threads)
 {
 	enum { LOTS = 16 };
 	const ts_surfel_setup_args *args = of;
+	ts_stop *stop = ts_stop_here();
 	if (args->filter.filter == TS_FILTER_EWA) return false;
 #pragma omp parallel num_threads(threads)
 	{
 		i64 tally[FATES] = {0};
 #pragma omp for schedule(dynamic, LOTS)
-		for (i64 i = 0; i < (i64)n; i += LOT) set_up(args, (u64)i, (u32)(n - (u64)i < LOT ? n - (u64)i : LOT), tally);
+		for (i64 i = 0; i < (i64)n; i += LOT) {
+			if (ts_stopped(stop)) continue;
+			set_up(args, (u64)i, (u32)(n - (u64)i < LOT ? n - (u64)i : LOT), tally);
+		}
 		for (u32 fate = 0; fate < FATES; fate++) ts_add_i64(&args->tally[fate], tally[fate]);
 	}
 	return true;

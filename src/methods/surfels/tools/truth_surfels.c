@@ -249,11 +249,12 @@ static ts_status add_picture(f32 *radiance, tracer *t, ts_run *run, ts_work *wor
 {
 	u32 width = t->eye->width, height = t->eye->height, n = t->side * t->side;
 	const ts_step *shader = ts_pipeline_maker(run->pipeline, TS_B_image_radiance);
+	ts_stop *stop = ts_stop_here();
 	for (u32 first = 0; first < height; first += ROWS) {
 		u32 end = first + ROWS < height ? first + ROWS : height;
 #pragma omp parallel for num_threads(t->n_threads) schedule(dynamic, 1)
 		for (u32 y = first; y < end; y++)
-			for (u32 x = 0; x < width; x++) cast(t, x, y);
+			for (u32 x = 0; x < width && !ts_stopped(stop); x++) cast(t, x, y);
 		ts_work_at(work, (u64)t->cell * height + end, (u64)n * height);
 	}
 	if (ts_run_stage(run, ts_stage_find(shader->stage)) != TS_OK) return TS_ERROR;
