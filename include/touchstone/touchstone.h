@@ -8,7 +8,8 @@
  * - A struct that the caller fills in begins with its own size, `bytes`. So a program that was built with an older
  *   header still runs: members that its header lacks are 0, and 0 is the default. A struct that the library hands out
  *   belongs to the library, and grows at its end. The metrics of image.h are values and never grow.
- * - The library prints nothing, ends nothing, and leaves the host's locale alone.
+ * - The library prints nothing, ends nothing, and leaves the host's locale and floating-point environment alone; traps
+ *   that the host has set hold again, on each thread, when a function returns.
  * - Only one thread at a time may use a handle; different threads may use different handles. Several threads may share
  *   what a function takes by a pointer to const, a scene above all.
  * - After a fork only the parent may go on with its context: OpenMP has no threads in the child.

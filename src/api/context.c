@@ -1,5 +1,4 @@
 /* Contexts. */
-#include <fenv.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,17 +20,16 @@ void ts_api_ready(void)
 	pthread_once(&once, begin);
 }
 
-/* The caller's floating-point environment, which may trap where the library does not, and its listener. */
-static _Thread_local fenv_t environment;
+/* Whom this thread told, and how many threads it had, before it entered a context. */
 static _Thread_local ts_listener before;
 static _Thread_local uint32_t threads_before;
 
 static ts_status enter(const ts_context *context, u32 threads)
 {
-	feholdexcept(&environment);
 	before = ts_listen(&context->listener);
-	threads_before = ts_threads_limit(threads);
-	ts_status status = ts_selftest_require_on(ts_threads_ready(threads));
+	const u32 there = ts_floats_hold(threads);
+	threads_before = ts_threads_limit(there);
+	ts_status status = ts_selftest_require_on(there);
 	if (status != TS_OK) ts_api_leave();
 	return status;
 }
@@ -42,9 +40,9 @@ ts_status ts_api_enter_alone(const ts_context *context) { return enter(context, 
 
 void ts_api_leave(void)
 {
-	ts_listen(&before);
+	ts_floats_give();
 	ts_threads_limit(threads_before);
-	fesetenv(&environment);
+	ts_listen(&before);
 }
 
 static bool is_zero(const char *bytes, size_t n)
@@ -100,10 +98,9 @@ static ts_status open_context(ts_context *context, const ts_context_options *opt
 	if (options->threads > TS_MOST_THREADS) {
 		return ts_fail("%lu threads; 0 to %d are right", (unsigned long)options->threads, TS_MOST_THREADS);
 	}
-	const ts_listener host = ts_listen(&context->listener);
-	context->how.threads = options->threads > 0 ? ts_threads_ready(options->threads) : ts_threads_all();
-	ts_listen(&host);
+	context->how.threads = options->threads > 0 ? options->threads : ts_processors();
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
+	context->how.threads = ts_threads_all();
 	context->how.no_fast_paths = options->no_fast_paths != 0;
 	ts_status status = open_backend(&context->how, context->kind, options->device);
 	ts_api_leave();
@@ -131,7 +128,9 @@ ts_status ts_context_open(ts_context **context, const ts_context_options *option
 void ts_context_close(ts_context *context)
 {
 	if (context == NULL) return;
+	ts_floats_hold(1);
 	if (context->how.backend != NULL) context->how.backend->close(context->how.backend);
+	ts_floats_give();
 	free(context->words.in);
 	free(context);
 }
@@ -152,10 +151,12 @@ ts_status ts_device_at(ts_device_info *device, const char *backend, uint32_t i)
 	ts_device_info info;
 	if (ts_api_room(device->bytes, sizeof info, sizeof info, "ts_device_info") != TS_OK) return TS_ERROR;
 	if (ts_backend_find(&kind, ts_backend_kinds, backend) != TS_OK) return TS_ERROR;
+	ts_floats_hold(1);
 	pthread_mutex_lock(&drivers);
 	u32 n;
 	const ts_status status = kind->devices(devices, &n);
 	pthread_mutex_unlock(&drivers);
+	ts_floats_give();
 	if (status == TS_ERROR) return ts_blame(status, TS_KIND_DEVICE);
 	if (i >= n) {
 		ts_fail_as(TS_KIND_DEVICE, "%s: has no device %lu", backend, (unsigned long)i);

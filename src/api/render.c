@@ -1,5 +1,4 @@
 /* Renderings. */
-#include <fenv.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -330,12 +329,11 @@ ts_status ts_rendering_picture_named(ts_context *context, const ts_rendering_pic
 /* As in a context, the host's floating-point environment has no part in it. */
 static double value_of(double *error, const ts_rendering *r, const ts_figure *figure)
 {
-	fenv_t host;
 	const ts_figure_source source = source_of(r);
-	feholdexcept(&host);
+	ts_floats_hold(1);
 	double value = ts_figure_value(figure, &source);
 	if (error != NULL) *error = ts_figure_error(figure, &source);
-	fesetenv(&host);
+	ts_floats_give();
 	return value;
 }
 

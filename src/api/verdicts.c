@@ -188,13 +188,19 @@ int ts_float_passes(const ts_compare_options *options, float reference, float ca
 {
 	const ts_compare_options none = {.bytes = sizeof none}, *o = options != NULL ? options : &none;
 	const ts_relaxations relaxations = {.ulp = o->ulp, .abs = o->abs, .rel = o->rel};
-	return ts_relax_close(&relaxations, ts_f2u(reference), ts_f2u(candidate));
+	ts_floats_hold(1);
+	const bool passes = ts_relax_close(&relaxations, ts_f2u(reference), ts_f2u(candidate));
+	ts_floats_give();
+	return passes;
 }
 
 void ts_float_text(char text[TS_FLOAT_TEXT], float value)
 {
 	static const ts_field field = {.name = "", .kind = 'f', .count = 1, .bytes = 4};
-	if (text != NULL) ts_field_show(text, &field, ts_f2u(value));
+	if (text == NULL) return;
+	ts_floats_hold(1);
+	ts_field_show(text, &field, ts_f2u(value));
+	ts_floats_give();
 }
 
 void ts_verdicts_free(ts_verdicts *v)

@@ -44,9 +44,11 @@ ts_status ts_image_load(const char *what)
 	return status;
 }
 
-/* Fetches the module's own message. */
-static ts_status with_message(ts_status status)
+/* The status of a call of the module: its libraries compute without traps, and it has the message. */
+#define CODEC(call) (ts_floats_hold(1), end_call(codec->call))
+static ts_status end_call(ts_status status)
 {
+	ts_floats_give();
 	return status == TS_OK ? TS_OK : ts_fail_as(codec->kind(), "%s", codec->message());
 }
 
@@ -123,7 +125,7 @@ static ts_status decode_jpeg(uint8_t *rgba, const uint32_t size[2], const void *
                              const char *what)
 {
 	if (ts_image_load(what) != TS_OK) return TS_ERROR;
-	return with_message(codec->decode(rgba, size[0], size[1], "jpeg", file, file_bytes, what));
+	return CODEC(decode(rgba, size[0], size[1], "jpeg", file, file_bytes, what));
 }
 
 static ts_status decode_file(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
@@ -185,7 +187,7 @@ ts_status ts_image_encode_exr(void **file, size_t *file_bytes, const float *pixe
 	*file = NULL;
 	if (TS_LACKS(file_bytes) || TS_LACKS(pixels) || TS_LACKS(what)) return TS_ERROR;
 	if (check_picture(what, width, height, channels) != TS_OK || ts_image_load(what) != TS_OK) return TS_ERROR;
-	return with_message(codec->encode_exr(file, file_bytes, what, pixels, width, height, channels, texts));
+	return CODEC(encode_exr(file, file_bytes, what, pixels, width, height, channels, texts));
 }
 
 /* Puts an encoded file, which is freed, in its place. */
@@ -273,7 +275,7 @@ static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, ui
 	if (is == TS_IMAGE_PNG) return read_png_floats(pixels, width, height, channels, frame, file, bytes, what);
 	if (ts_image_load(what) != TS_OK) return TS_ERROR;
 	const char *format = is == TS_IMAGE_JPEG ? "jpeg" : "openexr";
-	return with_message(codec->read(pixels, width, height, channels, frame, format, file, bytes, what));
+	return CODEC(read(pixels, width, height, channels, frame, format, file, bytes, what));
 }
 
 /* Whole numbers, of which there are the bits, as floats. */

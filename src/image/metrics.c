@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <touchstone/image.h>
+#include "model/core.h"
 
 enum { TAPS = 11, REACH = TAPS / 2, BLOCK = 64, SPAN = BLOCK + 2 * REACH, N_SUMS = 5 };
 
@@ -96,8 +97,8 @@ static void set_weights(pair *p)
 	for (int k = 0; k < TAPS; k++) p->weight[k] /= total;
 }
 
-ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask, uint32_t width,
-                              uint32_t height)
+static ts_metrics compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask, uint32_t width,
+                          uint32_t height)
 {
 	if (reference == NULL || image == NULL) width = height = 0;
 	pair p = {.reference = reference, .image = image, .mask = mask, .width = width, .height = height};
@@ -119,6 +120,15 @@ ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, co
 	set_weights(&p);
 	if (!mean_similarity(&p, true, &m.ssim)) mean_similarity(&p, false, &m.ssim);
 	return m;
+}
+
+ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask, uint32_t width,
+                              uint32_t height)
+{
+	ts_floats_hold(1);
+	const ts_metrics found = compare(reference, image, mask, width, height);
+	ts_floats_give();
+	return found;
 }
 
 /* The growth of the square root when its argument grows by `error`. */
@@ -176,7 +186,7 @@ static bool is_whole(const ts_metrics_part *part)
 	       part->chosen != NULL;
 }
 
-ts_metrics ts_metrics_estimate(const ts_metrics_part *part, const uint8_t *mask, uint32_t width, uint32_t height)
+static ts_metrics estimate(const ts_metrics_part *part, const uint8_t *mask, uint32_t width, uint32_t height)
 {
 	pairs p = {.n = 0};
 	ts_metrics m = {.psnr = INFINITY, .ssim = NAN};
@@ -195,6 +205,14 @@ ts_metrics ts_metrics_estimate(const ts_metrics_part *part, const uint8_t *mask,
 	m.rmse_error = root_error(square, error / 3);
 	if (square > 0) m.psnr = 20 * log10(255 / m.rmse);
 	return m;
+}
+
+ts_metrics ts_metrics_estimate(const ts_metrics_part *part, const uint8_t *mask, uint32_t width, uint32_t height)
+{
+	ts_floats_hold(1);
+	const ts_metrics found = estimate(part, mask, width, height);
+	ts_floats_give();
+	return found;
 }
 
 double ts_metrics_flicker(const uint8_t *reference_before, const uint8_t *reference, const uint8_t *image_before,
@@ -275,8 +293,8 @@ static light_sums add_light(ts_light_metrics *m, const float *reference, const f
 	return sums;
 }
 
-ts_light_metrics ts_metrics_light(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
-                                  uint32_t height)
+static ts_light_metrics judge_light(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
+                                    uint32_t height)
 {
 	if (reference == NULL || image == NULL) width = height = 0;
 	ts_light_metrics m = {0};
@@ -289,6 +307,15 @@ ts_light_metrics ts_metrics_light(const float *reference, const float *image, co
 	m.beyond = (double)sums.beyond / n;
 	m.given = m.unlit > 0 ? sums.unlit / (double)m.unlit / mean : 0;
 	return m;
+}
+
+ts_light_metrics ts_metrics_light(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
+                                  uint32_t height)
+{
+	ts_floats_hold(1);
+	const ts_light_metrics found = judge_light(reference, image, mask, width, height);
+	ts_floats_give();
+	return found;
 }
 
 /* Beyond the reference's range in a channel at the pixel and its neighbours. */
@@ -307,7 +334,8 @@ static bool is_beyond(const float *reference, const float *image, uint32_t x, ui
 	return value < least - margin || value > most + margin;
 }
 
-uint64_t ts_metrics_crumbs(uint8_t *marks, const float *reference, const float *image, uint32_t width, uint32_t height)
+static uint64_t count_crumbs(uint8_t *marks, const float *reference, const float *image, uint32_t width,
+                             uint32_t height)
 {
 	if (reference == NULL || image == NULL) return 0;
 	uint64_t n = 0;
@@ -320,4 +348,12 @@ uint64_t ts_metrics_crumbs(uint8_t *marks, const float *reference, const float *
 		}
 	}
 	return n;
+}
+
+uint64_t ts_metrics_crumbs(uint8_t *marks, const float *reference, const float *image, uint32_t width, uint32_t height)
+{
+	ts_floats_hold(1);
+	const uint64_t found = count_crumbs(marks, reference, image, width, height);
+	ts_floats_give();
+	return found;
 }

@@ -100,6 +100,12 @@ uint32_t ts_threads_limit(uint32_t most);
 /* As ts_threads_ready, with as many threads as that allows. */
 uint32_t ts_threads_all(void);
 
+/* As ts_threads_ready; until ts_floats_give these threads compute without traps, whatever their host has set, and this
+ * one sets no exceptions in its host's environment. Holds nest. */
+uint32_t ts_floats_hold(uint32_t threads);
+/* Gives these threads the environments that they had. */
+void ts_floats_give(void);
+
 /* The commit that the program was built from, with "-dirty" behind it if its source was changed since; or "unknown". */
 const char *ts_commit(void);
 

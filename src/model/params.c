@@ -165,7 +165,11 @@ ts_status ts_params_set(ts_params *params, const char *name, const char *value)
 {
 	size_t row;
 	if (TS_LACKS(params) || TS_LACKS(name) || TS_LACKS(value)) return TS_ERROR;
-	return find(&row, name) == TS_OK ? set_row(params, row, value) : TS_ERROR;
+	if (find(&row, name) != TS_OK) return TS_ERROR;
+	ts_floats_hold(1);
+	ts_status status = set_row(params, row, value);
+	ts_floats_give();
+	return status;
 }
 
 ts_status ts_params_get(const ts_params *params, const char *name, char *text, size_t text_bytes)
@@ -173,7 +177,9 @@ ts_status ts_params_get(const ts_params *params, const char *name, char *text, s
 	size_t row;
 	char value[64];
 	if (TS_LACKS(params) || TS_LACKS(name) || TS_LACKS(text) || find(&row, name) != TS_OK) return TS_ERROR;
+	ts_floats_hold(1);
 	ts_params_format(params, row, value, sizeof value);
+	ts_floats_give();
 	if (strlen(value) >= text_bytes) {
 		return ts_fail("parameter %s: its value does not fit in %zu bytes; 64 would be right", name, text_bytes);
 	}

@@ -1,6 +1,8 @@
 /* The floating-point environment of a host: no function that takes a context or a page changes it, and none does
- * anything where it is not the default. */
+ * anything where it rounds otherwise. Traps of a host do not end it. */
+#define _GNU_SOURCE
 #include <fenv.h>
+#include <math.h>
 #include "tests/api/run.h"
 
 enum { RAISED = FE_INVALID | FE_DIVBYZERO };
@@ -125,12 +127,66 @@ static void pages_keep_the_rounding_of_the_host(void **state)
 	remove_folder(folder);
 }
 
+static void without_context(void)
+{
+	char text[TS_FLOAT_TEXT];
+	float value;
+	const uint32_t signalling = 0x7fa00000;
+	const float dark[3] = {0, 0, 0}, endless[3] = {INFINITY, 1, 1};
+	const uint8_t rgb[3] = {1, 2, 3};
+	void *file;
+	size_t bytes;
+	memcpy(&value, &signalling, sizeof value);
+	ts_float_text(text, value);
+	assert_int_equal(ts_float_passes(&(ts_compare_options){.bytes = sizeof(ts_compare_options), .rel = 1}, 0, value),
+	                 0);
+	refused(ts_params_set(params, "light.irradiance", "1e999"), "light.irradiance");
+	assert_true(ts_metrics_light(dark, endless, NULL, 1, 1).pixels == 1);
+	assert_true(isinf(ts_metrics_compare(rgb, rgb, NULL, 1, 1).psnr));
+	ts_metrics_crumbs(NULL, dark, endless, 1, 1);
+	done(ts_image_encode_exr(&file, &bytes, endless, 1, 1, 3, NULL, "endless"));
+	free(file);
+	FILE *out = fopen("/dev/null", "w");
+	assert_non_null(out);
+	done(ts_scene_print(scene, out, 0));
+	fclose(out);
+}
+
+/* Of a host that traps, also on the threads of its own loops, all is as before. */
+static void traps_do_not_end_the_host(void **state)
+{
+	(void)state;
+	enum { THREADS = 4, TRAPS = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW };
+	ts_context *own;
+	ts_trace *trace;
+	ts_truth_image *image;
+	int n = 0;
+	feclearexcept(FE_ALL_EXCEPT);
+	assert_int_not_equal(feenableexcept(TRAPS), -1);
+#pragma omp parallel num_threads(THREADS)
+	if (fegetexcept() != TRAPS) feenableexcept(TRAPS);
+	done(ts_context_open(&own, &(ts_context_options){.bytes = sizeof(ts_context_options), .threads = THREADS}));
+	done(ts_trace_run(own, &trace, scene, params, "reflections", "epr", NULL));
+	ts_trace_close(trace);
+	done(ts_truth_render(own, &image, scene, params, "reflections", "A"));
+	ts_truth_image_free(image);
+	ts_context_close(own);
+	without_context();
+	assert_int_equal(fetestexcept(FE_ALL_EXCEPT), 0);
+#pragma omp parallel num_threads(THREADS) reduction(+ : n)
+	n += fegetexcept() == TRAPS;
+	assert_int_equal(n, THREADS);
+#pragma omp parallel num_threads(THREADS)
+	fedisableexcept(TRAPS);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(runs_keep_the_rounding_of_the_host),
 		cmocka_unit_test(answers_keep_the_rounding_of_the_host),
 		cmocka_unit_test(pages_keep_the_rounding_of_the_host),
+		cmocka_unit_test(traps_do_not_end_the_host),
 	};
 	return cmocka_run_group_tests(tests, run_begin, run_end);
 }

@@ -235,7 +235,9 @@ static ts_status print_text(const ts_scene *s, FILE *out)
 ts_status ts_scene_print(const ts_scene *scene, FILE *out, int json)
 {
 	if (TS_LACKS(scene) || TS_LACKS(out)) return TS_ERROR;
+	ts_floats_hold(1);
 	ts_status status = json ? print_json(scene, out) : print_text(scene, out);
+	ts_floats_give();
 	if (status == TS_OK && fflush(out) != 0) {
 		return ts_fail_as(TS_KIND_FILE, "%s: its description cannot be written: %s", scene->name, strerror(errno));
 	}
