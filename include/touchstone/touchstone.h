@@ -12,7 +12,9 @@
  *   that the host has set hold again, on each thread, when a function returns.
  * - Only one thread at a time may use a handle; different threads may use different handles. Several threads may share
  *   what a function takes by a pointer to const, a scene above all.
- * - After a fork only the parent may go on with its context: OpenMP has no threads in the child.
+ * - After a fork only the parent may go on with its contexts: a function fails with those in the child, which may open
+ *   its own. In the thread that forked it computes alone, if that thread had others: gcc's OpenMP has lost them. A host
+ *   that uses OpenMP itself before it forks calls the library from a new thread of the child.
  *
  * Start at context.h, scene.h and trace.h; then compare.h. */
 #ifndef TOUCHSTONE_TOUCHSTONE_H

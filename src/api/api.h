@@ -2,6 +2,7 @@
  * this thread's lines and progress, and leaves it at its end. */
 #ifndef TS_API_API_H
 #define TS_API_API_H
+#include <sys/types.h>
 #include <touchstone/context.h>
 #include "methods/pipeline.h"
 #include "vectors/vectors.h"
@@ -16,6 +17,7 @@ struct ts_context {
 	ts_how how;
 	const ts_backend_kind *kind;
 	ts_listener listener;
+	pid_t process;      /* that opened it */
 	ts_api_words words; /* of the primitive that was asked for last */
 };
 

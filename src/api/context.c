@@ -2,6 +2,7 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "api/api.h"
 #include "families/families.h"
 #include "tools/tools.h"
@@ -26,6 +27,10 @@ static _Thread_local uint32_t threads_before;
 
 static ts_status enter(const ts_context *context, u32 threads)
 {
+	if (context->process != getpid()) {
+		return ts_fail("the context is of process %ld, of which this is a fork; a context of its own would be right",
+		               (long)context->process);
+	}
 	before = ts_listen(&context->listener);
 	const u32 there = ts_floats_hold(threads);
 	threads_before = ts_threads_limit(there);
@@ -98,6 +103,7 @@ static ts_status open_context(ts_context *context, const ts_context_options *opt
 	if (options->threads > TS_MOST_THREADS) {
 		return ts_fail("%lu threads; 0 to %d are right", (unsigned long)options->threads, TS_MOST_THREADS);
 	}
+	context->process = getpid();
 	context->how.threads = options->threads > 0 ? options->threads : ts_processors();
 	if (ts_api_enter(context) != TS_OK) return TS_ERROR;
 	context->how.threads = ts_threads_all();
@@ -129,7 +135,8 @@ void ts_context_close(ts_context *context)
 {
 	if (context == NULL) return;
 	ts_floats_hold(1);
-	if (context->how.backend != NULL) context->how.backend->close(context->how.backend);
+	const bool own = context->process == getpid(); /* a driver knows nothing of a fork */
+	if (context->how.backend != NULL && own) context->how.backend->close(context->how.backend);
 	ts_floats_give();
 	free(context->words.in);
 	free(context);

@@ -91,7 +91,7 @@ void ts_progress(const char *label, uint64_t done, uint64_t total);
 /* The most threads that anything may ask for. */
 enum { TS_MOST_THREADS = 1024 };
 /* Makes up to `wanted` threads ready, this one among them, and returns how many there are, at least 1; a line says so
- * where they are fewer. */
+ * where they are fewer. One in the child of a fork by a thread that had others: it goes on without them. */
 uint32_t ts_threads_ready(uint32_t wanted);
 /* The processors of this machine. */
 uint32_t ts_processors(void);

@@ -1,6 +1,7 @@
 /* Threads are tried before they are needed: OpenMP's runtime ends the process if it cannot create one. */
 #include <omp.h>
 #include <pthread.h>
+#include <unistd.h>
 #include "model/core.h"
 
 typedef struct {
@@ -41,7 +42,14 @@ static uint32_t others(uint32_t most)
 uint32_t ts_threads_ready(uint32_t wanted)
 {
 	static _Thread_local uint32_t ready = 1; /* OpenMP keeps each thread's team apart */
+	static _Thread_local pid_t process;      /* of the team */
 	uint32_t n = wanted < 1 ? 1 : wanted < TS_MOST_THREADS ? wanted : TS_MOST_THREADS;
+	if (n == 1) return 1;
+	/* Only the thread that forks is in the child. gcc's OpenMP would wait for the rest of its team for ever. */
+	if (ready > 1 && process != getpid()) {
+		ts_say("%u threads wanted, 1 is taken: after a fork OpenMP has no others", (unsigned)n);
+		return 1;
+	}
 	if (n <= ready) return n;
 	uint32_t had = others(n - 1);
 	/* At the limit, the work needs the memory of half of the threads. */
@@ -53,6 +61,7 @@ uint32_t ts_threads_ready(uint32_t wanted)
 #pragma omp single
 	there = (uint32_t)omp_get_num_threads();
 	ready = there;
+	process = getpid();
 	return there;
 }
 

@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <locale.h>
 #include <pthread.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include "api/api.h"
 #include "tests/api/api.h"
@@ -189,6 +190,42 @@ static void threads_may_share_a_scene(void **state)
 	for (int i = 1; i < 4; i++) assert_string_equal(hex[0], hex[i]);
 }
 
+/* In a child, whose parent computed with two threads: 0 if its own context gives the same picture. */
+static int in_child(ts_context *of_parent, const char *hex)
+{
+	char own[65];
+	ts_context *context;
+	ts_trace *trace;
+	alarm(20);
+	if (ts_trace_run(of_parent, &trace, shared_scene, shared_params, "reflections", "mvr", NULL) != TS_ERROR) return 1;
+	if (strstr(ts_error_message(), "a fork; a context of its own would be right") == NULL) return 2;
+	if (ts_context_open(&context, &(ts_context_options){.bytes = sizeof(ts_context_options), .threads = 2}) != TS_OK)
+		return 3;
+	if (ts_trace_run(context, &trace, shared_scene, shared_params, "reflections", "mvr", NULL) != TS_OK) return 4;
+	if (ts_trace_digest(trace, "image.srgb", own) != TS_OK || strcmp(own, hex) != 0) return 5;
+	ts_trace_close(trace);
+	ts_context_close(context);
+	return 0;
+}
+
+static void the_child_of_a_fork_opens_its_own(void **state)
+{
+	(void)state;
+	int told;
+	char hex[65];
+	ts_context *context = open_context(2);
+	ts_trace *trace = small_trace(context, shared_scene, shared_params, "mvr");
+	done(ts_trace_digest(trace, "image.srgb", hex));
+	ts_trace_close(trace);
+	pid_t child = fork();
+	if (child == 0) _exit(in_child(context, hex));
+	assert_int_equal(waitpid(child, &told, 0), child);
+	assert_int_equal(told, 0);
+	trace = small_trace(context, shared_scene, shared_params, "mvr");
+	ts_trace_close(trace);
+	ts_context_close(context);
+}
+
 /* Nothing is printed, of failures neither, and the locale stays. */
 static void the_library_prints_nothing(void **state)
 {
@@ -256,6 +293,7 @@ int main(void)
 		cmocka_unit_test(a_run_ends_at_any_stage),
 		cmocka_unit_test(a_run_ends_within_a_stage),
 		cmocka_unit_test(threads_may_share_a_scene),
+		cmocka_unit_test(the_child_of_a_fork_opens_its_own),
 		cmocka_unit_test(the_library_prints_nothing),
 		cmocka_unit_test(devices_of_each_backend_end_somewhere),
 	};

@@ -73,10 +73,34 @@ static void little_memory_gives_fewer_threads(void **state)
 	}
 }
 
+/* gcc's OpenMP would wait in a child for the threads of its parent: the child computes alone. */
+static int alone(void)
+{
+	int seen = 0;
+	alarm(10);
+	said_begin();
+	if (ts_threads_ready(4) != 1 || strstr(said_end(), "4 threads wanted, 1 is taken: after a fork") == NULL) return 1;
+#pragma omp parallel num_threads((int)ts_threads_all()) reduction(+ : seen)
+	seen++;
+	return seen == 1 ? 0 : 2;
+}
+
+static void the_child_of_a_fork_computes_alone(void **state)
+{
+	(void)state;
+	int told;
+	assert_int_equal(ts_threads_ready(5), 5);
+	pid_t child = fork();
+	if (child == 0) _exit(alone());
+	assert_int_equal(waitpid(child, &told, 0), child);
+	assert_int_equal(told, 0);
+	assert_int_equal(ts_threads_ready(5), 5);
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(little_memory_gives_fewer_threads),
-	                                   cmocka_unit_test(wanted_threads_are_there),
-	                                   cmocka_unit_test(a_limit_holds_for_its_thread)};
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(little_memory_gives_fewer_threads), cmocka_unit_test(wanted_threads_are_there),
+		cmocka_unit_test(a_limit_holds_for_its_thread), cmocka_unit_test(the_child_of_a_fork_computes_alone)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
