@@ -18,7 +18,9 @@ typedef struct {
 	uint32_t device;     /* of that backend, from 0 */
 	uint32_t threads;    /* of the backend "c", at most 1024; 0: one per processor. They never change a result */
 	int no_fast_paths;   /* not 0: the backend "c" takes no fast paths, which never change a result either */
-	void *user;          /* passed to the functions below, which may be NULL and must not call the library */
+	void *user;          /* passed to the functions below. They may be NULL. They must return: neither exceptions nor
+	                      * longjmp may leave them, and they must not call the library. Where one does, functions with
+	                      * a context fail on this thread: at once, or from then on where it never returned */
 	void (*say)(void *user, const char *line); /* a line without its end, beside results and failures */
 	void (*progress)(void *user, const char *label, uint64_t done, uint64_t total); /* ends with done == total */
 	int (*cancelled)(void *user); /* asked by the thread that called, every few ms while the backend "c" or the

@@ -21,16 +21,22 @@ void ts_api_ready(void)
 	pthread_once(&once, begin);
 }
 
-/* Whom this thread told, and how many threads it had, before it entered a context. */
+/* Whether this thread works for a context, and whom it told and how many threads it had before. */
+static _Thread_local bool inside;
 static _Thread_local ts_listener before;
 static _Thread_local uint32_t threads_before;
 
 static ts_status enter(const ts_context *context, u32 threads)
 {
+	if (inside) {
+		return ts_fail("called within a function of a context's options, or after one that did not return; such a "
+		               "function must return, and call nothing of the library");
+	}
 	if (context->process != getpid()) {
 		return ts_fail("the context is of process %ld, of which this is a fork; a context of its own would be right",
 		               (long)context->process);
 	}
+	inside = true;
 	before = ts_listen(&context->listener);
 	const u32 there = ts_floats_hold(threads);
 	threads_before = ts_threads_limit(there);
@@ -48,6 +54,7 @@ void ts_api_leave(void)
 	ts_floats_give();
 	ts_threads_limit(threads_before);
 	ts_listen(&before);
+	inside = false;
 }
 
 static bool is_zero(const char *bytes, size_t n)
@@ -81,7 +88,7 @@ ts_status ts_api_options(void *ours, size_t our_bytes, const void *options, cons
 	return TS_OK;
 }
 
-/* Drivers are queried and opened one at a time. */
+/* Drivers are queried and opened one at a time; meanwhile nobody is called back. */
 static pthread_mutex_t drivers = PTHREAD_MUTEX_INITIALIZER;
 
 static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 device)
@@ -90,8 +97,8 @@ static ts_status open_backend(ts_how *how, const ts_backend_kind *kind, u32 devi
 	if (kind->open == NULL) return TS_OK;
 	pthread_mutex_lock(&drivers);
 	ts_status status = kind->open(&how->backend, &wanted);
-	if (status == TS_OK) status = ts_vectors_verify(how->backend, false);
 	pthread_mutex_unlock(&drivers);
+	if (status == TS_OK) status = ts_vectors_verify(how->backend, false);
 	return ts_blame(status, TS_KIND_DEVICE);
 }
 

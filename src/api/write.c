@@ -1,5 +1,4 @@
 /* Traces on disk. */
-#include <pthread.h>
 #include <string.h>
 #include <touchstone/trace.h>
 #include "api/api.h"
@@ -8,9 +7,6 @@
 #include "study/measure.h"
 #include "study/trace.h"
 #include "trace/write.h"
-
-/* One folder at a time. */
-static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER;
 
 static ts_status refuse(const char *folder)
 {
@@ -47,9 +43,7 @@ ts_status ts_trace_write(ts_context *context, const char *folder, const ts_scene
 	if (pipeline == NULL || ts_api_enter(context) != TS_OK) return TS_ERROR;
 	ts_how how = context->how;
 	how.arrival = ours.arrival != 0;
-	pthread_mutex_lock(&one);
 	ts_status status = write_trace(folder, pipeline, scene, params, &how, &ours);
-	pthread_mutex_unlock(&one);
 	ts_api_leave();
 	return status;
 }
@@ -66,9 +60,7 @@ static ts_status save(const ts_trace *trace, const char *folder, const char *pro
 ts_status ts_trace_save(ts_context *context, const ts_trace *trace, const char *folder, const char *producer)
 {
 	if (TS_LACKS(context) || TS_LACKS(trace) || TS_LACKS(folder) || ts_api_enter(context) != TS_OK) return TS_ERROR;
-	pthread_mutex_lock(&one);
 	ts_status status = save(trace, folder, producer);
-	pthread_mutex_unlock(&one);
 	ts_api_leave();
 	return status;
 }

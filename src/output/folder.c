@@ -24,7 +24,7 @@ struct room {
 };
 enum { ROOM_BYTES = 1 << 16 };
 
-static struct {
+static _Thread_local struct {
 	char dir[TS_FOLDER_PATH], partial[TS_FOLDER_PATH], old[TS_FOLDER_PATH], lock_path[TS_FOLDER_PATH];
 	ts_place place; /* of these paths */
 	ts_lock lock;

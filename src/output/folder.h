@@ -1,4 +1,4 @@
-/* The output folder: written as DIR.partial, then put in place as a whole, or removed. A process writes one at a time.
+/* The output folder: written as DIR.partial, then put in place as a whole, or removed. A thread writes one at a time.
  *
  * DIR.lock stands beside it meanwhile. A process that is killed leaves DIR.partial and DIR.lock; the next process that
  * writes DIR removes them and says so. A folder that is replaced is exchanged with the new one by renameat2. Where the

@@ -1,4 +1,4 @@
-/* Leftovers of a killed process: a file and a folder at most. */
+/* Leftovers of a killed process: a file and a folder at most. What is not shared is the thread's own. */
 #define _DEFAULT_SOURCE
 #include "output/left.h"
 #include <stdio.h>
@@ -12,28 +12,34 @@ typedef struct {
 	uint32_t n_parents;
 } record;
 
-static record own, *now = &own;
+static record *shared;
+
+static record *now(void)
+{
+	static _Thread_local record own;
+	return shared != NULL ? shared : &own;
+}
 
 ts_status ts_left_share(void)
 {
-	record *shared = mmap(NULL, sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-	if (shared == MAP_FAILED) return ts_fail("no memory for what two processes share");
-	now = shared;
+	record *made = mmap(NULL, sizeof *made, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+	if (made == MAP_FAILED) return ts_fail("no memory for what two processes share");
+	shared = made;
 	return TS_OK;
 }
 
-void ts_left_file(const char *partial) { snprintf(now->file, sizeof now->file, "%s", partial); }
+void ts_left_file(const char *partial) { snprintf(now()->file, sizeof now()->file, "%s", partial); }
 
 void ts_left_folder(const char *dir, uint32_t n_parents)
 {
-	now->n_parents = n_parents;
-	snprintf(now->folder, sizeof now->folder, "%s", dir);
+	now()->n_parents = n_parents;
+	snprintf(now()->folder, sizeof now()->folder, "%s", dir);
 }
 
 void ts_left_clear(void)
 {
-	if (now->file[0] != 0) unlink(now->file);
-	if (now->folder[0] != 0) ts_folder_clear(now->folder, now->n_parents);
+	if (now()->file[0] != 0) unlink(now()->file);
+	if (now()->folder[0] != 0) ts_folder_clear(now()->folder, now()->n_parents);
 	ts_left_file("");
 	ts_left_folder("", 0);
 }

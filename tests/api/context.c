@@ -226,6 +226,95 @@ static void the_child_of_a_fork_opens_its_own(void **state)
 	ts_context_close(context);
 }
 
+/* A host whose progress calls the library, or leaves by longjmp. */
+typedef struct {
+	ts_context *context;
+	char folder[FOLDER];
+	bool leaves;
+	jmp_buf away;
+	char said[256];
+} rude;
+
+static void write_into(rude *r, const char *name)
+{
+	char path[PATH];
+	snprintf(path, sizeof path, "%s/%s", r->folder, name);
+	const ts_status status = ts_trace_write(r->context, path, shared_scene, shared_params, "reflections", "mvr", NULL);
+	snprintf(r->said, sizeof r->said, "%s", status == TS_OK ? "" : ts_error_message());
+}
+
+static void rude_progress(void *user, const char *label, uint64_t done_now, uint64_t total)
+{
+	(void)label;
+	(void)done_now;
+	(void)total;
+	rude *r = user;
+	if (r->leaves) longjmp(r->away, 1);
+	if (r->said[0] == 0) write_into(r, "inner");
+}
+
+static void open_rude(rude *r)
+{
+	const ts_context_options options = {.bytes = sizeof options, .threads = 1, .user = r, .progress = rude_progress};
+	make_folder(r->folder);
+	done(ts_context_open(&r->context, &options));
+}
+
+static void a_call_within_a_call_is_refused(void **state)
+{
+	(void)state;
+	ts_trace *trace;
+	rude r = {.leaves = false};
+	open_rude(&r);
+	done(ts_trace_run(r.context, &trace, shared_scene, shared_params, "reflections", "mvr", NULL));
+	ts_trace_close(trace);
+	if (strstr(r.said, "called within a function of a context's options") == NULL) fail_msg("%s", r.said);
+	write_into(&r, "outer");
+	assert_string_equal(r.said, "");
+	ts_context_close(r.context);
+	remove_folder(r.folder);
+}
+
+static void *write_apart(void *user)
+{
+	rude other = {.leaves = false, .said = "no calls"};
+	(void)user;
+	open_rude(&other);
+	write_into(&other, "apart");
+	remove_folder(other.folder);
+	return other.said[0] == 0 ? user : NULL;
+}
+
+/* In a child, for what was begun is lost: 0 if this thread is told so, and another thread writes a trace. */
+static int left_in_child(void)
+{
+	pthread_t other;
+	void *wrote = NULL;
+	static rude r = {.leaves = true};
+	alarm(20);
+	open_rude(&r);
+	if (setjmp(r.away) == 0) {
+		write_into(&r, "left");
+		return 1;
+	}
+	r.leaves = false;
+	write_into(&r, "again");
+	remove_folder(r.folder);
+	if (strstr(r.said, "or after one that did not return") == NULL) return 2;
+	if (pthread_create(&other, NULL, write_apart, &r) != 0 || pthread_join(other, &wrote) != 0) return 3;
+	return wrote == &r ? 0 : 4;
+}
+
+static void a_call_that_was_left_locks_nothing(void **state)
+{
+	(void)state;
+	int told;
+	pid_t child = fork();
+	if (child == 0) _exit(left_in_child());
+	assert_int_equal(waitpid(child, &told, 0), child);
+	assert_int_equal(told, 0);
+}
+
 /* Nothing is printed, of failures neither, and the locale stays. */
 static void the_library_prints_nothing(void **state)
 {
@@ -294,6 +383,8 @@ int main(void)
 		cmocka_unit_test(a_run_ends_within_a_stage),
 		cmocka_unit_test(threads_may_share_a_scene),
 		cmocka_unit_test(the_child_of_a_fork_opens_its_own),
+		cmocka_unit_test(a_call_within_a_call_is_refused),
+		cmocka_unit_test(a_call_that_was_left_locks_nothing),
 		cmocka_unit_test(the_library_prints_nothing),
 		cmocka_unit_test(devices_of_each_backend_end_somewhere),
 	};
