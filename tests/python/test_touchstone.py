@@ -1,9 +1,14 @@
 """The package for Python, by pytest: what it makes are the bits of the command, and no array outlives its memory."""
 import gc
 import json
+import multiprocessing
 import os
 import pathlib
 import re
+import shutil
+import signal
+import threading
+import time
 
 import numpy as np
 import pytest
@@ -128,6 +133,67 @@ def test_callbacks():
 	with pytest.raises(touchstone.Error, match="cancelled"):
 		context.run(scene, "reflections", "mvr", SMALL)
 	assert heard
+
+
+@pytest.mark.parametrize("which", ["progress", "cancelled"])
+def test_what_a_callback_raises_comes_out(scene, which, capfd):
+	raising = []
+
+	def call(*_):
+		if raising:
+			raise RuntimeError("mine")
+
+	context = touchstone.Context(**{which: call})
+	raising.append(True)
+	with pytest.raises(RuntimeError, match="mine"):
+		context.run(scene, "reflections", "mvr", SMALL)
+	raising.clear()
+	assert context.run(scene, "reflections", "mvr", SMALL)
+	assert capfd.readouterr().err == ""
+
+
+def test_an_interrupt_is_heard(context, scene):
+	long = {"width": 512, "height": 512, "rsm.px": 32}
+	large = context.open_scene("atrium:triangles=10000:texels=32", long)
+	sent = []
+	timer = threading.Timer(0.5, lambda: (sent.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT)))
+	timer.start()
+	with pytest.raises(KeyboardInterrupt):
+		context.run(large, "indirect", "direct", long)
+	timer.join()
+	assert time.monotonic() - sent[0] < 1
+	assert context.run(scene, "reflections", "mvr", SMALL)
+
+
+def digest_in_child(inherited):
+	with pytest.raises(touchstone.Error, match="a context of its own"):
+		inherited_context.run(inherited_scene, "reflections", "mvr", SMALL)
+	own = touchstone.Context(threads=2)
+	scene = own.open_scene("atrium:triangles=10000:texels=32", SMALL)
+	return own.run(scene, "reflections", "mvr", SMALL).digest("image.srgb")
+
+
+def test_forked_processes_open_their_own(context, scene):
+	global inherited_context, inherited_scene
+	inherited_context, inherited_scene = context, scene
+	here = context.run(scene, "reflections", "mvr", SMALL).digest("image.srgb")
+	with multiprocessing.get_context("fork").Pool(2) as pool:
+		assert pool.map_async(digest_in_child, range(2)).get(60) == [here] * 2
+
+
+def test_names_need_not_be_utf_8(context, reference, tmp_path):
+	(tmp_path / os.fsdecode(b"\xff")).mkdir()
+	(name,) = os.listdir(tmp_path)
+	folder = tmp_path / name
+	shutil.copy("scenes/room.gltf", folder / (name + ".gltf"))
+	context.open_scene(str(folder / (name + ".gltf")), SMALL)
+	context.open_scene_bytes(pathlib.Path("scenes/room.gltf").read_bytes(), SMALL, name=name)
+	touchstone.write_png(folder / "a.png", np.zeros((1, 1, 3), np.uint8), {"name": name})
+	assert touchstone.read_image(str(folder / "a.png")).shape == (1, 1, 3)
+	reference.save(str(folder / "saved"), producer=name)
+	assert context.open(str(folder / "saved")).about.folder == str(folder / "saved")
+	with pytest.raises(touchstone.Error, match="xff"):
+		context.open_scene(str(folder / "none.gltf"))
 
 
 def test_verdicts(context, reference, tmp_path):

@@ -26,7 +26,10 @@ A picture against ground truth by rays:
 
 Parameters are dictionaries from names, as of `touchstone list params`, to values. A path is a str, bytes or a
 pathlib.Path. What fails raises touchstone.Error with the line that the command would print. The public headers,
-include/touchstone/, say what each function does."""
+include/touchstone/, say what each function does.
+
+A process that was forked, as those of multiprocessing.Pool are, opens a Context of its own; it computes with one
+thread if its parent had more."""
 from __future__ import annotations
 
 import collections.abc
@@ -38,8 +41,9 @@ from typing import Any
 
 import numpy as np
 
-from ._library import (Error, Path, Row, check, failure, ffi, filled, in_order, lib, made, options_for, params_for,
-                       path_for, pointer, rows_of, struct_of, text_for, text_of, tree_of, view_of)
+from ._library import (Error, Path, Row, callback, check, failure, ffi, filled, has_raised, in_order, lib, made,
+                       options_for, params_for, path_for, pointer, rows_of, struct_of, text_for, text_of, tree_of,
+                       view_of)
 from ._pictures import (crumbs, decode_image, encode_exr, encode_png, estimate_metrics, flicker, light_metrics,
                         marks_for, metrics, read_image, read_image_bytes, write_exr, write_png)
 from ._tables import (backends, buffers, builtins, devices, float_passes, float_text, methods, parameters, primitive_of,
@@ -84,16 +88,18 @@ def _relaxed(options: Mapping[str, Any], mask: np.ndarray | None = None) -> tupl
 
 class Context:
 	"""What computes. backend: one of backends(). say(line), progress(label, done, total) and cancelled(), which ends
-	what runs where it returns true, are called meanwhile."""
+	what runs where it returns true, are called meanwhile. What these raise ends what runs, which raises it, and so
+	does Ctrl-C. They must not use the package."""
 
 	def __init__(self, backend: str | None = None, device: int = 0, threads: int = 0, no_fast_paths: bool = False,
 	             say: Callable[[str], object] | None = None, progress: Callable[[str, int, int], object] | None = None,
 	             cancelled: Callable[[], object] | None = None) -> None:
 		self._callbacks = {
-			"say": say and ffi.callback("void(void *, const char *)", lambda _, line: say(text_of(line))),
-			"progress": progress and ffi.callback("void(void *, const char *, uint64_t, uint64_t)",
-			                                      lambda _, label, done, total: progress(text_of(label), done, total)),
-			"cancelled": cancelled and ffi.callback("int(void *)", lambda _: bool(cancelled())),
+			"say": say and callback("void(void *, const char *)", lambda _, line: say(text_of(line))),
+			"progress": progress and callback("void(void *, const char *, uint64_t, uint64_t)",
+			                                  lambda _, label, done, total: progress(text_of(label), done, total)),
+			# Python hears signals whenever this is called.
+			"cancelled": callback("int(void *)", lambda _: has_raised() or bool(cancelled and cancelled()), error=1),
 		}
 		options, kept = options_for("ts_context_options", backend=backend, device=device, threads=threads,
 		                            no_fast_paths=no_fast_paths, **self._callbacks)
@@ -166,8 +172,8 @@ class Context:
 	def digests(self, scene: Scene, effect: str, method: str, params: Params | None = None) -> dict[str, str]:
 		"""Runs a method and keeps no buffer: the SHA-256 of each buffer's file, by name, in the order of the stages."""
 		found = {}
-		each = ffi.callback("void(void *, const char *, const char *)",
-		                    lambda _, buffer, hex: found.update({text_of(buffer): text_of(hex)}))
+		each = callback("void(void *, const char *, const char *)",
+		                lambda _, buffer, hex: found.update({text_of(buffer): text_of(hex)}))
 		check(lib.ts_run_digests(self._handle, scene._handle, params_for(params), text_for(effect), text_for(method),
 		                         each, ffi.NULL))
 		return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import threading
 import types
 from collections.abc import Callable, Mapping
 from typing import Any, Union
@@ -53,7 +54,26 @@ def failure() -> Error:
 	return Error(text_of(lib.ts_error_message()), kinds[lib.ts_error_kind()].removeprefix("TS_KIND_").lower())
 
 
+_here_raised = threading.local()  # raised: by a function that the library called on this thread
+
+
+def has_raised() -> bool:
+	return getattr(_here_raised, "raised", None) is not None
+
+
+def callback(kind: str, function: Callable[..., Any], error: Any = None) -> Any:
+	"""A function for the library to call. What it raises, KeyboardInterrupt too, `check` raises; error: its value
+	then."""
+	def keep(_: type, raised: BaseException, __: Any) -> None:
+		if not has_raised():
+			_here_raised.raised = raised
+	return ffi.callback(kind, function, error=error, onerror=keep)
+
+
 def check(status: int) -> bool:
+	raised, _here_raised.raised = getattr(_here_raised, "raised", None), None
+	if raised is not None:
+		raise raised
 	if status in (lib.TS_ERROR, lib.TS_SKIPPED):
 		raise failure()
 	return status == lib.TS_OK
@@ -67,7 +87,7 @@ def text_of(pointer: Any) -> Any:
 def text_for(text: object) -> Any:
 	if text is None:
 		return ffi.NULL
-	return _chars(str(text).encode(), text)
+	return _chars(str(text).encode(errors="surrogateescape"), text)  # a name from os.listdir may have these
 
 
 def path_for(path: Path) -> Any:
@@ -118,8 +138,8 @@ def made(kind: str, release: Any, function: Any, *arguments: Any) -> tuple[Any, 
 	"""(handle, whether all is the same): what a function of the library makes, in the place of the argument `made`. It
 	is released when nobody has the handle any more."""
 	handle = ffi.new(kind + " **")
-	same = check(function(*[handle if argument is made else argument for argument in arguments]))
-	return ffi.gc(handle[0], release), same
+	status = function(*[handle if argument is made else argument for argument in arguments])
+	return ffi.gc(handle[0], release), check(status)
 
 
 def tree_of(handle: Any) -> dict:
