@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "image/flip.h"
 #include "image/codec.h"
+#include "image/flip.h"
 #include "scene/sources.h"
 #include "study/asked/reads.h"
 

@@ -116,6 +116,9 @@ for signal in INT TERM; do
 	verdict $? "$signal ends what the command has started"
 done
 rm -r bin started
+(ulimit -t 1; run render indirect --method direct --no-images; [ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] &&
+	grep -q '^touchstone: the run was killed at its limit of processor time (ulimit -t); no result$' stderr)
+verdict $? 'ulimit -t is named'
 case ${BUILD:-} in
 *san) echo "ok $((tests += 1)) - limits of memory # SKIP a sanitizer takes address space of its own" ;;
 *)

@@ -97,6 +97,15 @@ static int say(const char *format, ...)
 	return TS_ERROR;
 }
 
+static bool has_used_its_seconds(void)
+{
+	struct rlimit limit;
+	struct rusage used;
+	if (getrlimit(RLIMIT_CPU, &limit) != 0 || getrusage(RUSAGE_CHILDREN, &used) != 0) return false;
+	return limit.rlim_max != RLIM_INFINITY &&
+	       (rlim_t)(used.ru_utime.tv_sec + used.ru_stime.tv_sec) + 1 >= limit.rlim_max;
+}
+
 /* Why the worker was lost; "": it was not, or somebody sent it a signal. */
 static void find_why(char *why, size_t room, end e, const word *ending, uint32_t seconds)
 {
@@ -107,6 +116,8 @@ static void find_why(char *why, size_t room, end e, const word *ending, uint32_t
 	} else if (number == 0 && !(ending->ended && WEXITSTATUS(e.status) == ending->code)) {
 		snprintf(why, room, "a library ended the run with exit code %d, for want of memory or threads",
 		         WEXITSTATUS(e.status));
+	} else if (number == SIGKILL && has_used_its_seconds()) {
+		snprintf(why, room, "the run was killed at its limit of processor time (ulimit -t)");
 	} else if (number == SIGKILL) {
 		snprintf(why, room, "the run was killed, as systems do where memory ends");
 	} else if (number != 0 && !is_passed_on(number)) {
