@@ -76,6 +76,7 @@ container container_split(const bytes &file, bool expect_glb)
 }
 
 static constexpr uint64_t head_bytes = 4096;
+static constexpr size_t most_at_once = 1 << 24;
 
 struct descriptor {
 	int fd;
@@ -91,7 +92,8 @@ static void read_more(bytes &data, const descriptor &file, size_t n, const std::
 	size_t done = data.size();
 	data.resize(done + n);
 	while (done < data.size()) {
-		ssize_t got = read(file.fd, data.data() + done, data.size() - done);
+		if (ts_stopped(ts_stop_here()) && ts_go_on() != TS_OK) throw error{"", TS_KIND_NONE};
+		ssize_t got = read(file.fd, data.data() + done, std::min(data.size() - done, most_at_once));
 		if (got < 0 && errno == EINTR) continue;
 		if (got < 0) fail_as(TS_KIND_FILE, "%s: %s", shown.c_str(), strerror(errno));
 		if (got == 0) fail_as(TS_KIND_FILE, "%s: the file became shorter while it was read", shown.c_str());
