@@ -9,7 +9,12 @@
  *   header still runs: members that its header lacks are 0, and 0 is the default. A struct that the library hands out
  *   belongs to the library, and grows at its end. The metrics of image.h are values and never grow.
  * - The library prints nothing, ends nothing, and leaves the host's locale and floating-point environment alone; traps
- *   that the host has set hold again, on each thread, when a function returns.
+ *   that the host has set hold again, on each thread, when a function returns. Where memory ends, a call fails by
+ *   TS_KIND_MEMORY, and works again when memory is back.
+ * - But libraries below it end the process where memory ends, or wait for ever, and nobody can keep them from that:
+ *   OpenMP's, which makes a team of threads, of one too where a stage has a fast path or a scene many triangles;
+ *   tinygltf, where none at all is left; Embree and TBB, for truths and for the places of eyes, mirrors and lamps; and
+ *   OpenImageIO, for EXR and JPEG. A host that must live on leaves such work to another process.
  * - Only one thread at a time may use a handle; different threads may use different handles. Several threads may share
  *   what a function takes by a pointer to const, a scene above all.
  * - After a fork only the parent may go on with its contexts: a function fails with those in the child, which may open
