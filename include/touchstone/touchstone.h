@@ -13,8 +13,8 @@
  *   TS_KIND_MEMORY, and works again when memory is back.
  * - But libraries below it end the process where memory ends, or wait for ever, and nobody can keep them from that:
  *   OpenMP's, which makes a team of threads, of one too where a stage has a fast path or a scene many triangles;
- *   tinygltf, where none at all is left; Embree and TBB, for truths and for the places of eyes, mirrors and lamps; and
- *   OpenImageIO, for EXR and JPEG. A host that must live on leaves such work to another process.
+ *   tinygltf, for glTF; Embree and TBB, for truths and for the places of eyes, mirrors and lamps; and OpenImageIO, for
+ *   EXR and JPEG. A host that must live on leaves such work to another process.
  * - Only one thread at a time may use a handle; different threads may use different handles. Several threads may share
  *   what a function takes by a pointer to const, a scene above all.
  * - After a fork only the parent may go on with its contexts: a function fails with those in the child, which may open

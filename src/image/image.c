@@ -39,7 +39,9 @@ ts_status ts_image_load(const char *what)
 {
 	static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER;
 	pthread_mutex_lock(&one);
+	ts_floats_hold(1);
 	ts_status status = codec != NULL ? TS_OK : load(what);
+	ts_floats_give();
 	pthread_mutex_unlock(&one);
 	return status;
 }

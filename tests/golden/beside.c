@@ -34,7 +34,7 @@ static void a_wrong_preview_pixel_is_told(void **state)
 		for (u32 k = 0; k < 3; k++) pixels[3 * i + k] = (char)(stored[4 * i + k] = (u8)(7 * i + 50 * k));
 		stored[4 * i + 3] = (u8)i;
 	}
-	refused(ts_golden_check_preview(text, &dir, &golden, decode), "preview.png: cannot open");
+	refused(ts_golden_check_preview(text, &dir, &golden, decode), "preview.png: No such file");
 	write_file("preview.png", "png", 3);
 	assert_int_equal(ts_golden_check_preview(text, &dir, &golden, decode), TS_OK);
 	for (u32 i = 0; i < WIDTH * HEIGHT; i++) {
@@ -84,7 +84,7 @@ static void changes_say(const char *text, size_t n, const char *words)
 static void changes_are_lines_of_reasons(void **state)
 {
 	(void)state;
-	refused(ts_golden_check_changes(&dir), "CHANGES: cannot open");
+	refused(ts_golden_check_changes(&dir), "CHANGES: No such file");
 	changes_say("one\ntwo\n", 8, NULL);
 	changes_say("", 0, "CHANGES: not lines of text");
 	changes_say("one\ntwo", 7, "CHANGES: not lines of text");
