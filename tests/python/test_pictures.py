@@ -38,11 +38,11 @@ def test_files_give_back_what_was_written(tmp_path, channels):
 
 
 def test_without_the_module_of_images_the_kind_is_library(tmp_path):
-	touchstone.write_png(tmp_path / "a.png", GREY)
+	touchstone.write_exr(tmp_path / "a.exr", LIGHT)
 	alone = shutil.copy(os.environ["TOUCHSTONE_LIBRARY"], tmp_path)
 	read = ("import sys, touchstone\ntry: touchstone.read_image(sys.argv[1])\n"
 	        "except touchstone.Error as error: print(error.kind)")
-	said = subprocess.run([sys.executable, "-c", read, tmp_path / "a.png"],
+	said = subprocess.run([sys.executable, "-c", read, tmp_path / "a.exr"],
 	                      env={**os.environ, "TOUCHSTONE_LIBRARY": alone}, capture_output=True, text=True, check=True)
 	assert said.stdout == "library\n"
 
