@@ -82,9 +82,9 @@ verdict $? 'a built-in scene has its lamp where the hall says'
 scene=scenes/model.gltf
 refuses 'not X,Y,Z' info $scene --eye 1,2
 refuses 'not X,Y,Z,R' info $scene --mirror 1,2,3
-refuses 'not finite or beyond' info $scene --eye nan,1,2
+refuses 'is not X,Y,Z' info $scene --eye nan,1,2
 refuses 'not finite or beyond' info $scene --lamp 1e9,1,2
-refuses 'not finite or beyond' info $scene --mirror 1,inf,2,1
+refuses 'is not X,Y,Z,R' info $scene --mirror 1,inf,2,1
 refuses 'it is its target' info $scene --eye 1,2,3 --target 1,2,3
 refuses 'target: an eye' info $scene --target 1,2,3
 refuses 'radius must be above 0' info $scene --mirror 1,2,3,0

@@ -123,11 +123,23 @@ bool ts_tree_same_words(const char *a, const char *b)
 	return *a == *b;
 }
 
+/* Of a list of digests that of the times, which differ. */
+static void forget_times(char *sums)
+{
+	enum { HEX = 64 };
+	char *name = sums != NULL ? strstr(sums, "  times.json\n") : NULL;
+	if (name != NULL && name - sums >= HEX) memset(name - HEX, '0', HEX);
+}
+
 static bool same_file(const char *a, const char *b, char *where)
 {
 	size_t n = 0, m = 0;
 	const char *name = strrchr(a, '/');
 	char *one = ts_tree_read(a, &n), *other = ts_tree_read(b, &m);
+	if (name != NULL && strcmp(name, "/SHA256SUMS") == 0) {
+		forget_times(one);
+		forget_times(other);
+	}
 	bool same = one != NULL && other != NULL && n == m && memcmp(one, other, n) == 0;
 	if (!same && one != NULL && other != NULL && name != NULL && strcmp(name, "/times.json") == 0) {
 		same = ts_tree_same_words(one, other);
