@@ -14,29 +14,38 @@ static void begin(void)
 	if (own.depth++ == 0) feholdexcept(&own.before);
 }
 
+/* Apart from what a single thread calls: clang's OpenMP begins where a function that has a team is entered. */
+static __attribute__((noinline)) void begin_all(uint32_t threads)
+{
+#pragma omp parallel num_threads((int)threads)
+	if (own.depth == 0) begin();
+}
+
+/* A thread that was made meanwhile gets the environment of the one that made it. */
+static __attribute__((noinline)) void end_all(const hold *first)
+{
+#pragma omp parallel num_threads((int)first->threads)
+	{
+		fesetenv(own.depth > 0 ? &own.before : &first->before);
+		own.depth = 0;
+	}
+}
+
 uint32_t ts_floats_hold(uint32_t threads)
 {
 	const uint32_t there = ts_threads_ready(threads);
 	begin();
 	if (there <= own.threads) return there;
 	own.threads = there;
-	if (there == 1) return there;
-#pragma omp parallel num_threads((int)there)
-	if (own.depth == 0) begin();
+	if (there > 1) begin_all(there);
 	return there;
 }
 
-/* A thread that was made meanwhile gets the environment of the one that made it. */
 void ts_floats_give(void)
 {
 	const hold first = own;
 	if (--own.depth > 0) return;
 	own.threads = 0;
 	fesetenv(&first.before);
-	if (first.threads == 1) return;
-#pragma omp parallel num_threads((int)first.threads)
-	{
-		fesetenv(own.depth > 0 ? &own.before : &first.before);
-		own.depth = 0;
-	}
+	if (first.threads > 1) end_all(&first);
 }

@@ -39,6 +39,18 @@ static uint32_t others(uint32_t most)
 	return n;
 }
 
+/* OpenMP creates its threads now, while there is memory for them; its environment may allow fewer. Apart, as clang's
+ * begins where a function that has a team is entered, by one thread alone too. */
+static __attribute__((noinline)) uint32_t make_team(uint32_t wanted)
+{
+	uint32_t there = wanted;
+	omp_set_dynamic(0);
+#pragma omp parallel num_threads((int)wanted)
+#pragma omp single
+	there = (uint32_t)omp_get_num_threads();
+	return there;
+}
+
 uint32_t ts_threads_ready(uint32_t wanted)
 {
 	static _Thread_local uint32_t ready = 1; /* OpenMP keeps each thread's team apart */
@@ -55,14 +67,9 @@ uint32_t ts_threads_ready(uint32_t wanted)
 	/* At the limit, the work needs the memory of half of the threads. */
 	uint32_t there = had == n - 1 ? n : 1 + had / 2;
 	if (there < n) ts_say("%u threads wanted, %u are taken of what is there", (unsigned)n, (unsigned)there);
-	/* OpenMP creates its threads now, while there is memory for them; its environment may allow fewer. */
-	omp_set_dynamic(0);
-#pragma omp parallel num_threads((int)there)
-#pragma omp single
-	there = (uint32_t)omp_get_num_threads();
-	ready = there;
+	ready = make_team(there);
 	process = getpid();
-	return there;
+	return ready;
 }
 
 uint32_t ts_processors(void) { return (uint32_t)omp_get_num_procs(); }
