@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <touchstone/image.h>
 #include "image/codec.h"
+#include "image/exr.h"
 #include "image/format.h"
 #include "image/png.h"
 #include "model/input.h"
@@ -172,13 +173,24 @@ static ts_status check_picture(const char *what, uint32_t width, uint32_t height
 	               (unsigned long)width, (unsigned long)height, (unsigned long)channels, (unsigned long)MOST_PIXELS);
 }
 
+static ts_status check_texts(const char *what, const ts_image_text *texts)
+{
+	for (; texts != NULL && texts->name != NULL; texts++) {
+		const size_t n = strlen(texts->name);
+		bool right = n >= 1 && n <= 79 && texts->text != NULL;
+		for (size_t i = 0; i < n; i++) right &= texts->name[i] >= 32 && texts->name[i] <= 126;
+		if (!right) return ts_fail("%s: a text's name has 1 to 79 characters of printable ASCII, and a text", what);
+	}
+	return TS_OK;
+}
+
 ts_status ts_image_encode_png(void **file, size_t *file_bytes, const uint8_t *pixels, uint32_t width, uint32_t height,
                               uint32_t channels, const ts_image_text *texts, const char *what)
 {
 	if (TS_LACKS(file)) return TS_ERROR;
 	*file = NULL;
 	if (TS_LACKS(file_bytes) || TS_LACKS(pixels) || TS_LACKS(what)) return TS_ERROR;
-	if (check_picture(what, width, height, channels) != TS_OK) return TS_ERROR;
+	if (check_picture(what, width, height, channels) != TS_OK || check_texts(what, texts) != TS_OK) return TS_ERROR;
 	return ts_png_write(file, file_bytes, pixels, width, height, channels, texts, what);
 }
 
@@ -188,7 +200,8 @@ ts_status ts_image_encode_exr(void **file, size_t *file_bytes, const float *pixe
 	if (TS_LACKS(file)) return TS_ERROR;
 	*file = NULL;
 	if (TS_LACKS(file_bytes) || TS_LACKS(pixels) || TS_LACKS(what)) return TS_ERROR;
-	if (check_picture(what, width, height, channels) != TS_OK || ts_image_load(what) != TS_OK) return TS_ERROR;
+	if (check_picture(what, width, height, channels) != TS_OK || check_texts(what, texts) != TS_OK) return TS_ERROR;
+	if (ts_image_load(what) != TS_OK) return TS_ERROR;
 	return CODEC(encode_exr(file, file_bytes, what, pixels, width, height, channels, texts));
 }
 
@@ -246,12 +259,18 @@ static ts_status floats_of(float **pixels, const ts_png *image, const char *what
 	return *pixels != NULL ? TS_OK : TS_ERROR;
 }
 
+/* Pixels that a file may say it has. */
+static uint64_t justified(size_t bytes)
+{
+	const uint64_t most = FREE_PIXELS + (uint64_t)bytes * PIXELS_A_BYTE;
+	return most < MOST_PIXELS ? most : MOST_PIXELS;
+}
+
 static ts_status read_png_floats(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels,
                                  ts_image_frame *frame, const void *file, size_t bytes, const char *what)
 {
 	uint32_t size[2] = {0, 0};
-	const uint64_t justified = FREE_PIXELS + (uint64_t)bytes * PIXELS_A_BYTE;
-	const uint64_t most = justified < MOST_PIXELS ? justified : MOST_PIXELS;
+	const uint64_t most = justified(bytes);
 	ts_png image;
 	png_size(size, file, bytes);
 	if ((uint64_t)size[0] * size[1] > most)
@@ -275,6 +294,10 @@ static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, ui
 	ts_image_format is = ts_image_format_find(file, bytes, &name);
 	if (!is_read(is)) return ts_fail(EXPECTED, what, name);
 	if (is == TS_IMAGE_PNG) return read_png_floats(pixels, width, height, channels, frame, file, bytes, what);
+	const uint64_t said = is == TS_IMAGE_EXR ? ts_exr_pixels(file, bytes) : 0, most = justified(bytes);
+	if (said > most)
+		return ts_fail("%s: its header says %llu pixels; 1 to %llu pixels are justified", what,
+		               (unsigned long long)said, (unsigned long long)most);
 	if (ts_image_load(what) != TS_OK) return TS_ERROR;
 	const char *format = is == TS_IMAGE_JPEG ? "jpeg" : "openexr";
 	return CODEC(read(pixels, width, height, channels, frame, format, file, bytes, what));

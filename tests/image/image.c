@@ -259,6 +259,27 @@ static void other_formats_are_refused(void **state)
 	}
 }
 
+static void texts_have_names_and_words(void **state)
+{
+	(void)state;
+	static const char eighty[] = "12345678901234567890123456789012345678901234567890123456789012345678901234567890";
+	const ts_image_text wrong[] = {{"", "a"}, {"a\nb", "c"}, {eighty, "a"}, {"caf\xc3\xa9", "a"}, {"a", NULL}};
+	const uint8_t grey = 0;
+	const float light = 0;
+	void *file;
+	size_t bytes;
+	for (unsigned i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+		const ts_image_text texts[] = {{"good", ""}, wrong[i], {NULL, NULL}};
+		assert_int_equal(ts_image_encode_png(&file, &bytes, &grey, 1, 1, 1, texts, "a.png"), TS_ERROR);
+		says("a.png: a text's name has 1 to 79 characters");
+		assert_int_equal(ts_image_encode_exr(&file, &bytes, &light, 1, 1, 1, texts, "a.exr"), TS_ERROR);
+		assert_null(file);
+	}
+	const ts_image_text good[] = {{eighty + 1, "words\nand lines"}, {NULL, NULL}};
+	assert_int_equal(ts_image_encode_png(&file, &bytes, &grey, 1, 1, 1, good, "a.png"), TS_OK);
+	free(file);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -267,6 +288,7 @@ int main(void)
 		cmocka_unit_test(pictures_of_one_value_are_read),    cmocka_unit_test(bad_paths_are_named),
 		cmocka_unit_test(other_formats_are_refused),         cmocka_unit_test(damaged_files_are_refused),
 		cmocka_unit_test(files_in_memory_are_those_on_disk), cmocka_unit_test(odd_sizes_are_refused_by_name),
+		cmocka_unit_test(texts_have_names_and_words),
 	};
 	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }
