@@ -1,4 +1,4 @@
-/* Leftovers of a killed process: a file and a folder at most. What is not shared is the thread's own. */
+/* Leftovers of a killed process: a file and a folder at most. Until ts_left_share each thread has its own. */
 #define _DEFAULT_SOURCE
 #include "output/left.h"
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* What is absent is told from what has no memory. A loader does not say why it found no driver. */
+/* Tells an absent driver from one that memory is too small for: a loader does not say why it found none. */
 #include "backends/devices/driver.h"
 #include "model/core.h"
 #include "model/library.h"

@@ -453,7 +453,7 @@ static char *copied(size_t *n, const ts_scene_file *from)
 	return copy;
 }
 
-/* Of what does not begin as PLY only the head, which the reader of headers refuses. */
+/* Reads a PLY file whole, and only the head of any other, which the reader of headers refuses. */
 static char *read_file(size_t *n, const char *path)
 {
 	char head[16];
