@@ -1,5 +1,6 @@
 /* Points side by side: see point_batch.h. */
 #include "backends/c/points/point_batch.h"
+#include <stddef.h>
 #include "backends/wide.h"
 
 typedef struct {
@@ -26,6 +27,7 @@ TS_WIDE(void, weigh, (found *restrict to, const ts_point_batch *restrict from), 
 void ts_points_flush(ts_point_batch *batch, ts_surface_bins *bins)
 {
 	found f;
+	ts_repeat_last(batch->triangle, offsetof(ts_point_batch, place) - offsetof(ts_point_batch, triangle), batch->n);
 	weigh(&f, batch);
 	for (u32 i = 0; i < batch->n; i++) {
 		ts_surface_ask ask = {.triangle = batch->triangle[i],

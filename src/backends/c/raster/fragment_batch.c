@@ -1,6 +1,7 @@
 /* Fragments side by side. Edges are whole numbers below 2^48, which doubles hold exactly: rounded to f32 they equal the
  * kernel's integers. */
 #include "backends/c/raster/fragment_batch.h"
+#include <stddef.h>
 #include "backends/wide.h"
 
 typedef struct {
@@ -79,7 +80,9 @@ void ts_fragments_find(ts_fragment_batch *batch, const ts_arrays *scene, const t
 {
 	corners c;
 	u32 n = ts_whole_lanes(batch->n);
-	for (u32 i = 0; i < batch->n; i++) ts_set_corners(c.at, i, scene, batch->triangle[i]);
+	ts_repeat_last(batch->triangle, offsetof(ts_fragment_batch, place) - offsetof(ts_fragment_batch, triangle),
+	               batch->n);
+	for (u32 i = 0; i < n; i++) ts_set_corners(c.at, i, scene, batch->triangle[i]);
 	find_weights(batch, &c, *view, n);
 	for (u32 i = 0; i < batch->n; i++)
 		if (c.found[i] == 0) find_alone(batch, i, scene, view);

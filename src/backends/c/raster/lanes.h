@@ -1,12 +1,24 @@
 /* Values of many items in vector lanes, and choices that vector loops can make. */
 #ifndef TS_BACKENDS_C_RASTER_LANES_H
 #define TS_BACKENDS_C_RASTER_LANES_H
+#include <string.h>
 #include "kernels/base/scene.h"
 
 enum { TS_LANES = 16, TS_ABREAST = 64 };
 
 /* Loops run over whole vectors of lanes. */
 static inline u32 ts_whole_lanes(u32 n) { return (n + TS_LANES - 1) / TS_LANES * TS_LANES; }
+
+/* Gives the lanes behind lane n - 1 of the last vector its values. Of arrays of TS_ABREAST elements of 32 bits each, as
+ * many as the bytes hold, one behind another. */
+static inline void ts_repeat_last(void *arrays, size_t bytes, u32 n)
+{
+	enum { ELEMENT = sizeof(u32), ARRAY = TS_ABREAST * ELEMENT };
+	for (size_t k = 0; k < bytes / ARRAY && n > 0; k++) {
+		u8 *array = (u8 *)arrays + k * ARRAY;
+		for (u32 i = n; i < ts_whole_lanes(n); i++) memcpy(array + i * ELEMENT, array + (n - 1) * ELEMENT, ELEMENT);
+	}
+}
 
 typedef struct {
 	f32 x[TS_ABREAST], y[TS_ABREAST], z[TS_ABREAST];

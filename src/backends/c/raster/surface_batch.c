@@ -49,10 +49,11 @@ static inline void copy_edges(corners *to, u32 i, const ts_vertex *const v[3])
 }
 
 /* sets: 1 for each set of texture coordinates that a slot reads; bumpy: there is a normal map. */
-TS_WIDE(void, copy_corners, (corners * to, const ts_arrays *scene, const ts_surface_batch *of, u32 sets, bool bumpy),
-        (to, scene, of, sets, bumpy))
+TS_WIDE(void, copy_corners,
+        (corners * to, const ts_arrays *scene, const ts_surface_batch *of, u32 sets, bool bumpy, u32 n),
+        (to, scene, of, sets, bumpy, n))
 {
-	for (u32 i = 0; i < of->n; i++) {
+	for (u32 i = 0; i < n; i++) {
 		const ts_triangle *t = &scene->triangles[of->triangle[i]];
 		const ts_vertex *const v[3] = {&scene->vertices[t->vertex[0]], &scene->vertices[t->vertex[1]],
 		                               &scene->vertices[t->vertex[2]]};
@@ -182,7 +183,7 @@ void ts_surfaces_find(ts_surfaces *to, const ts_arrays *scene, const ts_surface_
 	u32 n = ts_whole_lanes(of->n), sets = 0;
 	for (u32 use = 0; use < SLOTS; use++)
 		if (m->slot[use] != TS_NONE) sets |= 1u << scene->slots[m->slot[use]].uv_set;
-	copy_corners(&c, scene, of, sets, m->slot[NORMAL_MAP] != TS_NONE);
+	copy_corners(&c, scene, of, sets, m->slot[NORMAL_MAP] != TS_NONE, n);
 	find_geometry(to, &c, of, n);
 	find_material(to, &c, *m, n);
 	for (u32 use = 0; use < SLOTS; use++) {

@@ -14,6 +14,7 @@ typedef struct {
 	ts_lanes3 normal; /* (b - a) x (c - a) */
 	ts_lanes3 p, viewer;
 	f32 footprint[TS_ABREAST];
+	/* Those above have values in whole vectors (ts_repeat_last). */
 	const u32 *lit[TS_ABREAST]; /* samples of each lamp that reach the surface, or NULL */
 	u64 place[TS_ABREAST];      /* the caller's */
 } ts_surface_batch;

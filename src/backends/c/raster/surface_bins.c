@@ -1,5 +1,6 @@
 /* Bins of surfaces: see surface_bins.h. */
 #include "backends/c/raster/surface_bins.h"
+#include <stddef.h>
 
 void ts_surface_bins_begin(ts_surface_bins *bins, const ts_arrays *scene, ts_surface_done *done, const void *user)
 {
@@ -12,6 +13,7 @@ void ts_surface_bins_begin(ts_surface_bins *bins, const ts_arrays *scene, ts_sur
 static void find(ts_surface_bins *bins, ts_surface_batch *bin)
 {
 	ts_surfaces found;
+	ts_repeat_last(bin->triangle, offsetof(ts_surface_batch, lit) - offsetof(ts_surface_batch, triangle), bin->n);
 	ts_surfaces_find(&found, &bins->scene, bin);
 	bins->done(bins->user, bin, &found);
 	bin->n = 0;

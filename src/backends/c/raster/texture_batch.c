@@ -14,7 +14,7 @@ typedef struct {
 
 typedef struct {
 	read of[LEVELS];
-	u32 between[N]; /* the weight of the second level, in 1/256; 0: not read */
+	u32 between[N]; /* the weight of the second level, in 1/256; 0: that is the first again */
 } reads;
 
 /* What all samples share. */
@@ -81,10 +81,9 @@ static inline void read_level(read *restrict r, const texture *t, u32 i, ts_v2 u
 
 TS_WIDE(void, find_reads,
         (reads *restrict to, const ts_surface_batch *restrict of, const ts_uv_batch *restrict uv,
-         const f32 *restrict area, texture t),
-        (to, of, uv, area, t))
+         const f32 *restrict area, texture t, u32 n),
+        (to, of, uv, area, t, n))
 {
-	u32 n = ts_whole_lanes(of->n);
 	for (u32 i = 0; i < n; i++) {
 		ts_v2 a = ts_uv_lane(t.m, uv, 0, i);
 		ts_v2 b = ts_uv_lane(t.m, uv, 1, i);
@@ -120,7 +119,7 @@ static void fetch_all(reads *to, u32 n, const ts_arrays *scene, const ts_image *
 		levels[l] = level.texels;
 	for (u32 i = 0; i < n; i++) {
 		fetch(&to->of[0], i, levels);
-		if (to->between[i] != 0) fetch(&to->of[1], i, levels);
+		fetch(&to->of[1], i, levels);
 	}
 }
 
@@ -136,11 +135,9 @@ static inline u32 high_of(const u32 (*texel)[N], const read *r, u32 i)
 	                         r->fy[i]);
 }
 
-/* A level that is not read has weight 0, whatever it holds. */
 TS_WIDE(void, mix_reads, (ts_lanes3 *restrict to, const reads *restrict from, u32 n), (to, from, n))
 {
 	const read *p = &from->of[0], *q = &from->of[1];
-	n = ts_whole_lanes(n);
 	for (u32 i = 0; i < n; i++) {
 		u32 f = from->between[i];
 		u32 red = ts_k_texture_mix2(low_of(p->red_green, p, i), low_of(q->red_green, q, i), f);
@@ -156,10 +153,10 @@ void ts_texture_batch(ts_lanes3 *to, const ts_arrays *scene, const ts_slot *slot
                       const ts_uv_batch *uv, const f32 *area)
 {
 	reads r;
-	find_reads(&r, of, uv, area, texture_of(scene, slot));
-	for (u32 i = of->n; i < ts_whole_lanes(of->n); i++) r.between[i] = 0;
-	fetch_all(&r, of->n, scene, &scene->images[slot->image]);
-	mix_reads(to, &r, of->n);
+	const u32 n = ts_whole_lanes(of->n);
+	find_reads(&r, of, uv, area, texture_of(scene, slot), n);
+	fetch_all(&r, n, scene, &scene->images[slot->image]);
+	mix_reads(to, &r, n);
 }
 
 #include "backends/selftest.h"
