@@ -60,11 +60,11 @@ static u32 begin(const replay *r)
 	const ts_history *history = r->run->history;
 	u32 frame = TS_PARAM(&r->run->params, frame);
 	bool known = history != NULL && history->n != NULL && history->n_cubes == r->n && history->frame < frame;
-	if (r->n == 0 || r->args.fixed != 0 || r->args.hysteresis == 0) return frame;
 	for (u32 i = 0; i < r->n; i++) {
 		r->args.cubes[i].n = known ? history->n[i] : 0;
 		r->then[i] = UINT32_MAX;
 	}
+	if (r->n == 0 || r->args.fixed != 0 || r->args.hysteresis == 0) return frame;
 	return known ? history->frame + 1 : 0;
 }
 
