@@ -61,6 +61,12 @@ int ts_item_open(const char *path, ts_trust trust, u64 *bytes)
 	return file;
 }
 
+int ts_item_reopen(const ts_trace_item *item)
+{
+	u64 bytes;
+	return ts_item_open(item->path, item->typed ? TS_TYPED : TS_IN_FOLDER, &bytes);
+}
+
 /* Whether a file's name marks it as compressed: names of version 1 do not. */
 static bool is_packed(const char *path, ts_trust trust) { return trust != TS_IN_FOLDER && ts_packed_is(path); }
 
@@ -111,6 +117,7 @@ ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_tru
 		item->unpacked = ts_alloc_zero(1, sizeof *item->unpacked, path);
 		if (item->unpacked == NULL) return TS_ERROR;
 	}
+	item->typed = trust == TS_TYPED;
 	item->path = strdup(path);
 	return item->path != NULL ? TS_OK : ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 }
@@ -146,8 +153,12 @@ static void *unpack(const ts_trace_item *item, ts_buffer_id id)
 		           (double)bytes / 1e9, (double)ts_memory_limit() / 1e9);
 		return NULL;
 	}
+	int file = ts_item_reopen(item);
+	if (file < 0) return NULL;
 	void *data = ts_alloc(bytes, 1, item->path);
-	ts_status status = data != NULL ? ts_packed_read(data, (size_t)item->npy.data_at, bytes, item->path) : TS_ERROR;
+	ts_status status =
+		data != NULL ? ts_packed_read(data, (size_t)item->npy.data_at, bytes, file, item->path) : TS_ERROR;
+	close(file);
 	if (ts_blame(status, TS_KIND_FORMAT) == TS_OK) return data;
 	free(data);
 	return NULL;

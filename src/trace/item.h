@@ -18,6 +18,9 @@ ts_status ts_item_path(char path[TS_PATH], const char *dir, const char *name, ts
  * they could block or never end. */
 int ts_item_open(const char *path, ts_trust trust, u64 *bytes);
 
+/* Opens the item's file again; -1 with the message set. */
+int ts_item_reopen(const ts_trace_item *item);
+
 /* Gives the trace the .npy file `name` of its folder as its buffer `id`, which it must not have yet. */
 ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_trust trust);
 /* As ts_item_add, for a file of bare elements: the first dimension follows from the size, the others are those of

@@ -164,13 +164,10 @@ static ts_status unpack_all(unpacker *u, u8 *to, size_t skip, size_t bytes)
 	return u->in.pos == u->in.size ? TS_OK : ts_fail("%s: has more behind its frame of zstd", u->path);
 }
 
-ts_status ts_packed_read(void *to, size_t skip, size_t bytes, const char *path)
+ts_status ts_packed_read(void *to, size_t skip, size_t bytes, int descriptor, const char *path)
 {
-	int file = open(path, O_RDONLY | O_CLOEXEC);
-	if (file < 0) return ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
-	unpacker *u = begin(file, path);
+	unpacker *u = begin(descriptor, path);
 	ts_status status = u != NULL ? unpack_all(u, to, skip, bytes) : TS_ERROR;
 	if (u != NULL) end(u);
-	close(file);
 	return status;
 }

@@ -26,7 +26,7 @@ void ts_packer_free(ts_packer *packer);
 ts_status ts_packed_head(char *head, size_t *head_bytes, u64 *held, int descriptor, const char *path);
 
 /* Unpacks the whole file, which must hold exactly skip + bytes bytes; the first `skip` of them, at most 65536, are
- * dropped. */
-ts_status ts_packed_read(void *to, size_t skip, size_t bytes, const char *path);
+ * dropped. The descriptor stays open. */
+ts_status ts_packed_read(void *to, size_t skip, size_t bytes, int descriptor, const char *path);
 
 #endif

@@ -314,7 +314,8 @@ ts_reader *ts_trace_read(const ts_trace_item *item, ts_buffer_id id)
 	bool packed = item->memory == NULL && item->unpacked != NULL;
 	const void *memory = packed ? ts_item_unpack(item, id) : item->memory;
 	if (memory != NULL) return ts_reader_memory(memory, item->npy.n, bytes);
-	return packed ? NULL : ts_reader_open(item->path, item->npy.data_at, item->npy.n, bytes);
+	int file = packed ? -1 : ts_item_reopen(item);
+	return file >= 0 ? ts_reader_open(file, item->path, item->npy.data_at, item->npy.n, bytes) : NULL;
 }
 
 ts_status ts_trace_copy(void *to, const ts_trace_item *item, ts_buffer_id id)

@@ -17,6 +17,7 @@ typedef struct {
 /* A buffer's file. */
 typedef struct {
 	char *path;            /* NULL: the trace has no such file */
+	bool typed;            /* its user typed the path, which may be a link */
 	const void *memory;    /* the elements, if they are in memory; then the file need not exist */
 	void *owned;           /* the same memory, if the trace must release it */
 	ts_unpacked *unpacked; /* of a compressed file; else NULL. Copies of the item share it */

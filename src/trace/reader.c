@@ -23,22 +23,21 @@ struct ts_reader {
 	const u8 *memory; /* instead of a file */
 };
 
-ts_reader *ts_reader_open(const char *path, u64 data_at, u64 n, size_t element_bytes)
+ts_reader *ts_reader_open(int file, const char *path, u64 data_at, u64 n, size_t element_bytes)
 {
 	ts_reader *r = ts_alloc_zero(1, sizeof *r, "a reader");
-	if (r == NULL) return NULL;
+	if (r == NULL) {
+		close(file);
+		return NULL;
+	}
 	*r = (ts_reader){.path = strdup(path),
-	                 .file = open(path, O_RDONLY | O_CLOEXEC),
+	                 .file = file,
 	                 .data_at = data_at,
 	                 .n = n,
 	                 .element_bytes = element_bytes,
 	                 .per_block = BLOCK_BYTES / element_bytes};
-	if (r->file < 0) {
-		ts_fail_as(TS_KIND_FILE, "%s: %s", path, strerror(errno));
-	} else {
-		u64 blocks = n / r->per_block + 1;
-		r->blocks = ts_alloc(blocks < N_BLOCKS ? (size_t)blocks : N_BLOCKS, BLOCK_BYTES, "blocks of a file");
-	}
+	u64 blocks = n / r->per_block + 1;
+	r->blocks = ts_alloc(blocks < N_BLOCKS ? (size_t)blocks : N_BLOCKS, BLOCK_BYTES, "blocks of a file");
 	if (r->path != NULL && r->blocks != NULL) return r;
 	if (r->blocks != NULL) ts_fail_as(TS_KIND_MEMORY, "%s: out of memory", path);
 	ts_reader_close(r);

@@ -324,6 +324,9 @@ static void one_file_is_opened_by_its_name(void **state)
 		assert_int_equal(
 			ts_trace_open_file(&t, scratch_path(i == 0 ? "bad/11-points.key.npy" : "bad/points.key.npy"), &id), TS_OK);
 		assert_true(id == TS_B_points_key && t->item[id].npy.n == 3);
+		ts_reader *r = ts_trace_read(&t->item[id], id);
+		assert_non_null(r);
+		ts_reader_close(r);
 		ts_trace_close(t);
 	}
 	static const char *const names[] = {"bad/s.npy",   "bad/trace.json", "bad/.npy",
@@ -336,12 +339,30 @@ static void one_file_is_opened_by_its_name(void **state)
 	says("No such file");
 }
 
+/* The folder's writer may still be there. */
+static void a_link_that_takes_a_files_place_is_refused(void **state)
+{
+	(void)state;
+	ts_trace *t;
+	small_copy(bad, good);
+	assert_int_equal(ts_trace_open_folder(&t, bad), TS_OK);
+	assert_int_equal(unlink(scratch_path("bad/k.npy")), 0);
+	assert_int_equal(symlink("../good/k.npy", scratch_path("bad/k.npy")), 0);
+	assert_null(ts_trace_read(&t->item[TS_B_points_key], TS_B_points_key));
+	says("k.npy: is a link");
+	ts_trace_close(t);
+}
+
 int main(void)
 {
 	const struct CMUnitTest read[] = {
-		cmocka_unit_test(a_good_trace_is_opened),        cmocka_unit_test(wrong_values_are_refused),
-		cmocka_unit_test(a_shared_scene_is_read_beside), cmocka_unit_test(wrong_texts_are_refused),
-		cmocka_unit_test(wrong_layouts_are_refused),     cmocka_unit_test(one_file_is_opened_by_its_name),
+		cmocka_unit_test(a_good_trace_is_opened),
+		cmocka_unit_test(wrong_values_are_refused),
+		cmocka_unit_test(a_shared_scene_is_read_beside),
+		cmocka_unit_test(wrong_texts_are_refused),
+		cmocka_unit_test(wrong_layouts_are_refused),
+		cmocka_unit_test(one_file_is_opened_by_its_name),
+		cmocka_unit_test(a_link_that_takes_a_files_place_is_refused),
 	};
 	return cmocka_run_group_tests(read, begin, scratch_remove);
 }
