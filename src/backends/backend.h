@@ -43,6 +43,7 @@ struct ts_backend {
 };
 
 enum { TS_MAX_DEVICES = 32 };
+#define TS_POCL "Portable Computing Language" /* a platform */
 
 /* A device of a backend. */
 typedef struct {

@@ -22,7 +22,7 @@ static int remove_one(const char *path, const struct stat *info, int kind, struc
 static const char *cache_variable(const ts_bench_column *column)
 {
 	if (column->kind == &ts_cuda_kind) return "CUDA_CACHE_PATH";
-	if (strcmp(column->platform, "Portable Computing Language") == 0) return "POCL_CACHE_DIR";
+	if (strcmp(column->platform, TS_POCL) == 0) return "POCL_CACHE_DIR";
 	return strncmp(column->how.backend->compiler, "Mesa ", 5) == 0 ? "MESA_SHADER_CACHE_DIR" : NULL;
 }
 

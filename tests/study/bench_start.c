@@ -159,7 +159,7 @@ static void every_column_of_builds_has_its_rows(void **state)
 		ts_report_begin(&report, true);
 		ts_bench_table table = {.job = &job, .report = &report, .reference = reference, .notes = json_array()};
 		for (u32 i = 0; i <= reference; i++) add(&table, NULL, "c", "");
-		add(&table, &other, "one", "Portable Computing Language");
+		add(&table, &other, "one", TS_POCL);
 		add(&table, &other, "two", "another");
 		add(&table, &mesa, "three", "another");
 		assert_int_equal(ts_bench_print_builds(&table), TS_OK);

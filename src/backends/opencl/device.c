@@ -31,11 +31,18 @@ static ts_status find_calls(void)
 }
 
 typedef struct {
-	bool there;
+	bool there, pocl; /* pocl: PoCL is there, without a device */
 	u32 n;
 	cl_int status;
 	cl_device_id devices[TS_MAX_DEVICES];
 } answer;
+
+static bool is_pocl(cl_platform_id platform)
+{
+	char name[64] = "";
+	ts_cl_call.GetPlatformInfo(platform, CL_PLATFORM_NAME, sizeof name - 1, name, NULL);
+	return strcmp(name, TS_POCL) == 0;
+}
 
 static answer all_devices(void)
 {
@@ -46,6 +53,7 @@ static answer all_devices(void)
 		cl_uint more = 0, room = TS_MAX_DEVICES - a.n;
 		cl_int status = ts_cl_call.GetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, room, a.devices + a.n, &more);
 		if (status == CL_SUCCESS) a.n += more < room ? more : room;
+		a.pocl |= status != CL_SUCCESS && is_pocl(platforms[p]);
 		if (a.n == TS_MAX_DEVICES) break;
 	}
 	return a;
@@ -54,6 +62,10 @@ static answer all_devices(void)
 static ts_status judge(const answer *a)
 {
 	if (a->n > 0) return TS_OK;
+	if (a->pocl) {
+		return ts_fail("backend opencl: PoCL finds no device, as where it cannot write its cache; a folder in "
+		               "POCL_CACHE_DIR that it can write would be right");
+	}
 	if (a->status == CL_SUCCESS || a->status == NO_PLATFORM) return ts_driver_none("opencl", none);
 	return ts_cl_failed("the devices", a->status);
 }

@@ -15,7 +15,7 @@ ts_status ts_cl_failed(const char *what, cl_int status)
 		{CL_MEM_OBJECT_ALLOCATION_FAILURE, "no memory on the device"},
 		{CL_OUT_OF_RESOURCES, "the device is out of resources, or was lost"},
 		{CL_OUT_OF_HOST_MEMORY, "no memory on the host"},
-		{CL_BUILD_PROGRAM_FAILURE, "the driver's compiler failed"},
+		{CL_BUILD_PROGRAM_FAILURE, "the driver's compiler failed, or its cache has no room (PoCL: POCL_CACHE_DIR)"},
 		{CL_INVALID_BUILD_OPTIONS, "the driver's compiler does not know the options"},
 		{CL_INVALID_WORK_GROUP_SIZE, "the device does not run work groups of this size"},
 		{CL_INVALID_BUFFER_SIZE, "larger than the device allocates"},

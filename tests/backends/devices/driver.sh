@@ -37,10 +37,18 @@ for code in 0 1; do
 	listed "a driver that exits with $code: the others are listed"
 done
 
+unset OCL_ICD_VENDORS
+if [ -e /etc/OpenCL/vendors/pocl.icd ]; then
+	export POCL_CACHE_DIR=/proc/none
+	checks 2 'POCL_CACHE_DIR' 'a driver that cannot write its cache: an error'
+	unset POCL_CACHE_DIR
+else
+	echo "ok $((tests += 1)) - a driver that cannot write its cache: an error # SKIP no PoCL"
+fi
+
 case ${BUILD:-} in
 *asan | *tsan) echo "ok $((tests += 1)) - no memory for a driver # SKIP a sanitizer takes more" && finish ;;
 esac
-unset OCL_ICD_VENDORS
 for memory in 64 200; do
 	run golden check small-epr --backend opencl --memory $memory
 	[ "$status" -eq 2 ] && grep -q 'too little memory for a driver' "$scratch/stderr"
