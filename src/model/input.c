@@ -14,9 +14,10 @@ enum { PATH_BYTES = 4096 + 300, FLAGS = O_RDONLY | O_NONBLOCK | O_CLOEXEC };
 static size_t read_some(int file, char *data, size_t bytes)
 {
 	size_t done = 0;
-	for (ssize_t n = 1; n != 0 && done<bytes; done += n> 0 ? (size_t)n : 0) {
-		n = read(file, data + done, bytes - done);
-		if (n < 0 && errno != EINTR) break;
+	while (done < bytes) {
+		const ssize_t n = read(file, data + done, bytes - done);
+		if (n == 0 || (n < 0 && errno != EINTR)) break;
+		if (n > 0) done += (size_t)n;
 	}
 	return done;
 }

@@ -13,8 +13,8 @@ enum { TS_MAX_NEIGHBOURS = 64 };
 typedef struct ts_neighbours ts_neighbours;
 
 /* A tree over n points of finite coordinates, at most 2^31. The points stay the caller's and must outlive the tree
- * unmoved. NULL with the message set when there is no memory, or
- * the work is cancelled. To be released by ts_neighbours_free. */
+ * unmoved. NULL with the message set when there is no memory, or the work is cancelled. To be released by
+ * ts_neighbours_free. */
 ts_neighbours *ts_neighbours_new(const ts_v3 *points, u32 n);
 void ts_neighbours_free(ts_neighbours *tree);
 

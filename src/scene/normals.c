@@ -17,8 +17,8 @@ typedef struct {
 	u32 *first; /* edge of each weight, in `order` */
 	u32 *near;
 	u32 *order; /* edges by weight */
+	u32 *link;  /* from a point towards the root of its tree: index << 1 | whether the point is turned against it */
 	ts_stop *stop;
-	u32 *link; /* from a point towards the root of its tree: index << 1 | whether the point is turned against it */
 } cloud;
 
 /* Columns of the covariance of the neighbours and the point itself, in units of `size`. */
