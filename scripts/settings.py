@@ -10,6 +10,6 @@ SETTINGS = {
 	                "intercept_tls_get_addr=0",
 	"LSAN_OPTIONS": "suppressions=scripts/lsan.supp:print_suppressions=0",
 	"UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
-	"TSAN_OPTIONS": "ignore_noninstrumented_modules=1:halt_on_error=1:allocator_may_return_null=1:suppressions="
-	                f'"{os.path.abspath("scripts/tsan.supp")}"',
+	"TSAN_OPTIONS": "ignore_noninstrumented_modules=1:halt_on_error=1:allocator_may_return_null=1:die_after_fork=0:"
+	                f'suppressions="{os.path.abspath("scripts/tsan.supp")}"',
 }
