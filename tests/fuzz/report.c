@@ -1,6 +1,7 @@
 /* libFuzzer on the folders that `report` shows: `make fuzz`. An input is the report.json of a folder with pictures, a
  * plot, a video, and links to a secret beside it. The page is written, or the folder refused; the secret is not in the
  * page. */
+#define _GNU_SOURCE /* memmem */
 #include <touchstone/image.h>
 #include "model/input.h"
 #include "report/report.h"
@@ -48,7 +49,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 		return 0;
 	}
 	char *text = ts_input_read(&bytes, page_path, TS_INPUT_ANY);
-	assert(text != NULL && strlen(text) == bytes && strstr(text, secret) == NULL);
+	bool told = memmem(data, n, secret, sizeof secret - 1) != NULL; /* libFuzzer reads what is compared */
+	assert(text != NULL && strlen(text) == bytes && (told || strstr(text, secret) == NULL));
 	free(text);
 	return 0;
 }
