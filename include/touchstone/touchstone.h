@@ -14,7 +14,8 @@
  * - But libraries below it end the process where memory ends, or wait for ever, and nobody can keep them from that:
  *   OpenMP's, which makes a team of threads, of one too where a stage has a fast path or a scene many triangles;
  *   tinygltf, for glTF; Embree and TBB, for truths and for the places of eyes, mirrors and lamps; and OpenImageIO, for
- *   EXR and JPEG. A host that must live on leaves such work to another process.
+ *   EXR and JPEG. OpenEXR fails from then on where memory ended as it began. A host that must live on leaves such work
+ *   to another process.
  * - Only one thread at a time may use a handle; different threads may use different handles. Several threads may share
  *   what a function takes by a pointer to const, a scene above all.
  * - After a fork only the parent may go on with its contexts: a function fails with those in the child, which may open
