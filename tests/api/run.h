@@ -8,6 +8,17 @@ static ts_params *params;
 static ts_scene *scene;
 static ts_trace *reference; /* by EPR */
 
+/* A host that is asked whether it cancels. */
+typedef struct {
+	int asked, end_at; /* at which time it says yes, 0: never */
+} ending_host;
+
+static inline int asked_to_end(void *user)
+{
+	ending_host *h = user;
+	return ++h->asked == h->end_at;
+}
+
 static inline int run_begin(void **state)
 {
 	(void)state;

@@ -105,16 +105,6 @@ static void bytes_that_are_no_scene_are_refused(void **state)
 	}
 }
 
-typedef struct {
-	int asked, end_at; /* at which time it says yes, 0: never */
-} host;
-
-static int cancelled(void *user)
-{
-	host *h = user;
-	return ++h->asked == h->end_at;
-}
-
 /* Points on a wavy sheet, without normals or sizes. */
 static file cloud(int side)
 {
@@ -163,17 +153,17 @@ static file mesh(int triangles)
 }
 
 /* Asked all the while; at whatever time it says yes the scene is none, and that was the last time. */
-static void ends(host *h, ts_context *own, const file *f, const char *spec)
+static void ends(ending_host *h, ts_context *own, const file *f, const char *spec)
 {
 	ts_scene *made;
-	*h = (host){.end_at = 0};
+	*h = (ending_host){.end_at = 0};
 	done(f != NULL ? ts_scene_open_bytes(own, &made, f->bytes, f->n, spec, params, NULL)
 	               : ts_scene_open(own, &made, spec, params, NULL));
 	ts_scene_free(made);
 	const int n = h->asked;
 	if (n < 5) fail_msg("%s: asked %d times", spec, n);
 	for (int k = 0; k < 4; k++) {
-		*h = (host){.end_at = 1 + k * n / 6};
+		*h = (ending_host){.end_at = 1 + k * n / 6};
 		refused(f != NULL ? ts_scene_open_bytes(own, &made, f->bytes, f->n, spec, params, NULL)
 		                  : ts_scene_open(own, &made, spec, params, NULL),
 		        "cancelled");
@@ -186,11 +176,11 @@ static void ends(host *h, ts_context *own, const file *f, const char *spec)
 static void a_scene_ends_as_it_opens(void **state)
 {
 	(void)state;
-	host h;
+	ending_host h;
 	ts_context *own;
 	file points = cloud(130), triangles = mesh(100000);
-	const ts_context_options options = {.bytes = sizeof options, .threads = 2, .user = &h, .cancelled = cancelled};
-	h = (host){.end_at = 0};
+	const ts_context_options options = {.bytes = sizeof options, .threads = 2, .user = &h, .cancelled = asked_to_end};
+	h = (ending_host){.end_at = 0};
 	done(ts_context_open(&own, &options));
 	ends(&h, own, &points, "points");
 	ends(&h, own, &triangles, "triangles");

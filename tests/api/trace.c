@@ -300,24 +300,14 @@ static void a_written_trace_is_that_in_memory(void **state)
 	remove_folder(folder);
 }
 
-typedef struct {
-	int asked, end_at; /* at which time it says yes, 0: never */
-} host;
-
-static int cancelled(void *user)
-{
-	host *h = user;
-	return ++h->asked == h->end_at;
-}
-
 /* The call is asked, and ends where it hears yes. */
 #define ENDS(h, call, release) \
 	do { \
-		h = (host){.end_at = 0}; \
+		h = (ending_host){.end_at = 0}; \
 		done(call); \
 		release; \
 		if (h.asked < 1) fail_msg("%s: not asked", #call); \
-		h = (host){.end_at = 1}; \
+		h = (ending_host){.end_at = 1}; \
 		refused(call, "cancelled"); \
 		assert_int_equal(h.asked, 1); \
 	} while (0)
@@ -325,14 +315,14 @@ static int cancelled(void *user)
 static void what_is_written_and_judged_can_be_ended(void **state)
 {
 	(void)state;
-	host h = {.end_at = 0};
+	ending_host h = {.end_at = 0};
 	char folder[FOLDER], path[PATH];
 	ts_context *own;
 	ts_scene *room;
 	ts_trace *trace, *stored;
 	ts_verdicts *verdicts;
 	ts_params *large;
-	const ts_context_options options = {.bytes = sizeof options, .threads = 2, .user = &h, .cancelled = cancelled};
+	const ts_context_options options = {.bytes = sizeof options, .threads = 2, .user = &h, .cancelled = asked_to_end};
 	make_folder(folder);
 	snprintf(path, sizeof path, "%s/saved", folder);
 	done(ts_params_copy(&large, params));
