@@ -44,16 +44,26 @@ static void limits_count_what_is_offered_and_moved(void **state)
 	}
 }
 
-enum { SIDE = 8, POINTS = 100000 };
+enum { SIDE = 8, POINTS = 100000, HALF = 2 }; /* HALF: of the width of the room */
 
-/* A cube in a room 2 wide: every texel has a point, on the wall of its own face, at depth 1. */
+/* The triangle lies in the wall that a face looks at: +x, -x, +y, -y, +z, -z. */
+static bool is_of_face(const world *w, u32 triangle, u32 face)
+{
+	for (u32 k = 0; k < 3; k++) {
+		f32 at = w->vertices[w->triangles[triangle].vertex[k]].position[face / 2];
+		if (at != (face % 2 == 0 ? HALF : -HALF)) return false;
+	}
+	return true;
+}
+
+/* A cube in the middle of a room: every texel has a point, on the wall of its own face, at the wall's depth. */
 static void every_texel_of_a_room_is_drawn(void **state)
 {
 	(void)state;
 	world *w = malloc(sizeof *w);
 	assert_non_null(w);
 	world_begin(w);
-	world_room(w, ts_v3_make(-1, -1, -1), ts_v3_make(1, 1, 1), ONE_SIDED, 0);
+	world_room(w, ts_v3_make(-HALF, -HALF, -HALF), ts_v3_make(HALF, HALF, HALF), ONE_SIDED, 0);
 	world_pose(w);
 	ts_face *cube = ts_frame_make1(&w->run.frame, TS_B_cube_size_face, 2);
 	cube[0] = (ts_face){.n = SIDE, .near = 0.001f, .object = TS_NONE};
@@ -67,7 +77,8 @@ static void every_texel_of_a_room_is_drawn(void **state)
 		ts_limit_points_draw(&points, threads);
 		for (u32 i = 0; i < 6 * SIDE * SIDE; i++) {
 			assert_true((u32)points.texels[i] < w->scene.n_triangles);
-			assert_float_equal(ts_u2f((u32)(points.texels[i] >> 32)), 1, 1e-6);
+			assert_true(is_of_face(w, (u32)points.texels[i], i / (SIDE * SIDE)));
+			assert_float_equal(ts_u2f((u32)(points.texels[i] >> 32)), HALF, 1e-6);
 		}
 	}
 	ts_limit_points_free(&points);
