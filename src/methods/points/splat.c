@@ -10,7 +10,8 @@ static const ts_launch arrived = TS_LAUNCH(splat, STORED);
 /* Texels that no look-up reads are left out; not among the stage's launches, as no trace has them. */
 static const ts_launch asked = TS_LAUNCH(splat, STORED, TS_COUNTED_POINTS(from), TS_WITH(pixels), TS_WITH(view));
 #define TIES TS_IN(texels, splat_depth_index), TS_WITH(tie)
-static const ts_launch ties = TS_LAUNCH(splat, STORED, TIES);
+static const ts_launch ties_in_order = TS_LAUNCH(splat, STORED, TS_COUNTED_POINTS(from), TIES);
+static const ts_launch ties_arrived = TS_LAUNCH(splat, STORED, TIES);
 /* Launches for points that are made on the spot. */
 static const ts_launch direct = TS_LAUNCH(splat_fragments, TS_COUNTED_POINTS(from));
 static const ts_launch direct_ties = TS_LAUNCH(splat_fragments, TS_COUNTED_POINTS(from), TIES);
@@ -93,7 +94,7 @@ static ts_status mark(ts_run *run, const ts_launch *launch, ts_splat_args *args,
 static ts_status splat_tie(ts_run *run)
 {
 	ts_splat_args args = values(run);
-	return mark(run, &ties, &args, TS_DIM_points);
+	return mark(run, run->arrival ? &ties_arrived : &ties_in_order, &args, TS_DIM_points);
 }
 
 static ts_status splat_direct_tie(ts_run *run)
@@ -127,7 +128,7 @@ const ts_stage ts_stage_splat_tie = {
 	.paper = "EPR 3.5",
 	.doc = "texels that another point at the same distance might have won",
 	.run = splat_tie,
-	.launches = TS_LAUNCHES(&ties),
+	.launches = TS_LAUNCHES(&ties_in_order, &ties_arrived),
 };
 
 const ts_stage ts_stage_splat_direct = {

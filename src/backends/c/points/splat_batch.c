@@ -12,6 +12,7 @@ ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side)
 	const ts_face *of = &args->cubes[cube];
 	ts_splat_face f = {.args = args, .view = ts_k_cube_view(of, side), .cube = cube, .side = side};
 	f.texels = args->texels + of->offset + (u64)side * of->n * of->n;
+	f.tie = args->mark != 0 ? args->tie + (f.texels - args->texels) : NULL;
 	f.row[0] = ts_k_row(f.view.right);
 	f.row[1] = ts_k_row(f.view.up);
 	f.row[2] = ts_k_row(ts_neg(f.view.back));

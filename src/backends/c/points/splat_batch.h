@@ -18,6 +18,7 @@ typedef struct {
 	f32 eye[3];    /* world */
 	u32 cube, side;
 	u64 *texels;
+	u8 *tie; /* not NULL: the texels are complete, and ties are marked */
 	i64 scatters, writes;
 } ts_splat_face;
 

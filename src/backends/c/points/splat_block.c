@@ -146,6 +146,13 @@ TS_WIDE(u32, place_splats,
 
 static inline u64 key_of(u32 high, u32 low) { return (u64)high << 32 | low; }
 
+/* A key that lost only by its low half marks the texel. */
+static inline void mark(const ts_splat_face *f, i32 at, u64 key)
+{
+	u64 least = f->texels[at];
+	f->tie[at] |= key != least && key >> 32 == least >> 32;
+}
+
 static inline void offer(u64 *texel, u64 key)
 {
 	u64 old = *texel;
@@ -185,6 +192,25 @@ static void write(u64 *texels, const places *p, const u32 *word, u32 n, i32 widt
 		write_beyond(texels, p, key_of(p->distance[beyond[k]], word[beyond[k]]), beyond[k], width);
 }
 
+static void mark_all(const ts_splat_face *f, const places *p, const u32 *word, u32 n)
+{
+	for (u32 i = 0; i < n; i++) {
+		for (u32 bits = p->covered[i]; bits != 0; bits &= bits - 1) {
+			i32 bit = __builtin_ctz(bits), x = p->x0[i] + bit % SIDE, y = p->y0[i] + bit / SIDE;
+			mark(f, y * f->view.width + x, key_of(p->distance[i], word[i]));
+		}
+	}
+}
+
+static inline void offer_or_mark(ts_splat_face *f, i32 at, u64 key)
+{
+	if (f->tie == NULL) {
+		offer(&f->texels[at], key);
+	} else {
+		mark(f, at, key);
+	}
+}
+
 /* Splats that are drawn alone. */
 typedef struct {
 	const ts_splat_live *live;
@@ -215,10 +241,9 @@ static void draw(ts_splat_face *f, ts_splat_block *b, u32 at, ts_box box, u32 di
 	u64 key = key_of(distance, b->word[at]);
 	i64 writes = 0;
 	for (i32 j = box.y0; j <= box.y1; j++) {
-		u64 *row = &f->texels[j * f->view.width];
 		for (i32 i = box.x0; i <= box.x1; i++) {
 			i32 out = (i32)outside(b->whole, at, (u32)(i - b->whole[0][at]), (u32)(j - b->whole[1][at])) >> 31;
-			offer(&row[i], key | (u64)(i64)out);
+			offer_or_mark(f, j * f->view.width + i, key | (u64)(i64)out);
 			writes += 1 + out;
 		}
 	}
@@ -233,7 +258,7 @@ static void draw_apart(ts_splat_face *f, ts_splat_block *b, const alone *of, u32
 			if (of->lines != NULL && !ts_k_inside_lines(of->lines, i, j)) continue;
 			u32 d = f->args->plane_depth == 0 ? ts_f2u(distance)
 			                                  : plane_distance(f, of->live, b->live[at], c, distance, i, j);
-			offer(&f->texels[j * f->view.width + i], key_of(d, b->word[at]));
+			offer_or_mark(f, j * f->view.width + i, key_of(d, b->word[at]));
 			f->writes++;
 		}
 	}
@@ -260,7 +285,8 @@ static void put(ts_splat_block *b, ts_splat_face *f, const alone *of, u32 n, boo
 	all.apart = apart ? 1 : 0;
 	const u32 axis[3] = {f->row[0].axis, f->row[1].axis, f->row[2].axis};
 	f->writes += place_splats(&p, b, n, all, of->centre, axis);
-	if (!apart) write(f->texels, &p, b->word, n, f->view.width);
+	if (!apart && f->tie == NULL) write(f->texels, &p, b->word, n, f->view.width);
+	if (!apart && f->tie != NULL) mark_all(f, &p, b->word, n);
 	u32 rest = 0;
 	for (u32 i = 0; i < n; i++) rest |= p.rest[i];
 	for (u32 i = 0; rest != 0 && i < n; i++) {

@@ -1,7 +1,7 @@
 /* Fast path of the splat kernels, with the same bits: a thread owns a cube face, so there are no atomics. Rows of
  * points are processed side by side, as many as a cache holds, into all faces of a cube; rows beside a face are left
  * out. Where pixels list the texels they read, the others stay empty. Splats that touch only those, or are hidden, are
- * left out: near rows come first. */
+ * left out: near rows come first. Ties are looked for in the same way, and hidden splats have none. */
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -410,8 +410,9 @@ static bool make_clusters(job *j, u32 threads)
 
 static bool ask(job *j, u32 threads)
 {
-	if (j->args->pixels == NULL || j->live.bounds == NULL) return true;
-	return ts_asked_make(&j->asked, j->args, threads) && make_clusters(j, threads);
+	const ts_splat_args *args = j->args;
+	if (j->live.bounds == NULL || (args->pixels == NULL && args->mark == 0)) return true;
+	return (args->pixels == NULL || ts_asked_make(&j->asked, args, threads)) && make_clusters(j, threads);
 }
 
 static worker *make_workers(job *j, u32 threads)
@@ -430,7 +431,7 @@ static worker *make_workers(job *j, u32 threads)
 
 static bool splat(const ts_splat_args *args, u32 threads)
 {
-	if (args->from.offset == NULL || args->mark != 0) return false;
+	if (args->from.offset == NULL) return false;
 	job j = {.args = args, .stop = ts_stop_here()};
 	bool made = ts_splat_live_make(&j.live, args, threads);
 	j.n_clusters = (j.live.n + CLUSTER - 1) / CLUSTER;
@@ -451,7 +452,7 @@ static bool splat(const ts_splat_args *args, u32 threads)
 	return made;
 }
 
-/* For points in order of piece, without marks. */
+/* For points in order of piece. */
 bool ts_c_fast_splat(const void *of, u64 n, u32 threads)
 {
 	(void)n;

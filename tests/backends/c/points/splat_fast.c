@@ -1,5 +1,5 @@
-/* The fast splats equal the plain kernel bit for bit: texels and counters, on random meshes biased to the extremes; and
- * the texels that pixels ask for, where those are told. */
+/* The fast splats equal the plain kernel bit for bit: texels, counters and marks of ties, on random meshes biased to
+ * the extremes; and the texels that pixels ask for, where those are told. */
 #include "backends/c/points/asked_texels.h"
 #include "backends/fast.h"
 #include "backends/kernels.h"
@@ -143,12 +143,58 @@ static u64 assert_asked(const mesh *m, const setting *s, u32 n_pixels)
 	return n_read;
 }
 
+/* Texels of a run; some then hold another point at the same distance, a nearer one, or none. */
+static u64 *finished_texels(const mesh *m, const setting *s)
+{
+	i64 tallies[2] = {0, 0};
+	u64 n = mesh_texels(m), *texels = mesh_alloc(n, sizeof *texels);
+	memset(texels, 0xff, n * sizeof *texels);
+	ts_splat_args args = splat_of(m, s, texels, tallies);
+	ts_c_launch(TS_KERNEL_splat, &args, m->n_points, 1);
+	for (u64 t = 0; t < n; t++) {
+		u32 change = random_bits() % 16;
+		if (texels[t] == TS_EMPTY) continue;
+		if (change < 4) texels[t] ^= 1;
+		if (change == 4) texels[t] -= 1ul << 32;
+		if (change == 5) texels[t] = TS_EMPTY;
+	}
+	return texels;
+}
+
+/* Marks of stored points, and of points made on the spot. Returns how many texels are marked. */
+static u64 assert_marks(const mesh *m, const setting *s)
+{
+	u64 n = mesh_texels(m), n_marked = 0, *texels = finished_texels(m, s);
+	u8 *tie[3];
+	for (u32 way = 0; way < 3; way++) {
+		i64 tallies[2] = {0, 0};
+		ts_splat_args args = splat_of(m, s, texels, tallies);
+		args.mark = 1;
+		args.tie = tie[way] = mesh_alloc(n, 1);
+		memset(tie[way], 0, n);
+		if (way > 0) args.from.offset = m->count;
+		if (way == 2) args.from.points = NULL;
+		if (way == 0) ts_c_launch(TS_KERNEL_splat, &args, m->n_points, 1);
+		if (way == 1) assert_true(ts_c_fast_splat(&args, m->n_pieces, s->threads));
+		if (way == 2) assert_true(ts_c_fast_splat_fragments(&args, m->n_pieces, s->threads));
+		for (u64 t = 0; t < n; t++) {
+			n_marked += way == 0 && tie[0][t] != 0;
+			if (tie[way][t] == tie[0][t]) continue;
+			fail_msg("random %u: clip %u splat.plane_depth %u paper %u threads %u cubes %u: tie of texel %u, way %u",
+			         s->start, s->clip, s->plane_depth, s->paper_splat, s->threads, s->n_cubes, (u32)t, way);
+		}
+	}
+	for (u32 way = 0; way < 3; way++) free(tie[way]);
+	free(texels);
+	return n_marked;
+}
+
 static void fast_splats_equal_the_kernel(void **state)
 {
 	(void)state;
 	n_random = 0;
 	u32 n = whole_or(1500, 500);
-	u64 n_points = 0, n_asked = 0;
+	u64 n_points = 0, n_asked = 0, n_marked = 0;
 	for (u32 i = 0; i < n; i++) {
 		mesh m;
 		setting s = {.start = n_random,
@@ -163,9 +209,10 @@ static void fast_splats_equal_the_kernel(void **state)
 		n_points += m.n_points;
 		assert_equal(&m, &s);
 		n_asked += assert_asked(&m, &s, 3);
+		n_marked += assert_marks(&m, &s);
 		mesh_clear(&m);
 	}
-	assert_true(n_points > 50 * n && n_asked > 2 * n);
+	assert_true(n_points > 50 * n && n_asked > 2 * n && n_marked > 20 * n);
 }
 
 /* Pieces of split triangles, in their order. */
@@ -191,6 +238,7 @@ static void fast_splats_of_pieces_equal_the_kernel(void **state)
 		s.inset = i % 3 == 0 ? 0 : TS_SPLAT_INSET;
 		if (m.n_points < 400000) assert_equal(&m, &s);
 		if (m.n_points < 400000) assert_asked(&m, &s, 3);
+		if (m.n_points < 400000) assert_marks(&m, &s);
 		mesh_clear(&m);
 	}
 	assert_true(n_pieces > 12);
