@@ -15,6 +15,7 @@ static ts_buffer_id find(const ts_pipeline *pipeline, const char *name)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		char known[TS_EMIT_NAME];
+		if (strstr(name, ts_buffer_table[id].name) == NULL) continue;
 		bool scene = strncmp(ts_buffer_table[id].name, "scene.", 6) == 0;
 		ts_emit_name(known, pipeline, (ts_buffer_id)id);
 		bool made = scene || ts_emit_number(pipeline, (ts_buffer_id)id) != 0;

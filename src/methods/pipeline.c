@@ -214,12 +214,14 @@ static u64 bytes_at(const ts_pipeline *pipeline, const ts_step *step, const ts_p
                     bool lean)
 {
 	u64 bytes = 0;
+	bool made[TS_N_BUFFERS] = {false};
+	for (const ts_step *s = ts_pipeline_steps(pipeline); s <= step; s++) {
+		if (!ts_pipeline_takes(s, params, false)) continue;
+		for (const ts_buffer_id *id = ts_stage_outputs(ts_stage_find(s->stage)); *id != TS_N_BUFFERS; id++)
+			made[*id] = true;
+	}
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		bool made = false;
-		for (const ts_step *s = ts_pipeline_steps(pipeline); s <= step; s++) {
-			made |= ts_pipeline_takes(s, params, false) && ts_stage_writes(ts_stage_find(s->stage), (ts_buffer_id)id);
-		}
-		bool alive = made && !(lean && is_over(pipeline, step, params, (ts_buffer_id)id));
+		bool alive = made[id] && !(lean && is_over(pipeline, step, params, (ts_buffer_id)id));
 		bytes = add(bytes, alive ? ts_pipeline_bytes((ts_buffer_id)id, sizes) : 0);
 	}
 	return bytes;

@@ -107,6 +107,7 @@ ts_status ts_golden_command(ts_cli *cli)
 	goldens.cli = cli;
 	const char *dir = cli->golden.dir != NULL ? cli->golden.dir : "reference/goldens";
 	if (ts_selftest_require() != TS_OK || ts_golden_dir_open(&goldens.dir, NULL, dir) != TS_OK) return TS_ERROR;
+	ts_builtin_keep();
 	ts_status status = ts_cases_read(&goldens);
 	if (status == TS_OK) status = read_lists(&goldens, cli);
 	if (status == TS_OK) status = choose(&goldens, cli->arguments + 1, cli->n_arguments - 1);

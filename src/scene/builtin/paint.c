@@ -2,6 +2,7 @@
 #include "scene/builtin/paint.h"
 #include <stdlib.h>
 #include "model/core.h"
+#include "scene/sources.h"
 
 f32 ts_paint_hash(i32 x, i32 y, u32 seed) { return ts_uniform(ts_random((u32)x + 65537u * (u32)y, 5u, seed)); }
 
@@ -118,17 +119,12 @@ static void put_map(u8 *rgba, const ts_dab *dabs, u32 map, const ts_paint *paint
 		put(rgba, d->colour.x, d->colour.y, d->colour.z, d->alpha);
 }
 
-static u32 add_slot(ts_build *build, const ts_dab *dabs, u8 *rgba, u32 map, const ts_paint *paint)
+static void draw_map(u8 *rgba, const ts_dab *dabs, u32 map, const ts_paint *paint)
 {
 #pragma omp parallel for num_threads((int)ts_threads_all())
 	for (u32 y = 0; y < paint->size; y++) {
 		for (u32 x = 0; x < paint->size; x++) put_map(rgba + 4 * (y * paint->size + x), dabs, map, paint, x, y);
 	}
-	bool srgb = map == 0 || map == TS_MAP_GLOW;
-	ts_slot slot = {.image = ts_build_image(build, rgba, paint->size, paint->size, srgb)};
-	slot.transform[0] = 1.0f / paint->tile[0];
-	slot.transform[4] = 1.0f / paint->tile[1];
-	return ts_build_slot(build, &slot);
 }
 
 static void paint_dabs(ts_dab *dabs, const ts_paint *paint, u32 seed)
@@ -145,29 +141,96 @@ static void paint_dabs(ts_dab *dabs, const ts_paint *paint, u32 seed)
 	}
 }
 
-static void add_slots(ts_build *build, ts_material *material, const ts_paint *paint, u32 seed)
+/* Maps in the order of their bits, after that of the base colour. */
+enum { N_MAPS = 4 };
+
+static bool has_map(const ts_paint *paint, u32 i) { return i == 0 || (paint->maps & 1u << (i - 1)) != 0; }
+static u32 map_of(u32 i) { return i == 0 ? 0 : 1u << (i - 1); }
+
+typedef struct painting {
+	ts_paint of;
+	u32 seed;
+	u8 *rgba[N_MAPS]; /* NULL: not among the maps */
+	struct painting *before;
+} painting;
+
+static bool keeps;
+static painting *kept;
+
+void ts_builtin_keep(void) { keeps = true; }
+
+static void destroy(painting *p)
+{
+	for (u32 i = 0; i < N_MAPS; i++) free(p->rgba[i]);
+	free(p);
+}
+
+static painting *find_kept(const ts_paint *paint, u32 seed)
+{
+	for (painting *p = kept; p != NULL; p = p->before) {
+		const ts_paint *of = &p->of;
+		bool same = of->painter == paint->painter && of->kind == paint->kind && of->size == paint->size;
+		same = same && of->maps == paint->maps && memcmp(of->tile, paint->tile, sizeof of->tile) == 0;
+		if (same && p->seed == seed) return p;
+	}
+	return NULL;
+}
+
+/* NULL: no memory. */
+static painting *paint_maps(const ts_paint *paint, u32 seed)
 {
 	size_t n = (size_t)paint->size * paint->size;
 	ts_dab *dabs = ts_alloc(n, sizeof *dabs, "the texture of a built-in scene");
-	u8 *rgba = ts_alloc(n, 4, "the texture of a built-in scene");
-	if (dabs == NULL || rgba == NULL) {
-		ts_build_adopt(build);
-	} else {
-		paint_dabs(dabs, paint, seed);
-		material->slot[TS_SLOT_BASE] = add_slot(build, dabs, rgba, 0, paint);
-		if ((paint->maps & TS_MAP_NORMAL) != 0)
-			material->slot[TS_SLOT_NORMAL] = add_slot(build, dabs, rgba, TS_MAP_NORMAL, paint);
-		if ((paint->maps & TS_MAP_SURFACE) != 0) {
-			material->slot[TS_SLOT_METALROUGH] = add_slot(build, dabs, rgba, TS_MAP_SURFACE, paint);
-			material->slot[TS_SLOT_OCCLUSION] = material->slot[TS_SLOT_METALROUGH];
-		}
-		if ((paint->maps & TS_MAP_GLOW) != 0) {
-			material->slot[TS_SLOT_EMISSIVE] = add_slot(build, dabs, rgba, TS_MAP_GLOW, paint);
-			ts_store3(material->emissive, ts_v3_make(1.0f, 1.0f, 1.0f));
-		}
+	painting *p = dabs != NULL ? ts_alloc_zero(1, sizeof *p, "the texture of a built-in scene") : NULL;
+	bool made = p != NULL;
+	if (made) paint_dabs(dabs, paint, seed);
+	for (u32 i = 0; made && i < N_MAPS; i++) {
+		if (!has_map(paint, i)) continue;
+		p->rgba[i] = ts_alloc(n, 4, "the texture of a built-in scene");
+		made = p->rgba[i] != NULL;
+		if (made) draw_map(p->rgba[i], dabs, map_of(i), paint);
 	}
 	free(dabs);
-	free(rgba);
+	if (made || p == NULL) return p;
+	destroy(p);
+	return NULL;
+}
+
+static u32 add_slot(ts_build *build, const ts_paint *paint, const painting *from, u32 i)
+{
+	bool srgb = i == 0 || map_of(i) == TS_MAP_GLOW;
+	if (!has_map(paint, i)) return TS_NONE;
+	ts_slot slot = {.image = ts_build_image(build, from->rgba[i], paint->size, paint->size, srgb)};
+	slot.transform[0] = 1.0f / paint->tile[0];
+	slot.transform[4] = 1.0f / paint->tile[1];
+	return ts_build_slot(build, &slot);
+}
+
+static void add_slots(ts_build *build, ts_material *material, const ts_paint *paint, const painting *from)
+{
+	static const u32 slots[N_MAPS] = {TS_SLOT_BASE, TS_SLOT_NORMAL, TS_SLOT_METALROUGH, TS_SLOT_EMISSIVE};
+	for (u32 i = 0; i < N_MAPS; i++) material->slot[slots[i]] = add_slot(build, paint, from, i);
+	material->slot[TS_SLOT_OCCLUSION] = material->slot[TS_SLOT_METALROUGH];
+	if ((paint->maps & TS_MAP_GLOW) != 0) ts_store3(material->emissive, ts_v3_make(1.0f, 1.0f, 1.0f));
+}
+
+static void take_painting(ts_build *build, ts_material *material, const ts_paint *paint, u32 seed)
+{
+	painting *old = find_kept(paint, seed), *p = old != NULL ? old : paint_maps(paint, seed);
+	if (p == NULL) {
+		ts_build_adopt(build);
+		return;
+	}
+	add_slots(build, material, paint, p);
+	if (old != NULL) return;
+	if (!keeps) {
+		destroy(p);
+		return;
+	}
+	p->of = *paint;
+	p->seed = seed;
+	p->before = kept;
+	kept = p;
 }
 
 u32 ts_paint_add(ts_build *build, const ts_paint *paint, u32 seed)
@@ -177,6 +240,6 @@ u32 ts_paint_add(ts_build *build, const ts_paint *paint, u32 seed)
 	material.roughness = paint->roughness;
 	material.metallic = paint->metallic;
 	material.flags = paint->flags;
-	if (paint->painter != NULL) add_slots(build, &material, paint, seed);
+	if (paint->painter != NULL) take_painting(build, &material, paint, seed);
 	return ts_build_material(build, &material);
 }

@@ -180,6 +180,20 @@ static void another_seed_changes_the_scene(void **state)
 	}
 }
 
+/* The last test: the process goes on keeping. */
+static void kept_paintings_make_the_same_scenes(void **state)
+{
+	(void)state;
+	ts_builtin_keep();
+	for (u32 k = 0; k < 6; k++) {
+		ts_scene *kept = make_count(k % 3, "10k");
+		assert_true(same(least[k % 3], kept));
+		ts_scene_free(kept);
+	}
+	another_seed_changes_the_scene(state);
+	smaller_textures_keep_the_shapes(state);
+}
+
 static ts_v3 corner(const ts_scene *scene, u32 triangle, u32 k)
 {
 	return ts_load3(scene->vertices[scene->triangles[triangle].vertex[k]].position);
@@ -351,6 +365,7 @@ int main(void)
 		cmocka_unit_test(the_path_of_the_eye_is_free),
 		cmocka_unit_test(triangles_are_of_all_sizes),
 		cmocka_unit_test(every_slot_is_used),
+		cmocka_unit_test(kept_paintings_make_the_same_scenes),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }
