@@ -10,7 +10,8 @@ enum { PIECES = TS_SPLAT_PIECES, LANES = TS_SPLAT_LANES, LONGEST = 1 << 18, HALF
 ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side)
 {
 	const ts_face *of = &args->cubes[cube];
-	ts_splat_face f = {.args = args, .view = ts_k_cube_view(of, side), .cube = cube, .side = side};
+	ts_splat_face f = {
+		.args = args, .view = ts_k_cube_view(of, side), .inset = args->inset, .cube = cube, .side = side};
 	f.texels = args->texels + of->offset + (u64)side * of->n * of->n;
 	f.tie = args->mark != 0 ? args->tie + (f.texels - args->texels) : NULL;
 	f.row[0] = ts_k_row(f.view.right);

@@ -16,6 +16,7 @@ typedef struct {
 	ts_camera_k view;
 	ts_row row[3]; /* right, up, ahead */
 	f32 eye[3];    /* world */
+	f32 inset;     /* of boxes, in texels, at most */
 	u32 cube, side;
 	u64 *texels;
 	u8 *tie; /* not NULL: the texels are complete, and ties are marked */
@@ -27,6 +28,7 @@ typedef enum { TS_SPLAT_UNSEEN, TS_SPLAT_TOGETHER, TS_SPLAT_ALONE } ts_splat_way
 /* Live pieces that a face may see. Pieces that a plane clips, or that are too large, are drawn alone. */
 typedef struct {
 	u32 n, live[TS_SPLAT_PIECES], way[TS_SPLAT_PIECES];
+	u32 begin[TS_SPLAT_PIECES], left[TS_SPLAT_PIECES]; /* points in the sieve; TS_NONE: all points of the row */
 	i32 whole[TS_SPLAT_WHOLES][TS_SPLAT_PIECES];
 } ts_splat_batch;
 
@@ -39,10 +41,12 @@ typedef struct {
 	i32 whole[TS_SPLAT_WHOLES][TS_SPLAT_ROOM];
 } ts_splat_block;
 
-/* n consecutive points of one piece, from `index` on. Arrays may be read up to a multiple of lanes. */
+/* n points of one piece, from `index` on, or those that `which` names. Arrays of coordinates may be read up to a
+ * multiple of lanes. */
 typedef struct {
 	const f32 *centre[3];
 	u32 index, n;
+	const u32 *which; /* NULL: consecutive ones */
 } ts_splat_row;
 
 ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side);

@@ -35,7 +35,7 @@ static lanes lanes_of(const ts_splat_face *f)
 	           .middle = (f32)f->view.width * 0.5f,
 	           .size = (f32)f->view.width,
 	           .near = f->view.near,
-	           .widest = f->args->inset,
+	           .widest = f->inset,
 	           .width = f->view.width,
 	           .last = f->view.width * f->view.width - 1};
 	for (u32 k = 0; k < 3; k++) {
@@ -341,7 +341,8 @@ TS_WIDE(void, add_common, (ts_splat_block * b, const common *c, u32 at, u32 n), 
 /* Adds the words that texels hold: points' indices or colours. */
 static void add_words(ts_splat_block *b, const ts_splat_face *f, u32 at, ts_splat_row row)
 {
-	for (u32 i = 0; i < row.n; i++) b->word[at + i] = ts_k_splat_word(f->args, row.index + i);
+	for (u32 i = 0; i < row.n; i++)
+		b->word[at + i] = ts_k_splat_word(f->args, row.which != NULL ? row.which[i] : row.index + i);
 }
 
 /* Lanes beyond the last point are overwritten by the next row, or do not count. */
@@ -363,7 +364,9 @@ void ts_splat_block_add(ts_splat_block *b, ts_splat_face *f, const ts_splat_live
 	common c = common_of(f, live, batch, k);
 	for (u32 done = 0; done < row.n;) {
 		u32 room = POINTS - b->n, n = row.n - done < room ? row.n - done : room;
-		ts_splat_row part = {{row.centre[0] + done, row.centre[1] + done, row.centre[2] + done}, row.index + done, n};
+		const u32 *which = row.which != NULL ? row.which + done : NULL;
+		ts_splat_row part = {
+			{row.centre[0] + done, row.centre[1] + done, row.centre[2] + done}, row.index + done, n, which};
 		add(b, f, &c, part);
 		done += n;
 		if (b->n == POINTS) ts_splat_block_write(b, f, live);

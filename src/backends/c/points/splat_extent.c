@@ -14,7 +14,7 @@ static ts_range towards(ts_range of, f32 wide, f32 eye, f32 sign)
 
 ts_splat_reach ts_splat_reach_of(const ts_splat_live *live, u64 at)
 {
-	ts_splat_reach r;
+	ts_splat_reach r = {.slack = live->slack[at]};
 	for (u32 axis = 0; axis < 3; axis++)
 		r.along[axis] = ts_abs(live->side[axis][at]) + ts_abs(live->side[3 + axis][at]);
 	return r;

@@ -3,9 +3,9 @@
 #define TS_BACKENDS_C_POINTS_SPLAT_EXTENT_H
 #include "backends/c/points/splat_batch.h"
 
-/* The reach of splats from their points, along the axes of the world. */
+/* The reach of splats from their points, along the axes of the world, and the slack of their squares. */
 typedef struct {
-	f32 along[3];
+	f32 along[3], slack;
 } ts_splat_reach;
 
 /* The extent of splats, from the eye, on the face's axes: right, up, ahead. */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "backends/c/points/asked_texels.h"
-#include "backends/c/points/splat_extent.h"
+#include "backends/c/points/splat_sieve.h"
 #include "backends/fast.h"
 #include "model/core.h"
 #include "model/order.h"
@@ -22,11 +22,11 @@ enum { BIN_SHIFT = 20, BINS = 1 << (31 - BIN_SHIFT) };
 /* Rows whose bits are prefetched: those of neighbours are a cache line or more apart. */
 enum { AHEAD = 24 };
 
-/* Points from which a block pays. */
-enum { MANY = POINTS / 2 };
+/* Points from which a block pays, and points of a row from which its bounds are looked at first. */
+enum { MANY = POINTS / 2, SOME = 32 };
 
-/* Largest box of a cluster, in texels, that is searched. */
-enum { MOST_TEXELS = 4096 };
+/* Largest boxes of clusters and of rows, in texels, that are searched. */
+enum { MOST_TEXELS = 4096, MOST_ROW_TEXELS = 512 };
 
 /* Rows one after another. */
 typedef struct {
@@ -39,9 +39,10 @@ typedef struct {
 	ts_splat_live live;
 	ts_asked asked;
 	u64 n_clusters;
-	cluster *clusters; /* NULL: all texels are read */
-	u32 *order;        /* of clusters, per thread */
-	u8 *faces;         /* of a task's cubes, per thread */
+	cluster *clusters; /* NULL: every write counts */
+	bool sieves;
+	u32 *order; /* of clusters, per thread */
+	u8 *faces;  /* of a task's cubes, per thread */
 	ts_stop *stop;
 } job;
 
@@ -58,6 +59,7 @@ typedef struct {
 	ts_asked_face asked; /* of the face */
 	ts_splat_batch batch;
 	ts_splat_block block;
+	ts_splat_sieve sieve;
 	f32 made[3][ROOM];
 	u32 *order; /* of clusters, as `from` sees them */
 	const ts_face *from;
@@ -79,21 +81,37 @@ static bool is_inside(ts_box box, const ts_lines *lines)
 	       ts_k_inside_lines(lines, box.x0, box.y1) && ts_k_inside_lines(lines, box.x1, box.y1);
 }
 
-/* No texel of the box can change: none is asked for, or all hold nearer points. */
-static bool is_needless(const job *j, const worker *w, ts_box box, const ts_splat_bounds *points)
-{
-	if (j->clusters == NULL) return false;
-	return !ts_asked_any(&w->asked, box) || (j->args->plane_depth == 0 && ts_splat_is_hidden(&w->face, box, points));
-}
-
-/* Texels that a row's splats may touch, of those that their piece may write. False: none, or none can change. */
+/* Texels that a row's splats may touch, of those that their piece may write. False: none. */
 static bool row_box(ts_box *box, const job *j, const worker *w, u32 k, const ts_splat_bounds *points)
 {
 	ts_splat_reach reach = ts_splat_reach_of(&j->live, w->batch.live[k]);
 	ts_splat_extent e = ts_splat_extent_of(&w->face, points, &reach);
 	if (ts_splat_is_beside(&w->face, &e)) return false;
 	*box = ts_k_box_meet(ts_splat_extent_box(&w->face, &e), *box);
-	return box->x0 <= box->x1 && box->y0 <= box->y1 && !is_needless(j, w, *box, points);
+	return box->x0 <= box->x1 && box->y0 <= box->y1;
+}
+
+/* No texel of the box can change: none is asked for, or all hold nearer points. */
+static bool is_box_needless(const job *j, const worker *w, ts_box box, const ts_splat_bounds *points)
+{
+	if (!ts_asked_any(&w->asked, box)) return true;
+	return j->args->plane_depth == 0 && ts_splat_is_hidden(&w->face, box, points);
+}
+
+/* No texel that the splats may touch can change. */
+static bool is_needless(const job *j, const worker *w, const cluster *c, i64 most_texels)
+{
+	ts_splat_extent e = ts_splat_extent_of(&w->face, &c->points, &c->reach);
+	if (ts_splat_is_beside(&w->face, &e)) return true;
+	ts_box box = ts_splat_extent_box(&w->face, &e);
+	if ((i64)(box.x1 - box.x0) * (box.y1 - box.y0) > most_texels) return !ts_asked_any(&w->asked, box);
+	return is_box_needless(j, w, box, &c->points);
+}
+
+static bool is_row_needless(const job *j, const worker *w, u32 row)
+{
+	cluster alone = {j->live.bounds[row], ts_splat_reach_of(&j->live, row)};
+	return is_needless(j, w, &alone, MOST_ROW_TEXELS);
 }
 
 static void own_block(const job *j, worker *w, u32 k)
@@ -108,8 +126,9 @@ static void own_block(const job *j, worker *w, u32 k)
 static void splat_owned_row(const job *j, worker *w, const way *of, ts_splat_row row, const ts_splat_bounds *points)
 {
 	ts_box box = ts_splat_batch_box_of(&w->batch, of->k);
-	if (!row_box(&box, j, w, of->k, points)) return;
-	bool cut = of->lines != NULL && !is_inside(box, of->lines);
+	bool cut = of->lines != NULL;
+	if ((cut || !j->sieves) && !row_box(&box, j, w, of->k, points)) return;
+	cut = cut && !is_inside(box, of->lines);
 	own_block(j, w, of->k);
 	ts_splat_block_row(&w->block, &w->face, &j->live, row, cut ? of->lines : NULL);
 }
@@ -128,8 +147,17 @@ static void splat_stored(const job *j, worker *w, const way *of)
 {
 	const ts_splat_live *live = &j->live;
 	u32 i = w->batch.live[of->k], at = live->index[i];
-	ts_splat_row row = {{live->centre[0] + at, live->centre[1] + at, live->centre[2] + at}, at, points_of(j, i)};
+	ts_splat_row row = {{live->centre[0] + at, live->centre[1] + at, live->centre[2] + at}, at, points_of(j, i), NULL};
 	splat_row(j, w, of, row, &live->bounds[i]);
+}
+
+static void splat_sieved(const job *j, worker *w, const way *of)
+{
+	const ts_splat_sieve *s = &w->sieve;
+	u32 at = w->batch.begin[of->k];
+	ts_splat_row row = {
+		{s->centre[0] + at, s->centre[1] + at, s->centre[2] + at}, 0, w->batch.left[of->k], s->index + at};
+	splat_row(j, w, of, row, &j->live.bounds[w->batch.live[of->k]]);
 }
 
 static void splat_made_row(const job *j, worker *w, const way *of, ts_splat_row row)
@@ -144,7 +172,7 @@ static void splat_made(const job *j, worker *w, const way *of)
 	u32 piece = j->live.piece[w->batch.live[of->k]];
 	ts_flight point = ts_k_flight_of_piece(from, piece);
 	ts_cover cover = ts_k_lattice_cover(&from->frames[piece], from->half_size);
-	ts_splat_row row = {{w->made[0], w->made[1], w->made[2]}, from->offset[piece], 0};
+	ts_splat_row row = {{w->made[0], w->made[1], w->made[2]}, from->offset[piece], 0, NULL};
 	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(from, &cover, piece, x, y)) continue;
@@ -162,8 +190,12 @@ static void splat_made(const job *j, worker *w, const way *of)
 /* Rows with many points or with lines have the block for themselves. */
 static void splat_together(const job *j, worker *w, u32 k, const ts_lines *lines)
 {
-	way of = {k, points_of(j, w->batch.live[k]) >= MANY || lines != NULL, lines};
-	if (j->live.bounds != NULL) {
+	bool sieved = w->batch.left[k] != TS_NONE;
+	u32 n = sieved ? w->batch.left[k] : points_of(j, w->batch.live[k]);
+	way of = {k, n >= MANY || lines != NULL, lines};
+	if (sieved) {
+		splat_sieved(j, w, &of);
+	} else if (j->live.bounds != NULL) {
 		splat_stored(j, w, &of);
 	} else {
 		splat_made(j, w, &of);
@@ -175,8 +207,8 @@ static void splat_alone(const job *j, worker *w, u32 k)
 {
 	u32 at = w->batch.live[k];
 	const ts_splat_face *f = &w->face;
-	ts_box box = ts_k_view_box(&f->view), any = box;
-	if (j->clusters != NULL && !row_box(&any, j, w, k, &j->live.bounds[at])) return;
+	ts_box box = ts_k_view_box(&f->view);
+	if (j->clusters != NULL && w->batch.left[k] == TS_NONE && is_row_needless(j, w, at)) return;
 	ts_cover cover = ts_k_splat_triangle(&f->view, &j->args->from.pieces[j->live.piece[at]]);
 	if (cover.n == 0) return;
 	w->face.scatters += points_of(j, at);
@@ -190,15 +222,15 @@ static void splat_alone(const job *j, worker *w, u32 k)
 
 static void splat_piece(const job *j, worker *w, u32 k)
 {
-	u32 at = w->batch.live[k], n = points_of(j, at);
 	if (w->batch.way[k] == TS_SPLAT_ALONE) {
 		splat_alone(j, w, k);
 		return;
 	}
-	w->face.scatters += n;
+	u32 at = w->batch.live[k];
+	w->face.scatters += points_of(j, at);
 	if (w->batch.way[k] == TS_SPLAT_UNSEEN) return;
-	bool few = n < MANY && j->clusters != NULL;
-	if (few && is_needless(j, w, ts_splat_batch_box_of(&w->batch, k), &j->live.bounds[at])) return;
+	bool few = j->sieves && w->batch.left[k] == TS_NONE;
+	if (few && is_box_needless(j, w, ts_splat_batch_box_of(&w->batch, k), &j->live.bounds[at])) return;
 	splat_together(j, w, k, NULL);
 }
 
@@ -208,6 +240,7 @@ static void splat_batch(const job *j, worker *w)
 	ts_splat_batch_place(&w->batch, &w->face, &j->live);
 	for (u32 k = 0; k < w->batch.n; k++) splat_piece(j, w, k);
 	w->batch.n = 0;
+	w->sieve.n = 0;
 }
 
 /* Clusters, in the worker's order. */
@@ -243,16 +276,17 @@ static void find_faces(const job *j, worker *w, const task *t)
 	w->found = *t;
 }
 
-/* No texel that splats of the cluster may touch can change. */
-static bool is_cluster_needless(const job *j, const worker *w, u64 of)
+/* Whether a row may change a texel; what is left of a large one is in the sieve. */
+static bool is_left(const job *j, worker *w, u32 row)
 {
-	if (j->clusters == NULL) return false;
-	const cluster *c = &j->clusters[of];
-	ts_splat_extent e = ts_splat_extent_of(&w->face, &c->points, &c->reach);
-	if (ts_splat_is_beside(&w->face, &e)) return true;
-	ts_box box = ts_splat_extent_box(&w->face, &e);
-	if ((i64)(box.x1 - box.x0) * (box.y1 - box.y0) > MOST_TEXELS) return !ts_asked_any(&w->asked, box);
-	return is_needless(j, w, box, &c->points);
+	u32 k = w->batch.n;
+	w->batch.left[k] = TS_NONE;
+	if (!j->sieves || points_of(j, row) < SOME) return true;
+	if (is_row_needless(j, w, row)) return false;
+	ts_splat_reach reach = ts_splat_reach_of(&j->live, row);
+	w->batch.begin[k] = w->sieve.n;
+	w->batch.left[k] = ts_splat_sieve_add(&w->sieve, &w->face, &j->live, row, &reach);
+	return w->batch.left[k] > 0;
 }
 
 /* Takes eight rows at once, most of which the face does not see. */
@@ -260,8 +294,10 @@ static void splat_cluster(const job *j, worker *w, const u8 *faces, u64 of)
 {
 	for (u32 k = 0; k < CLUSTER / 8; k++) {
 		for (u64 bits = ts_order_read(faces + 8 * k, 8) >> w->face.side & EIGHT; bits != 0; bits &= bits - 1) {
-			w->batch.live[w->batch.n++] = (u32)of * CLUSTER + k * 8 + (u32)__builtin_ctzll(bits) / 8;
-			if (w->batch.n == TS_SPLAT_PIECES) splat_batch(j, w);
+			u32 row = (u32)of * CLUSTER + k * 8 + (u32)__builtin_ctzll(bits) / 8;
+			if (!is_left(j, w, row)) continue;
+			w->batch.live[w->batch.n++] = row;
+			if (w->batch.n == TS_SPLAT_PIECES || w->sieve.n > TS_SIEVE_POINTS) splat_batch(j, w);
 		}
 	}
 }
@@ -282,7 +318,8 @@ static void splat_face(const job *j, worker *w, const u8 *faces, const u8 *any, 
 	w->owner = TS_NONE;
 	for (u64 c = p.begin; c < p.end && !ts_stopped(j->stop); c++) {
 		u64 of = w->order[c];
-		if ((any[c - p.begin] >> w->face.side & 1) == 0 || is_cluster_needless(j, w, of)) continue;
+		if ((any[c - p.begin] >> w->face.side & 1) == 0) continue;
+		if (j->clusters != NULL && is_needless(j, w, &j->clusters[of], MOST_TEXELS)) continue;
 		splat_cluster(j, w, faces + of * CLUSTER, of);
 	}
 	splat_batch(j, w);
@@ -392,6 +429,7 @@ static cluster cluster_of(const job *j, u64 begin, u64 end)
 		ts_splat_reach reach = ts_splat_reach_of(&j->live, i);
 		ts_splat_bounds_add(&c.points, &j->live.bounds[i]);
 		for (u32 axis = 0; axis < 3; axis++) c.reach.along[axis] = ts_max(c.reach.along[axis], reach.along[axis]);
+		c.reach.slack = ts_max(c.reach.slack, reach.slack);
 	}
 	return c;
 }
@@ -438,6 +476,7 @@ static bool splat(const ts_splat_args *args, u32 threads)
 	made = made && ask(&j, threads);
 	worker *workers = made ? make_workers(&j, threads) : NULL;
 	made = workers != NULL && j.order != NULL && j.faces != NULL;
+	j.sieves = j.clusters != NULL && args->plane_depth == 0;
 	if (made) {
 		ts_asked_close(&j.asked, args->texels, threads);
 		splat_all(&j, workers, threads);
