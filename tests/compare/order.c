@@ -236,6 +236,23 @@ static void without_the_reference_no_place_is_told(void **state)
 	free(b.item[keys_of].path);
 }
 
+/* An index is 32 bits wide, and its last value says that there is no partner. */
+static void more_records_than_indices_are_refused(void **state)
+{
+	(void)state;
+	const u64 keys[] = {1, 2, 3}, counts[][2] = {{TS_NONE, 3}, {3, TS_NONE}, {(u64)1 << 32, 3}, {3, (u64)1 << 32}};
+	for (u32 i = 0; i < sizeof counts / sizeof *counts; i++) {
+		ts_order order;
+		ts_trace a = side("ref", keys, 3, false), b = side("cand", keys, 3, true);
+		a.item[keys_of].npy.n = counts[i][0];
+		b.item[keys_of].npy.n = counts[i][1];
+		assert_int_equal(ts_order_make(&order, keys_of, &a, &b), TS_ERROR);
+		says("more records than 32-bit indices can name");
+		free(a.item[keys_of].path);
+		free(b.item[keys_of].path);
+	}
+}
+
 /* Records larger than a window, in random order, with some missing. */
 static void records_are_gathered_by_windows(void **state)
 {
@@ -282,6 +299,7 @@ int main(void)
 		cmocka_unit_test(canonical_candidates_keep_their_places),
 		cmocka_unit_test(records_are_gathered_by_windows),
 		cmocka_unit_test(without_the_reference_no_place_is_told),
+		cmocka_unit_test(more_records_than_indices_are_refused),
 	};
 	return cmocka_run_group_tests(order, scratch_begin, scratch_remove);
 }

@@ -201,6 +201,13 @@ static void arrays_that_make_no_scene_are_refused(void **state)
 	camera.yfov = 0.1f;
 	camera.up[0] = 0.5f;
 	refuses(&bad, NULL, "camera 0: an eye within");
+	camera.up[0] = 0;
+	for (u32 k = 0; k < 3; k++) {
+		ts_camera_array far = camera;
+		bad.cameras = &far;
+		far.eye[k] = k == 1 ? -16777218.0f : 16777218.0f; /* the next number beyond the limit */
+		refuses(&bad, NULL, "camera 0: an eye within 16777216");
+	}
 	refuses(&good, &(ts_scene_options){.n_mirrors = 5}, "5 mirrors; at most 1000, and an array of them");
 	refuses(&good, &(ts_scene_options){.reflector = "ball"}, "no named nodes");
 	refuses(&good, &(ts_scene_options){.camera = "front"}, "camera front");

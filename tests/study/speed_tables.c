@@ -155,6 +155,15 @@ static void a_busy_run_counts_where_it_is_named(void **state)
 	busy[0] = false;
 	rays = ts_speed_figure_value(&speed, of, &of->figures[6]);
 	assert_true(!rays.quiet && rays.median == 200e3);
+	busy[0] = true;
+	for (u32 k = 0; k < 2; k++) w.set.frame[k].row.quiet = busy;
+	ts_speed_value timed = ts_speed_figure_value(&speed, of, &of->figures[0]);
+	assert_true(timed.quiet && timed.median == 1e3);
+	busy[0] = false;
+	timed = ts_speed_figure_value(&speed, of, &of->figures[0]);
+	ts_speed_value counted = ts_speed_figure_value(&speed, of, &of->figures[8]);
+	assert_true(!timed.quiet && timed.median == 10e3);
+	assert_true(counted.quiet && counted.median == 16); /* a busy machine counts no more points */
 	ts_table_texts_free(texts);
 }
 

@@ -366,12 +366,31 @@ static void hulls_show_segments_and_lobes(void **state)
 	drop(&p);
 }
 
+/* A picture that cannot be taken ends the run: nobody gets a page that silently lacks it. */
+static void a_picture_that_is_not_taken_ends_the_run(void **state)
+{
+	(void)state;
+	pictured p = {.pictures.n = TS_MAX_STAGE_PICTURES};
+	ts_params params = small_params(16, 9);
+	p.scene = small_scene(&params);
+	ts_run_begin(&p.run, p.scene, &params, 2);
+	p.run.hook = take;
+	p.run.hook_user = &p.pictures;
+	assert_int_equal(ts_pipeline_run(ts_pipeline_find("reflections", "epr"), &p.run), TS_ERROR);
+	if (strstr(ts_error_message(), "one more than") == NULL) fail_msg("%s", ts_error_message());
+	drop(&p);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(pictures_are_found_by_their_names), cmocka_unit_test(what_a_mask_leaves_out_is_grey),
-		cmocka_unit_test(cubes_are_laid_out_as_a_cross),     cmocka_unit_test(depths_and_light_are_greys),
-		cmocka_unit_test(the_map_of_a_view_is_two_discs),    cmocka_unit_test(hulls_show_segments_and_lobes),
+		cmocka_unit_test(pictures_are_found_by_their_names),
+		cmocka_unit_test(what_a_mask_leaves_out_is_grey),
+		cmocka_unit_test(cubes_are_laid_out_as_a_cross),
+		cmocka_unit_test(depths_and_light_are_greys),
+		cmocka_unit_test(the_map_of_a_view_is_two_discs),
+		cmocka_unit_test(hulls_show_segments_and_lobes),
+		cmocka_unit_test(a_picture_that_is_not_taken_ends_the_run),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
