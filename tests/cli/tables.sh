@@ -9,7 +9,7 @@ prints '^density.scale .*0.5' list params
 prints '^eye.distance  *far ' list params
 prints '^epr .*reflections' list methods
 prints '^atrium ' list scenes
-prints '^c  *0  *[a-z]' list backends
+prints '^c  *0  *[a-z].*  exact  *kept  *yes ' list backends
 prints 'triangles' info atrium:triangles=10000 --reflectors 1
 
 for what in 'list stages' 'list buffers' 'list sizes' 'list params' 'list methods' 'list truths' 'list scenes' \
