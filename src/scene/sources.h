@@ -38,8 +38,8 @@ void ts_builtin_names(char *text, size_t text_bytes);
 /* Fills a build with the scene that spec, for which ts_builtin_is is true, names. Reads params->{seed,
  * surfels.radius}. */
 void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params);
-/* From now on this process keeps what built-in scenes paint, some 50 MB a scene, and paints it once: for commands that
- * open one such scene after another. */
+/* From now on this process keeps what built-in scenes paint, at most 18 MB a scene, and paints it once: for commands
+ * that open one such scene after another. */
 void ts_builtin_keep(void);
 /* Opens a built-in scene with the reflectors that params ask for; needs neither glTF nor JSON. wanted may be NULL.
  * *scene by ts_scene_free; NULL on failure, also where spec is no built-in scene. */

@@ -108,10 +108,9 @@ static bool is_needless(const job *j, const worker *w, const cluster *c, i64 mos
 	return is_box_needless(j, w, box, &c->points);
 }
 
-static bool is_row_needless(const job *j, const worker *w, u32 row)
+static cluster row_alone(const job *j, u32 row)
 {
-	cluster alone = {j->live.bounds[row], ts_splat_reach_of(&j->live, row)};
-	return is_needless(j, w, &alone, MOST_ROW_TEXELS);
+	return (cluster){j->live.bounds[row], ts_splat_reach_of(&j->live, row)};
 }
 
 static void own_block(const job *j, worker *w, u32 k)
@@ -208,7 +207,10 @@ static void splat_alone(const job *j, worker *w, u32 k)
 	u32 at = w->batch.live[k];
 	const ts_splat_face *f = &w->face;
 	ts_box box = ts_k_view_box(&f->view);
-	if (j->clusters != NULL && w->batch.left[k] == TS_NONE && is_row_needless(j, w, at)) return;
+	if (j->clusters != NULL && w->batch.left[k] == TS_NONE) {
+		cluster row = row_alone(j, at);
+		if (is_needless(j, w, &row, MOST_ROW_TEXELS)) return;
+	}
 	ts_cover cover = ts_k_splat_triangle(&f->view, &j->args->from.pieces[j->live.piece[at]]);
 	if (cover.n == 0) return;
 	w->face.scatters += points_of(j, at);
@@ -282,10 +284,10 @@ static bool is_left(const job *j, worker *w, u32 row)
 	u32 k = w->batch.n;
 	w->batch.left[k] = TS_NONE;
 	if (!j->sieves || points_of(j, row) < SOME) return true;
-	if (is_row_needless(j, w, row)) return false;
-	ts_splat_reach reach = ts_splat_reach_of(&j->live, row);
+	cluster alone = row_alone(j, row);
+	if (is_needless(j, w, &alone, MOST_ROW_TEXELS)) return false;
 	w->batch.begin[k] = w->sieve.n;
-	w->batch.left[k] = ts_splat_sieve_add(&w->sieve, &w->face, &j->live, row, &reach);
+	w->batch.left[k] = ts_splat_sieve_add(&w->sieve, &w->face, &j->live, row, &alone.reach);
 	return w->batch.left[k] > 0;
 }
 
